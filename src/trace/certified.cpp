@@ -34,7 +34,7 @@ void Certified::write(std::uint32_t number, scene::ElementRef e, const Rounded& 
   hit.elementos.push_back(e);
 }
 
-/// What the lanes found; where they are not certain, the steps after them for this ray and element alone.
+/// The lane's result where it is certain; the later steps for this ray and element where it is not.
 Rounded Certified::rounded(const Hits& hits, std::size_t lane) {
   if ((rounded_.certain >> lane & 1) != 0) {
     ++counts_.rounding[0];

@@ -12,7 +12,7 @@
 namespace durero::trace {
 namespace {
 
-/// The steps of the program: floating point with certificates, and exact numbers.
+/// The steps of the program: floating point with certificates, then exact numbers.
 struct CertifiedSteps {
   const scene::Scene& scene;
   const model::Rayo& rayo;
@@ -24,7 +24,7 @@ struct CertifiedSteps {
   auto visit(scene::ElementRef e, Use&& use) const {
     return scene.visit(e, std::forward<Use>(use));
   }
-  /// Of what the tables store, byte by byte: 0 is not −0.
+  /// Orders elements by the bytes of their stored numbers, so 0 and −0 differ.
   std::strong_ordering order_of_numbers(scene::ElementRef a, scene::ElementRef b) const {
     if (a.tipo != b.tipo) return a.tipo <=> b.tipo;
     if (on(a) != on(b)) return on(a) <=> on(b);

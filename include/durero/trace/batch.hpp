@@ -1,7 +1,8 @@
 #pragma once
-/// The first hits of a block of rays, eight pairs of a ray and an element at a time in lanes. A ray that needs more
-/// than that (numbers out of the ordinary, a start on several elements, doubt about one element, or two elements whose
-/// points are not told apart) is left to be answered alone, from the beginning.
+/// Batched closest-hit search: the first hits of a block of rays, with eight pairs of a ray and an element tested side
+/// by side in lanes. Some rays are left to be answered one by one, from the beginning: rays with numbers out of the
+/// ordinary, with a start on several elements, with an undecided element, or with two elements whose points are not
+/// told apart.
 
 #include <array>
 #include <bit>
@@ -15,22 +16,28 @@
 
 namespace durero::trace {
 
-/// One block of rays against a source of candidates (trace/candidates.hpp). A Kernel has
-///   Findings, the result of its triage(packet, tipo, findings) in lanes, with the bits hit and undecided;
-///   Point, what it keeps of a hit, by point(findings, lane): its parameter is between low() and high(), ∞ by default;
-///   triage(columns, which, shape, findings by eights) too, for a source that takes rays in columns;
-///   counted, true, if it is to be known how many pairs were tested;
-///   hit(number, ray, source, own, point), told the nearest point of a ray, by its number in the block, and the
-///   source's name of the element; or miss(number).
-/// Rays that start on one element are left alone too, unless it has
-///   triage_from(packet, tipo, findings), of rays that start on their elements, and
-///   hit_own(number, ray, e, point), told in place of hit where the nearest point is one of that element of the scene.
+/// A block of rays and a source of candidates (trace/candidates.hpp). A Kernel has
+///   Findings              the result of its triage(packet, tipo, findings) in lanes, with the bits hit and undecided;
+///   Point                 a hit's record, made by point(findings, lane): its parameter is in low() … high(), both ∞ by
+///                         default;
+///   triage(columns, which, shape, findings by groups of eight)
+///                         for a source that offers rays in columns;
+///   counted               true, if the tested pairs are to be counted;
+///   hit(number, ray, source, own, point)
+///                         called with a ray's nearest point, its number in the block, and the source's name of the
+///                         element;
+///   miss(number)          called for a ray without a hit.
+/// A kernel may also have these two; without them, rays that start on an element are left alone:
+///   triage_from(packet, tipo, findings)
+///                         for rays that start on their elements;
+///   hit_own(number, ray, e, point)
+///                         called in place of hit where the nearest point lies on the element e that the ray starts on.
 template <class Source, class Kernel>
 class Batch {
   static constexpr bool counted = requires { Kernel::counted; };
 
  public:
-  /// All of these must outlive it.
+  /// The batch keeps references to its arguments, which must outlive it.
   Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
       : source_(source), kernel_(kernel), nearest_(queries.size()) {
     const bool none_apart = source.extraordinary().empty();
@@ -40,7 +47,7 @@ class Batch {
     });
   }
 
-  /// Tells the kernel of all rays but those that are left alone.
+  /// Gives the kernel the answers of all rays but those that are left alone.
   void answer() {
     if constexpr (most_starts > 0) test_starts();
     source_.pairs(
@@ -59,7 +66,7 @@ class Batch {
     }
   }
 
-  /// answer(number) for the rays that are left alone.
+  /// answer(number) for each ray that is left alone. Precondition: answer() was called.
   template <class Answer>
   void for_each_alone(Answer answer) const {
     for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
@@ -67,7 +74,7 @@ class Batch {
     }
   }
 
-  /// As the kernel wants it: how many pairs of a ray and an element the lanes decided, for the rays not left alone.
+  /// The number of pairs of a ray and an element that the lanes decided, without the rays that are left alone.
   std::uint64_t decided() const noexcept
     requires(counted)
   {
@@ -77,7 +84,7 @@ class Batch {
  private:
   static constexpr std::size_t most_starts = requires { &Kernel::triage_from; } ? 1 : 0;  // of a ray in lanes
 
-  /// Of one ray, so far.
+  /// A ray's nearest hit so far.
   struct Nearest {
     typename Kernel::Point point{};
     scene::ElementRef own{};
@@ -98,7 +105,7 @@ class Batch {
     kernel_.hit(number, rays_[number], source_, nearest.own, nearest.point);
   }
 
-  /// Each ray against the element that it starts on, which the source does not know of.
+  /// Tests each ray against the element that it starts on, whose further points are not left to the source.
   void test_starts() {
     if (!some_start_) return;
     for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
@@ -123,7 +130,7 @@ class Batch {
     queue.count = 0;
   }
 
-  /// What is taken, one by one or of rays in columns.
+  /// The `take` of PairCandidates::pairs, for one ray and for a bundle in columns.
   struct Take {
     Batch& batch;
     bool starts() const { return batch.some_start_; }
@@ -155,7 +162,8 @@ class Batch {
     queue.count = 0;
   }
 
-  /// The rays that have a bit against one element, eight by eight. A bit for each whose limit may have changed.
+  /// Tests an element for the rays in `which`, in groups of eight. The answer has a bit for each ray whose limit may
+  /// have changed.
   std::uint64_t test(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                      scene::ElementRef own) {
     if (some_start_) which &= ~starting_on(rays, which, own);
@@ -174,7 +182,7 @@ class Batch {
     return changed;
   }
 
-  /// Of the lanes that are used, what was found of the rays of those numbers and the elements of that name.
+  /// Keeps the findings of the lanes in `used`, for the rays of these numbers and the elements name(lane).
   template <class Name>
   void keep(const typename Kernel::Findings& findings, unsigned used, const std::uint32_t* numbers, Name name) {
     for (unsigned left = findings.undecided & used; left != 0; left &= left - 1)
@@ -197,7 +205,7 @@ class Batch {
   Kernel& kernel_;
   std::vector<Ray> rays_;
   std::vector<Nearest> nearest_;
-  bool some_start_ = false;  // on an element, of those not left alone
+  bool some_start_ = false;  // whether some ray that is not left alone starts on an element
   Queues queues_{};
   typename Kernel::Findings findings_{};
   std::array<typename Kernel::Findings, RayColumns::size / Packet::size> of_columns_{};

@@ -1,7 +1,7 @@
 #pragma once
-/// The certified answers over a source of candidates. An acceleration structure is such a source: it says which
-/// elements a ray may meet, and the search decides. So the answers are those of surface::exact, byte for byte, whatever
-/// the source, as long as it passes over nothing that the ray meets.
+/// Certified answers over a source of candidates. An acceleration structure is such a source: it says which elements a
+/// ray may meet, and the search decides. The answers are those of surface::exact, byte for byte, for every source that
+/// passes over no element that the ray meets.
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
@@ -21,14 +21,14 @@
 
 namespace durero::trace {
 
-/// What a source of candidates offers. It knows each element of its scene either as one of the extraordinary, which
-/// every ray may meet, or as one that it passes over where the ray has no point of it.
-///   scene()           the scene, unedited since the source was made.
-///   extraordinary()   the elements that are not `ordinary`, perhaps with others.
+/// A source of candidates divides the elements of its scene into the extraordinary, which every ray may meet, and the
+/// others, which it passes over only for rays that miss them. It offers
+///   scene()           the scene, unedited since the source was made;
+///   extraordinary()   the elements that are not `ordinary`, perhaps with others;
 ///   any(ray, limit, visit)
-///                     visit(e) for each of the other elements that the ray may meet at 0 < t ≤ limit(), at most once
-///                     each, until it answers true; whether it did. The limit may fall from one visit to the next.
-/// Precondition: the ray is ordinary.
+///                     visit(e) for each other element that the ray may meet at 0 < t ≤ limit(), at most once each,
+///                     until visit answers true. The result is whether it did. The limit may fall between visits.
+/// Precondition of any: the ray is ordinary.
 template <class Source>
 concept Candidates =
     requires(const Source& source, const Ray& ray, double (&limit)(), bool (&visit)(scene::ElementRef)) {
@@ -37,15 +37,15 @@ concept Candidates =
       { source.any(ray, limit, visit) } -> std::same_as<bool>;
     };
 
-/// A source that offers them for many rays at once too, in names of its own:
+/// A source that serves many rays at once, and may name elements in its own way:
 ///   pairs(rays, limit, take, flush)
-///                     as any, with take(number, own) and the number of a ray in `rays` for each visit. A ray whose
-///                     limit(number) is 0 is passed over. After flush() the limits take account of all that was taken.
-///   visit(own, f)     f(shape) with the geometry of what was taken
-///   element(own)      which element of the scene that is; of the same type.
-///   own(e)            as what an element is taken that is not one of extraordinary(): element(own(e)) = e.
-///   ask_for_own(e)    asks memory for what own(e) reads.
-/// Precondition: rays whose limit is not 0 are ordinary.
+///                     take(number, own) for each visit that any would make, with the ray's number in `rays`. A ray
+///                     whose limit(number) is 0 is passed over. After flush() the limits reflect every take so far.
+///   visit(own, f)     f(shape) with the geometry of a named element;
+///   element(own)      the element of the scene with that name, which has the same type;
+///   own(e)            the source's name of an element that is not in extraordinary(): element(own(e)) = e;
+///   ask_for_own(e)    prefetches the memory that own(e) reads.
+/// Precondition of pairs: rays whose limit is not 0 are ordinary.
 template <class Source>
 concept PairCandidates =
     Candidates<Source> &&
@@ -58,14 +58,14 @@ concept PairCandidates =
       source.ask_for_own(own);
     };
 
-/// visit(e, range) for every element of the scene, until it answers true. Whether it did.
+/// Calls visit(e, range) for every element of the scene, until it answers true. Whether it did.
 template <class Visit>
 bool any_element(const scene::Scene& scene, Visit visit) {
   return scene.any_of([&](scene::ElementRef e, const auto&) { return visit(e, Search::Range::unknown); });
 }
 
-/// visit(e, range) for every element that the ray may meet at t ≤ limit(), until it answers true. Whether it did. A
-/// source knows only the points of the element itself, so the elements that the ray starts on pass by it.
+/// Calls visit(e, range) for every element that the ray may meet at t ≤ limit(), until it answers true. Whether it did.
+/// Elements that the ray starts on are visited first and are not left to the source, which does not know of the start.
 template <Candidates Source, class Limit, class Visit>
 bool any_candidate(const Source& source, const Ray& ray, Origin en, Limit limit, Visit visit) {
   using Range = Search::Range;
@@ -91,7 +91,8 @@ scene::Hit first_hit_of(Search& search, Walk walk) {
   return search.finish();
 }
 
-/// Primera_Interseccion. Precondition of this and the others: the elements of en are in the scene.
+/// Primera_Interseccion over a source of candidates. Precondition of this and the functions below: the elements of en
+/// are in the scene.
 template <Candidates Source>
 scene::Hit first_hit_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
   Search search(source.scene(), rayo, en, counts);
@@ -99,7 +100,7 @@ scene::Hit first_hit_among(const Source& source, const model::Rayo& rayo, Origin
   return first_hit_of(search, [&](auto visit) { any_candidate(source, search.ray(), en, limit, visit); });
 }
 
-/// The ray meets some element at some t > 0.
+/// Whether the ray meets some element at some t > 0.
 template <Candidates Source>
 bool occluded_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
   const Search search(source.scene(), rayo, en, counts);
@@ -108,7 +109,7 @@ bool occluded_among(const Source& source, const model::Rayo& rayo, Origin en, Co
                        [&](scene::ElementRef e, Search::Range range) { return search.blocks(e, range); });
 }
 
-/// The ray meets some element at some 0 < t < 1.
+/// Whether the ray meets some element at some 0 < t < 1.
 template <Candidates Source>
 bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origin en, Counts& counts) {
   const Search search(source.scene(), rayo, en, counts);
@@ -117,10 +118,10 @@ bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origi
                        [&](scene::ElementRef e, Search::Range range) { return search.blocks_segment(e, range); });
 }
 
-/// answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling one may use: the more
-/// queries the larger up to a number, as more rays find company in a larger one, and not fewer than so many, that
-/// threads have some each. A thread that is free takes blocks one by one, so that none waits long for another at the
-/// end.
+/// Calls answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling thread may use.
+/// The size of a block grows with the number of queries, because a larger block holds more coherent rays: from 256 to
+/// `most`, and to a `not_fewer`-th of the queries, which leaves several blocks to each thread. A free thread takes the
+/// next block, so that none waits long for another at the end.
 template <class Answer>
 void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, std::size_t not_fewer = 64) {
   const std::size_t block_size = std::clamp<std::size_t>(size / not_fewer, 256, most);
@@ -133,9 +134,9 @@ void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, st
   oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block, oneapi::tbb::simple_partitioner());
 }
 
-/// first_hit_among of every query, in order, by eight in lanes: for more than a few rays the fastest way to the same
-/// bytes. The result does not depend on the number of threads. `counts`, where given, is added to. Precondition: a
-/// place in `hits` for each query.
+/// first_hit_among of every query, in order, batched in lanes: for more than a few rays the fastest way to the same
+/// bytes. The result does not depend on the number of threads. `counts`, where given, is added to. Precondition: `hits`
+/// has a place for each query.
 template <PairCandidates Source>
 void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                       Counts* counts) {
@@ -159,7 +160,7 @@ void first_hits_among(const Source& source, std::span<const scene::Query> querie
   });
 }
 
-/// occluded_segment_among of every query, in order. Threads and precondition as above.
+/// occluded_segment_among of every query, in order. Threads and precondition are those of first_hits_among.
 template <Candidates Source>
 void occluded_segments_among(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The certified steps of a batch: triage in lanes, then the nearest points improved and rounded in lanes.
+/// The kernel of Batch for certified hits: triage in lanes, then the nearest points are improved and rounded in lanes.
 
 #include <array>
 #include <cstdint>
@@ -14,26 +14,27 @@
 
 namespace durero::trace {
 
-/// A kernel of Batch. It writes the hits that the batch finds, each in its place, and counts what decided.
+/// A kernel of Batch. It writes each hit into its query's place, and counts the decisions of each step.
 class Certified {
  public:
-  static constexpr bool counted = true;  ///< all pairs, in `counts`
-  using Findings = trace::Findings;      ///< of its triage
-  /// What it keeps of a hit.
+  static constexpr bool counted = true;  ///< the pairs are counted, into `counts`
+  using Findings = trace::Findings;      ///< the result of triage
+  /// A hit's record.
   struct Point {
     Finding finding{Verdict::miss, no_limit};  ///< by triage
-    /// @{ Where its parameter lies.
-    // As the triage's error is more than three roundings of t more than needed (`quotient`), the ends may be rounded.
+    /// @{ Bounds of the parameter.
+    // Their own roundings are covered: the triage's error exceeds its need by three roundings of t (`quotient`).
     double low() const { return finding.hi - finding.error; }
     double high() const { return finding.hi + finding.error; }
     /// @}
   };
 
-  /// All of these must outlive it. Precondition: a place in `hits` for each query.
+  /// The kernel keeps references to its arguments, which must outlive it. Precondition: `hits` has a place for each
+  /// query.
   Certified(const scene::Scene& scene, Picked<const scene::Query> queries, Picked<scene::Hit> hits, Counts& counts)
       : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
 
-  /// @{ What Batch asks of a kernel.
+  /// @{ The functions that Batch calls.
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
@@ -57,11 +58,11 @@ class Certified {
   void hit_own(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point);
   /// @}
 
-  /// To be called last: the hits that still wait for a packet to fill are written.
+  /// Writes the hits that still wait for a packet to fill. Precondition: the batch has answered.
   void finish();
 
  private:
-  /// Hits of one type that wait to be rounded.
+  /// Hits of one type that wait to be rounded in lanes.
   struct Hits {
     Queue queue;
     Findings findings;
@@ -78,7 +79,7 @@ class Certified {
   Picked<scene::Hit> hits_;
   Counts& counts_;
   std::array<Hits, scene::shape_count> waiting_{};
-  std::array<Hits, scene::shape_count> waiting_own_{};  // of elements that their rays start on
+  std::array<Hits, scene::shape_count> waiting_own_{};  // on the elements that their rays start on
   RoundedPacket rounded_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a step finds of one ray and one element.
+/// The finding of a step on one ray and one element.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -7,31 +7,32 @@
 
 namespace durero::trace {
 
-/// Whether a ray meets an element, or the step cannot tell.
+/// A ray misses an element or hits it, or the step cannot tell.
 enum class Verdict : std::uint8_t { miss, hit, undecided };
 
-/// A·t + B at the root and A, each with its error: half the slope and curvature of the quadratic, to improve t with.
+/// A·t + B at the root and A, each with its error: half the slope and half the curvature of the quadratic, for Newton's
+/// step.
 struct Slope {
-  double at_root = 0, at_root_error = 0;  ///< A·t + B, and how far it may be off
-  double A = 0, A_error = 0;              ///< A, and how far it may be off
+  double at_root = 0, at_root_error = 0;  ///< A·t + B, and the bound on its error
+  double A = 0, A_error = 0;              ///< A, and the bound on its error
 };
 
 /// The first point of the ray on the element is within `error` of the parameter t = hi + lo (lo = 0 from the triage).
 struct Finding {
-  Verdict verdict;        ///< the numbers are of a hit
+  Verdict verdict;        ///< the numbers mean something for a hit
   double hi = 0, lo = 0;  ///< t = hi + lo
   double error = 0;       ///< absolute
   Slope slope{};          ///< by the triage
 };
 
-/// t and each coordinate of p + t·v rounded once; certain only if every number within the error rounds the same.
+/// t and each coordinate of p + t·v rounded once; certain only if every number within the error rounds to the same.
 struct Rounded {
-  bool certain = false;  ///< false: the numbers mean nothing
+  bool certain = false;  ///< where false, the numbers mean nothing
   double t = 0;          ///< t!
   glm::dvec3 punto{};    ///< punto!
 };
 
-/// The parameter that no point lies beyond.
+/// The limit of a ray without a limit.
 inline constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 }  // namespace durero::trace

@@ -1,6 +1,6 @@
 #pragma once
-/// What a ray first meets, without where: for whoever needs neither t nor the point, no root is improved and nothing is
-/// rounded.
+/// The first element that a ray meets, without its point. No root is improved and nothing is rounded, which is faster
+/// for callers that need neither t nor the point.
 
 #include <cstdint>
 #include <span>
@@ -10,43 +10,44 @@
 
 namespace durero::trace {
 
-/// A Hit less its numbers: plain, so that arrays of them take no memory beside their own.
+/// A Hit without its numbers, and without memory of its own.
 struct FirstElement {
   model::Resultado resultado = model::Resultado::miss;  ///< resultado!
-  std::uint32_t count = 0;                              ///< how many elementos! there are; 0 of a miss
-  scene::ElementRef least{};                            ///< the least of elementos!; meaningless of a miss
+  std::uint32_t count = 0;                              ///< the size of elementos!; 0 of a miss
+  scene::ElementRef least{};                            ///< the least of elementos!; without meaning for a miss
 
   bool operator==(const FirstElement&) const = default;
 };
 
-/// That of an answer.
+/// The FirstElement of a hit.
 inline FirstElement first_element(const scene::Hit& hit) {
   if (hit.elementos.empty()) return {hit.resultado};
   return {hit.resultado, static_cast<std::uint32_t>(hit.elementos.size()), hit.elementos[0]};
 }
 
-/// A kernel of Batch that writes them, each in its place.
+/// A kernel of Batch that writes the first elements, each into its query's place.
 class FirstElements {
  public:
-  using Findings = trace::Findings;  ///< of its triage
-  /// What it keeps of a hit: between which its parameter lies, as in Certified::Point.
+  using Findings = trace::Findings;  ///< the result of triage
+  /// A hit's record: bounds of its parameter, as in Certified::Point.
   class Point {
    public:
-    Point() = default;  ///< of nothing: beyond every limit
-    /// Of a hit.
+    Point() = default;  ///< no hit: both bounds are ∞
+    /// The bounds of a hit by triage.
     explicit Point(const Finding& by_triage)
         : low_(by_triage.hi - by_triage.error), high_(by_triage.hi + by_triage.error) {}
-    double low() const { return low_; }    ///< not after it
-    double high() const { return high_; }  ///< not before it
+    double low() const { return low_; }    ///< the lower bound
+    double high() const { return high_; }  ///< the upper bound
 
    private:
     double low_ = no_limit, high_ = no_limit;
   };
 
-  /// Precondition: a place in `elements` for each query. It must outlive this.
+  /// The kernel keeps a reference to `elements`, which must outlive it. Precondition: `elements` has a place for each
+  /// query.
   explicit FirstElements(Picked<FirstElement> elements) : elements_(elements) {}
 
-  /// @{ What Batch asks of a kernel.
+  /// @{ The functions that Batch calls.
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
@@ -71,7 +72,7 @@ class FirstElements {
   Picked<FirstElement> elements_;
 };
 
-/// first_element of first_hit_among of every query, in order. Threads and precondition as of first_hits_among.
+/// first_element of first_hit_among of every query, in order. Threads and preconditions are those of first_hits_among.
 template <PairCandidates Source>
 void first_elements_among(const Source& source, std::span<const scene::Query> queries,
                           std::span<FirstElement> elements) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Eight rays side by side, each against one element of the same type, or many of them against the same element: what
-/// steps over lanes take and give.
+/// A packet is eight rays side by side in lanes, each with an element of one type. The steps here also take up to 64
+/// rays in columns with one element.
 
 #include <algorithm>
 #include <array>
@@ -15,14 +15,14 @@
 
 namespace durero::trace {
 
-/// Rays and elements in columns; those of attributes that the type does not have mean nothing. Every lane must hold
-/// ordinary ones or zeros; results of unused lanes mean nothing.
+/// Rays and elements of one type in columns. Columns of attributes that the type does not have mean nothing, nor do the
+/// results of unused lanes. Precondition: every lane holds ordinary numbers or zeros.
 struct Packet {
-  static constexpr std::size_t size = 8;    ///< how many lanes
+  static constexpr std::size_t size = 8;    ///< lanes
   using Column = std::array<double, size>;  ///< a number of each lane
   using Columns = std::array<Column, 3>;    ///< of x, y and z
 
-  /// @{ The member of that name of Ray, or of the shapes.
+  /// @{ The member of that name of Ray, or of the shape.
   alignas(64) Columns p{};
   Columns v{};
   Column speed{};
@@ -33,7 +33,7 @@ struct Packet {
   std::array<Columns, 3> vertices{};
   /// @}
 
-  /// Fills a lane.
+  /// Sets a lane to a ray and an element.
   template <class Shape>
   void set(std::size_t lane, const Ray& ray, const Shape& shape) {
     set(p, lane, ray.p);
@@ -56,15 +56,14 @@ struct Packet {
   }
 };
 
-/// Pairs of a ray and an element of one type, which wait until there are enough for a packet. What names an element is
-/// the caller's.
+/// Pairs of a ray and an element of one type that wait to fill a packet. The caller chooses how elements are named.
 struct Queue {
   Packet packet;                                           ///< its first lanes are filled
-  std::array<std::uint32_t, Packet::size> numbers{};       ///< of the rays
-  std::array<scene::ElementRef, Packet::size> elements{};  ///< the elements
-  std::size_t count = 0;                                   ///< how many wait
+  std::array<std::uint32_t, Packet::size> numbers{};       ///< the numbers of the rays
+  std::array<scene::ElementRef, Packet::size> elements{};  ///< the names of the elements
+  std::size_t count = 0;                                   ///< pairs that wait
 
-  /// Adds a pair; shapes.visit(e, f) gives f the geometry. Precondition: not full.
+  /// Adds a pair; shapes.visit(e, f) gives f the geometry. Precondition: the queue is not full.
   template <class Shapes>
   void push(const Shapes& shapes, std::uint32_t number, const Ray& ray, scene::ElementRef e) {
     shapes.visit(e, [&](const auto& shape) { packet.set(count, ray, shape); });
@@ -72,8 +71,8 @@ struct Queue {
     elements[count] = e;
     ++count;
   }
-  /// Adds the first of some rays with the same element, as many as find room; their numbers count from one on. How
-  /// many.
+  /// Adds as many of the rays as find room, all with the same element; their numbers count up from `number`. The number
+  /// of rays that were added.
   template <class Shapes>
   std::size_t push(const Shapes& shapes, std::uint32_t number, std::span<const Ray> rays, scene::ElementRef e) {
     const std::span<const Ray> some = rays.first(std::min(rays.size(), Packet::size - count));
@@ -87,25 +86,25 @@ struct Queue {
   bool full() const { return count == Packet::size; }
 };
 
-/// A queue for each type.
+/// A queue for each type of element.
 using Queues = std::array<Queue, scene::shape_count>;
 
-/// By lane, what the triage finds: t within error, and the slope, of a hit. A lane neither hit nor undecided is a miss.
+/// The triage's findings in lanes: t within its error and the slope of a hit. A lane with neither bit is a miss.
 struct Findings {
   using Column = Packet::Column;  ///< a number of each lane
-  /// @{ As in Finding and Slope.
+  /// @{ The member of that name of Finding or Slope.
   alignas(64) Column t{};
   Column error{}, at_root{}, at_root_error{}, A{}, A_error{};
   /// @}
   unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
 
-  /// That of a lane.
+  /// The finding of a lane.
   Finding operator[](std::size_t lane) const {
     const auto has = [&](unsigned bits) { return (bits >> lane & 1) != 0; };
     const Verdict verdict = has(hit) ? Verdict::hit : has(undecided) ? Verdict::undecided : Verdict::miss;
     return {verdict, t[lane], 0, error[lane], {at_root[lane], at_root_error[lane], A[lane], A_error[lane]}};
   }
-  /// Precondition: a hit by triage.
+  /// Sets a lane to a finding. Precondition: the finding is a hit by triage.
   void set(std::size_t lane, const Finding& finding) {
     hit |= 1u << lane;
     t[lane] = finding.hi;
@@ -117,13 +116,13 @@ struct Findings {
   }
 };
 
-/// triage in every lane, for rays that do not start on the element, without a limit. A lane may be undecided where the
-/// triage of one ray is not.
+/// triage of eight pairs at once, for rays that do not start on their elements, without a limit. It may leave a lane
+/// undecided that the triage of one ray decides.
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings);
 
-/// Rays in columns, for tests of many of them against one element. Every one must be ordinary or zeros.
+/// Rays in columns, which are tested against one element together. Precondition: all are ordinary or zeros.
 struct RayColumns {
-  static constexpr std::size_t size = 64;   ///< how many at most
+  static constexpr std::size_t size = 64;   ///< rays at most
   using Column = std::array<double, size>;  ///< a number of each ray
 
   /// @{ The member of that name of Ray, by axis.
@@ -131,24 +130,25 @@ struct RayColumns {
   std::array<Column, 3> v{};
   Column speed{};
   /// @}
-  std::array<std::uint64_t, size> start{};  ///< what each starts on, as one number, where that is set
+  std::array<std::uint64_t, size> start{};  ///< the element that each starts on, where set_start was called
 
-  /// An element of a source of candidates as one number.
+  /// The name of an element, as one number.
   static constexpr std::uint64_t number(scene::ElementRef own) {
     return std::uint64_t{static_cast<std::uint8_t>(own.tipo)} << 32 | own.index;
   }
-  /// Fills a place but for what the ray starts on.
+  /// Sets a place to a ray, without the element that it starts on.
   void set(std::size_t place, const Ray& ray) {
     p[0][place] = ray.p.x, p[1][place] = ray.p.y, p[2][place] = ray.p.z;
     v[0][place] = ray.v.x, v[1][place] = ray.v.y, v[2][place] = ray.v.z;
     speed[place] = ray.speed;
   }
-  /// Apart, as most rays start on nothing, and no column of it is read then.
+  /// Sets the element that a ray starts on. The column is apart, because most rays start on nothing and it is not read
+  /// then.
   void set_start(std::size_t place, scene::ElementRef own) { start[place] = number(own); }
 };
 
-/// Of rays in columns that have a bit: a bit for each eight of some, that of its first place. Who goes through these
-/// passes over the others without a branch for each, which would go one way or the other as chance has it.
+/// The groups of eight that hold a ray of `which`: a bit for each, that of its first place. A loop over these bits has
+/// no branch for each empty group, which would be mispredicted.
 constexpr std::uint64_t eights_of(std::uint64_t which) {
   static_assert(Packet::size == 8);
   which |= which >> 4;
@@ -157,20 +157,21 @@ constexpr std::uint64_t eights_of(std::uint64_t which) {
   return which & 0x0101010101010101;
 }
 
-/// Those of the rays that have a bit which start on this element. Precondition: what they start on is set.
+/// The rays of `which` that start on this element. Precondition: set_start was called for each.
 std::uint64_t starting_on(const RayColumns& rays, std::uint64_t which, scene::ElementRef own);
 
-/// What the triage finds of rays in columns, by eights.
+/// The triage's findings for rays in columns, by groups of eight.
 using ColumnFindings = std::array<Findings, RayColumns::size / Packet::size>;
 
-/// The same for the rays that have a bit, and one element: in the lanes that they fill, what it finds in those of a
-/// packet. Eights of which none has a bit are left as they are; what other rays get means nothing.
+/// triage of one element for the rays in `which`, in the lanes that a packet of them would fill. Groups of eight
+/// without a ray of `which` keep their findings; the findings of other rays mean nothing. Precondition: no ray starts
+/// on the element.
 void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings);
 
-/// triage of a packet for rays that start on the element. Linear ones are never hit.
+/// triage of eight pairs whose rays start on their elements. A plane, disc or triangle is never hit.
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings);
 
-/// By lane, t and the point rounded once; only where certain.
+/// t and the point of a hit in each lane, rounded once; they mean something only in certain lanes.
 struct RoundedPacket {
   using Column = Packet::Column;  ///< a number of each lane
   alignas(64) Column t{};         ///< t!
@@ -178,11 +179,11 @@ struct RoundedPacket {
   unsigned certain = 0;           ///< a bit for every lane, the first lane's lowest
 };
 
-/// rounded(improved) in every lane. Precondition: the findings are hits by triage, of rays that do not start on the
-/// element.
+/// rounded(improved) in every lane (trace/steps.hpp). Precondition: the findings are hits by triage, of rays that do
+/// not start on their elements.
 void improve_and_round(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result);
-/// The same of rays that start on their elements. Precondition: the findings are hits by triage_from of these rays and
-/// elements.
+/// rounded(improved) for rays that start on their elements. Precondition: the findings are hits by triage_from of these
+/// rays and elements.
 void improve_and_round_from(const Packet& packet, model::Tipo tipo, const Findings& findings, RoundedPacket& result);
 
 }  // namespace durero::trace

@@ -1,6 +1,6 @@
 #pragma once
-/// Some of the entries of an array, in an order of their own: so many rays can be answered in an order that suits a
-/// structure, and each answer stands where its question does. And their rays.
+/// Permuted views of arrays. Many rays can be answered in the order that suits a structure, while each answer is
+/// written to its query's place. The rays of such a view are made here too.
 
 #include <concepts>
 #include <cstddef>
@@ -13,30 +13,31 @@
 
 namespace durero::trace {
 
-/// Refers to the array and to the places, which must outlive it.
+/// A view of entries of an array, in an order of its own. It refers to the array and to the places, which must outlive
+/// it.
 template <class T>
 class Picked {
  public:
-  /// All of them, as they stand.
+  /// The whole array in its own order.
   template <class Array>
     requires std::constructible_from<std::span<T>, Array&>
   Picked(Array& all) : all_(all), size_(all_.size()) {}
-  /// Those at some places.
+  /// The entries at `places`, in that order.
   Picked(std::span<T> all, std::span<const std::uint32_t> places)
       : all_(all), places_(places.data()), size_(places.size()) {}
 
-  /// @{ As of an array.
+  /// @{ The operations of an array.
   std::size_t size() const noexcept { return size_; }
   T& operator[](std::size_t i) const { return all_[places_ == nullptr ? i : places_[i]]; }
   /// @}
 
  private:
   std::span<T> all_;
-  const std::uint32_t* places_ = nullptr;  // null: as they stand
+  const std::uint32_t* places_ = nullptr;  // null for the array's own order
   std::size_t size_;
 };
 
-/// Part of an array: `count` entries from `begin` on, by an order, or as they stand where that is empty.
+/// The `count` entries from `begin` on of a permuted array; an empty `order` is the array's own order.
 template <class T>
 Picked<T> picked(std::span<T> all, std::span<const std::uint32_t> order, std::size_t begin, std::size_t count) {
   if (!order.empty()) return {all, order.subspan(begin, count)};
@@ -44,11 +45,11 @@ Picked<T> picked(std::span<T> all, std::span<const std::uint32_t> order, std::si
   return Picked<T>(part);
 }
 
-/// What queries are asked for: what is met first, or whether something is met before their ends.
+/// A query asks for the first hit, or whether a segment is occluded.
 enum class Asked : std::uint8_t { first, segment };
 
-/// The order in which a source would rather answer, by source.order(queries, asked): each query once; or empty, as they
-/// come.
+/// The order in which a source answers queries fastest, by source.order(queries, asked): a permutation of their
+/// numbers, or empty for the queries' own order.
 template <class Source>
 std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries, Asked asked) {
   if constexpr (requires { source.order(queries, asked); }) {
@@ -58,12 +59,12 @@ std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene:
   }
 }
 
-/// @{ Asks memory for what will be needed soon.
+/// @{ Prefetches bytes that will be needed soon.
 inline void ask_for(std::span<const std::byte> bytes) {
-  constexpr std::size_t line = 64;  // of the cache, or a multiple of it
+  constexpr std::size_t line = 64;  // of a cache line, or a multiple of it
   for (std::size_t at = 0; at < bytes.size(); at += line) __builtin_prefetch(&bytes[at]);
   if (!bytes.empty()) __builtin_prefetch(&bytes.back());
-  asm volatile("" : : "r"(bytes.data()));  // else GCC drops every call, as of a function that does nothing
+  asm volatile("" : : "r"(bytes.data()));  // GCC drops calls of a function without effects; this is one
 }
 template <class T>
 void ask_for(const T& object) {
@@ -71,9 +72,9 @@ void ask_for(const T& object) {
 }
 /// @}
 
-/// The rays of some queries, in order, with also(number, query, ray) of each while they are at hand. Where no element
-/// is extraordinary for the source, an ordinary ray that starts on one alone is told. Memory is asked for each query
-/// some time before its turn, and for what it starts on when the query has come.
+/// The rays of some queries, in order; also(number, query, ray) is called with each. A ray is told the one element that
+/// it starts on, if it is ordinary, starts on one alone, and the source has no extraordinary elements. Queries and the
+/// elements that they start on are prefetched some rays ahead.
 template <class Source, class Also>
 std::vector<Ray> rays_of(const Source& source, Picked<const scene::Query> queries, Also also) {
   constexpr std::size_t ahead = 16;

@@ -1,5 +1,5 @@
 #pragma once
-/// A ray in the numbers that the steps of the tracer use, and the range of numbers within which their bounds hold.
+/// A ray in the numbers that the tracer's steps use, and the range of numbers within which their bounds hold.
 
 #include <cmath>
 #include <cstdint>
@@ -12,38 +12,39 @@
 
 namespace durero::trace {
 
-/// What no element is named.
+/// The name of no element.
 inline constexpr scene::ElementRef nothing{{}, std::numeric_limits<std::uint32_t>::max()};
 
-/// A ray, what each element would compute of it again, and what it starts on. A line of the cache.
+/// A ray, the quantities that every test of it needs, and the element that it starts on, in one cache line.
 struct alignas(64) Ray {
-  /// Of a ray of the specification.
+  /// Makes the ray of the specification's; it starts on nothing.
   explicit Ray(const model::Rayo& rayo);
 
-  /// |v|², greater by 60u to 80u.
+  /// |v|², greater by 60u to 80u (u = 2⁻⁵³).
   double length_squared() const { return (v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50); }
   /// |v|, greater by 30u to 40u.
   double length() const { return std::sqrt(length_squared()); }
   /// 16u·(|p.x| + |p.y| + |p.z|), for the filter (trace/filter.hpp).
   double allowance() const { return 0x1p-49 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)); }
 
-  glm::dvec3 p, v;  ///< origin and direction, as they are
+  glm::dvec3 p, v;  ///< origin and direction, as stored
   double speed;     ///< V ≥ |v|
   bool ordinary;    ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
 
-  /// @{ What it starts on, by the name that a source of candidates has for it; nothing unless told.
+  /// @{ The element that the ray starts on, by the name that a source of candidates has for it; `nothing` unless told.
   scene::ElementRef start() const { return {start_tipo_, start_index_}; }
   void start_on(scene::ElementRef own) { start_tipo_ = own.tipo, start_index_ = own.index; }
   /// @}
 
  private:
-  // Apart, as the two of them together find no room in the line.
+  // Two members, because together they would not fit into the line.
   model::Tipo start_tipo_ = nothing.tipo;
   std::uint32_t start_index_ = nothing.index;
 };
 static_assert(sizeof(Ray) == 64);
 
-/// Every number of the element is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰: the bounds hold, and nothing over- or underflows.
+/// Whether every number of the element is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰. The steps' bounds hold then, and nothing
+/// overflows or underflows.
 bool ordinary(scene::ShapeView element);
 
 }  // namespace durero::trace

@@ -1,5 +1,5 @@
 #pragma once
-/// Algorithm II.2 for one ray, element by element, in any order: the answer does not depend on it.
+/// Algorithm II.2 for one ray, element by element. The answer does not depend on the order of the elements.
 
 #include <boost/container/small_vector.hpp>
 #include <memory>
@@ -17,65 +17,68 @@ namespace durero::trace {
 
 using scene::Origin;
 
-/// Where a ray first meets an element, by the first step that can tell: a parameter t in [low, high].
+/// A ray's first point on an element, by the first step that can tell: a parameter t in [low, high].
 struct Meeting {
-  /// What is met: nothing, a first point, or points as near to the origin as one likes.
+  /// A ray has no point on the element, a first one, or points as near to its origin as one likes.
   enum class Kind : std::uint8_t { none, point, no_minimum };
-  Kind kind = Kind::none;                                ///< the numbers are of a point
-  Step step = Step::triage;                              ///< which could tell
-  double low = 0, high = 0;                              ///< around the parameter
-  Finding finding{};                                     ///< by triage or stable
-  std::shared_ptr<const surface::exact::Parameter> t{};  ///< by exact
+  Kind kind = Kind::none;                                ///< the numbers belong to a point
+  Step step = Step::triage;                              ///< the step that could tell
+  double low = 0, high = 0;                              ///< bounds of the parameter
+  Finding finding{};                                     ///< the finding of triage or stable
+  std::shared_ptr<const surface::exact::Parameter> t{};  ///< the exact parameter, if the exact step told
 };
 
-/// An element, and where the ray first meets it.
+/// An element that the ray meets, and where.
 struct Candidate {
   scene::ElementRef e;  ///< what is met
-  Meeting at;           ///< its first point
+  Meeting at;           ///< the ray's first point on it
 };
 
-/// The findings of a search in the elements tested so far.
+/// A search's findings in the elements tested so far.
 struct Found {
-  double limit = no_limit;                                  ///< no point beyond it is the first
+  double limit = no_limit;                                  ///< the parameter beyond which no first hit lies
   boost::container::small_vector<Candidate, 4> candidates;  ///< in the order of their tests, none beyond the limit
   scene::ElementSet without_minimum;                        ///< met as near to the origin as one likes
 };
 
-/// One ray against one scene, both of which must outlive it.
+/// The search of one ray in one scene, both of which must outlive it.
 class Search {
  public:
-  /// Adds to `counts` what decided. Precondition: the elements of en are in the scene.
+  /// Starts without elements; the search adds its decisions to `counts`. Precondition: the elements of en are in the
+  /// scene.
   Search(const scene::Scene& scene, const model::Rayo& rayo, Origin en, Counts& counts);
 
   /// The ray, in the numbers of the steps.
   const Ray& ray() const noexcept { return ray_; }
 
-  /// No point beyond this parameter is the first: at least the first parameter among the elements tested so far.
+  /// The parameter beyond which no first hit lies: an upper bound of the least parameter among the elements tested so
+  /// far.
   double limit() const noexcept { return found_.limit; }
 
-  /// What the caller knows of the numbers of an element: that they are `ordinary`, or nothing.
+  /// The caller's knowledge of an element's numbers: that they are `ordinary`, or nothing.
   enum class Range : std::uint8_t { unknown, ordinary };
 
-  /// Takes an element into account. Precondition: no element is taken twice.
+  /// Tests an element. Precondition: no element is tested twice.
   void test(scene::ElementRef e, Range range = Range::unknown);
 
-  /// The answer over the elements tested. Elements whose points all lie beyond limit() may be left out.
+  /// The answer over the elements tested. Elements whose points all lie beyond limit() need not be tested.
   scene::Hit finish();
 
-  /// t and the point of an element that the triage found to be the nearest, rounded once.
+  /// t and the point, rounded once, of the nearest element, which the triage found.
   Rounded rounded_hit(scene::ElementRef e, const Finding& by_triage) const;
-  /// The same of the element that is nearest, where it is met so.
+  /// t and the point, rounded once, of the nearest element, where the ray meets it.
   Rounded rounded_hit(scene::ElementRef e, const Meeting& met) const;
 
-  /// The ray meets the element at some t > 0.
+  /// Whether the ray meets the element at some t > 0.
   bool blocks(scene::ElementRef e, Range range = Range::unknown) const;
-  /// The ray meets the element at some 0 < t < 1.
+  /// Whether the ray meets the element at some 0 < t < 1.
   bool blocks_segment(scene::ElementRef e, Range range = Range::unknown) const;
 
-  /// Where the ray first meets one element; none also where that is beyond the limit.
+  /// The ray's first point on an element; none also where the point lies beyond the limit.
   Meeting meeting(scene::ElementRef e, double limit, Range range = Range::unknown) const;
-  /// The same without the exact step; nothing where the others cannot tell. A point that they find is a simple root
-  /// strictly within the element's ends, edges or rim: they find none where a bound on their error leaves that open.
+  /// The ray's first point on an element by triage and stable alone; nothing where these cannot tell. A point that they
+  /// find is a simple root strictly within the element's ends, edges or rim, because they leave undecided what their
+  /// error bound leaves open.
   std::optional<Meeting> certified_meeting(scene::ElementRef e, double limit) const;
 
  private:

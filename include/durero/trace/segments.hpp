@@ -1,7 +1,7 @@
 #pragma once
-/// Which of many segments are occluded: a block of rays at a time against a source of candidates, eight pairs of a ray
-/// and an element at a time in lanes. As any point at t < 1 decides, nothing is rounded; what the triage leaves open is
-/// asked of the search.
+/// Batched any-hit search: which of a block of segments are occluded, with eight pairs of a ray and an element tested
+/// side by side in lanes. Nothing is rounded, because any point at t < 1 decides. The search of one ray decides what
+/// the triage leaves open.
 
 #include <oneapi/tbb/task_arena.h>
 
@@ -18,14 +18,15 @@
 namespace durero::trace {
 
 /// Search::blocks_segment by the first step that can tell. Preconditions: the ray is that of the query, and ordinary;
-/// the element is of the scene.
+/// the element is in the scene.
 bool blocks_segment(const scene::Scene& scene, const scene::Query& query, const Ray& ray, scene::ElementRef e);
 
-/// One block of rays against a source of candidates.
+/// A block of segments and a source of candidates.
 template <PairCandidates Source>
 class SegmentBatch {
  public:
-  /// All of these must outlive it. Precondition: a place in `occluded` for each query.
+  /// The batch keeps references to its arguments, which must outlive it. Precondition: `occluded` has a place for each
+  /// query.
   SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
       : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true) {
     rays_ = rays_of(source, queries, [&](std::size_t, const scene::Query& query, const Ray& ray) {
@@ -47,13 +48,12 @@ class SegmentBatch {
   }
 
  private:
-  /// So many rays before its turn memory is asked for what a ray starts on: as many as begin, each in some 7 ns, while
-  /// memory answers, within 160 ns. Among 10⁶ elements 3 % of the time of shadow rays is saved so, by any number from 4
-  /// to 64.
+  /// The distance in rays at which a start element is prefetched. A ray begins in about 7 ns, and memory answers within
+  /// 160 ns. Among 10⁶ elements the prefetch saves 3 % of the time of shadow rays, at any distance from 4 to 64.
   static constexpr std::size_t ahead = 24;
 
-  /// The rays from one on that are known to start on the same element are tested against it, or that one against what
-  /// it starts on; the source does not know of it. The number of the next.
+  /// Tests a ray against the elements that it starts on, which are not left to the source, or a run of consecutive rays
+  /// that are known to start on the same element. The number of the next ray.
   std::uint32_t begin(std::uint32_t number) {
     const scene::ElementRef start = rays_[number].start();
     std::uint32_t end = number;
@@ -69,7 +69,7 @@ class SegmentBatch {
     return end;
   }
 
-  /// Of what the ray before starts on too it was asked for.
+  /// Prefetches the element that a ray starts on, unless the ray before it starts on the same.
   void ask_for_start(std::size_t number) const {
     if (number >= rays_.size()) return;
     const scene::ElementRef start = rays_[number].start();
@@ -77,7 +77,7 @@ class SegmentBatch {
       source_.visit(start, [](const auto& shape) { ask_for(shape); });
   }
 
-  /// In lanes, as the element is ordinary.
+  /// Queues the rays begin … end against the ordinary element that they start on, for the lanes.
   void begin_on(scene::ElementRef own, std::uint32_t begin, std::uint32_t end) {
     Queue& queue = starts_[static_cast<std::size_t>(own.tipo)];
     for (std::span<const Ray> left = std::span(rays_).subspan(begin, end - begin); !left.empty();) {
@@ -87,7 +87,7 @@ class SegmentBatch {
     }
   }
 
-  /// Rays out of the ordinary are answered alone.
+  /// Tests a ray against the elements that it starts on. A ray with numbers out of the ordinary is answered at once.
   void begin_alone(std::uint32_t number) {
     const scene::Query& query = queries_[number];
     if (!rays_[number].ordinary) {
@@ -105,7 +105,8 @@ class SegmentBatch {
     }
   }
 
-  /// Precondition: what the ray starts on, if that is known, is another.
+  /// Whether `own` is one of several elements that the ray starts on. Precondition: it is not the one that the ray was
+  /// told.
   bool starts_on_it_too(std::uint32_t number, scene::ElementRef own) const {
     return some_start_untold_ && Origin(queries_[number].en).contains(source_.element(own));
   }
@@ -119,7 +120,7 @@ class SegmentBatch {
     open_[number] = false;
   }
 
-  /// As of Batch. A ray is open with the same limit, or not any more.
+  /// The `take` of PairCandidates::pairs. A ray's limit stays 1 until it is occluded, as any-hit traversal requires.
   struct Take {
     static constexpr bool any_hit = true;
     SegmentBatch& batch;
@@ -154,8 +155,9 @@ class SegmentBatch {
     decide(queue);
   }
 
-  /// The rays that have a bit against one element, eight by eight, but for those that start on it. A bit for each that
-  /// it blocks. Whether it is one of several that a ray starts on is asked where the ray may meet it: most do not.
+  /// Tests an element for the rays in `which`, in groups of eight, without the rays that start on it. The answer has a
+  /// bit for each ray that it occludes. A ray that starts on several elements is checked only after the triage, as most
+  /// rays miss.
   std::uint64_t test_columns(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                              scene::ElementRef own) {
     if (some_start_) which &= ~starting_on(rays, which, own);
@@ -186,8 +188,8 @@ class SegmentBatch {
     queue.count = 0;
   }
 
-  /// Precondition: the lane is hit or undecided. The ends of where the parameter lies may be rounded
-  /// (Certified::Point).
+  /// Decides a ray by the findings of a lane, or by the search where they do not tell. Precondition: the lane is hit or
+  /// undecided. The roundings of t ± error are covered (Certified::Point).
   void decide(const Findings& findings, std::size_t lane, std::uint32_t number, scene::ElementRef own) {
     const bool hit = (findings.hit >> lane & 1) != 0;
     if (hit && findings.t[lane] + findings.error[lane] < 1) {
@@ -200,19 +202,20 @@ class SegmentBatch {
   const Source& source_;
   Picked<const scene::Query> queries_;
   Picked<bool> occluded_;
-  std::vector<std::uint8_t> open_;  // not known to be occluded
+  std::vector<std::uint8_t> open_;  // the ray is not known to be occluded
   std::vector<Ray> rays_;
-  bool some_start_ = false, some_start_untold_ = false;  // on an element, which the ray is told, or on some
-  Queues starts_{}, queues_{};                           // of the elements that rays start on; of what was taken
+  bool some_start_ = false, some_start_untold_ = false;  // some ray was told its start; some ray starts untold
+  Queues starts_{}, queues_{};                           // of the elements that rays start on; of candidates
   Findings findings_{};
   ColumnFindings of_columns_{};
 };
 
-/// occluded_segment_among of every query, in order, in lanes. Threads and precondition as of first_hits_among.
+/// occluded_segment_among of every query, in order, batched in lanes. Threads and precondition are those of
+/// first_hits_among.
 template <PairCandidates Source>
 void occluded_segments_in_lanes(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
   const std::vector<std::uint32_t> order = order_of(source, queries, Asked::segment);
-  // In a larger scene company is farther off.
+  // A larger scene needs larger blocks for as many coherent segments.
   const std::size_t most = std::clamp<std::size_t>(source.scene().size() / 8, 1 << 12, 1 << 16);
   const auto threads = static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());
   for_each_block(

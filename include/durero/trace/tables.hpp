@@ -1,6 +1,6 @@
 #pragma once
-/// A scene prepared for many rays: a ball around each element, all of them tried by the filter, in the order of the
-/// scene. The simplest source of candidates (trace/candidates.hpp).
+/// A scene prepared for many rays without a structure: a ball around each element, all of which the filter tests. It is
+/// the simplest source of candidates (trace/candidates.hpp).
 
 #include <algorithm>
 #include <array>
@@ -15,20 +15,19 @@
 
 namespace durero::trace {
 
-/// Keeps a reference to the scene, which must outlive it unedited.
+/// The balls of a scene, which it keeps a reference to and which must outlive it unedited.
 class Tables {
  public:
   /// O(n) for n elements.
   explicit Tables(const scene::Scene& scene);
 
-  /// The scene, unedited since.
+  /// The scene of the tables.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary, and have no ball.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
 
-  // Both walks belong into their caller, which hands them its own next steps: a call more a ray and element is slower
-  // by some percent.
-  /// As a source of candidates has it.
+  // Both functions are inlined into their callers: a call for each ray and element would be slower by some percent.
+  /// Candidates::any (trace/candidates.hpp).
   template <class Limit, class Visit>
   [[gnu::always_inline]] bool any(const Ray& ray, Limit limit, Visit visit) const {
     Passed passed;
@@ -41,7 +40,7 @@ class Tables {
     return false;
   }
 
-  /// Chunk by chunk, each against every ray before the next, so that its balls stay in the cache.
+  /// PairCandidates::pairs: the balls in chunks that stay in the cache, each chunk against every ray before the next.
   template <class Limit, class Take, class Flush>
   [[gnu::always_inline]] void pairs(std::span<const Ray> rays, Limit limit, Take take, Flush flush) const {
     Passed passed;
@@ -56,7 +55,7 @@ class Tables {
     }
   }
 
-  /// @{ What pairs takes are the elements themselves.
+  /// @{ The operations of PairCandidates. The tables name elements as the scene does.
   template <class Visit>
   decltype(auto) visit(scene::ElementRef own, Visit&& visit) const {
     return scene_->visit(own, visit);
@@ -76,7 +75,7 @@ class Tables {
 
   const scene::Scene* scene_;
   Balls balls_;
-  std::vector<scene::ElementRef> elements_;  // of each ball
+  std::vector<scene::ElementRef> elements_;  // the element of each ball
   std::vector<scene::ElementRef> extraordinary_;
 };
 
