@@ -27,7 +27,7 @@ scene::Query query(const RayArrays& rays, std::size_t i) {
   return query;
 }
 
-/// answer(begin, queries) for the rays from `begin` on, some at a time.
+/// Calls answer(begin, queries) for consecutive rays, of which `begin` is the first.
 template <class Answer>
 void answer_some_at_a_time(const RayArrays& rays, Answer answer) {
   std::vector<scene::Query> queries;

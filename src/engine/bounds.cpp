@@ -17,7 +17,7 @@ using accel::Volumes;
 using scene::Query;
 using Queries = std::span<const Query>;
 
-/// Directions of so many rays, from all over them, are asked for void areas, whose polyhedra take long.
+/// The number of directions, spread over the rays, for which void areas are computed; their polyhedra are slow.
 constexpr std::size_t directions_asked = 16;
 
 std::vector<glm::dvec3> some_directions(Queries queries) {
@@ -30,7 +30,7 @@ std::vector<glm::dvec3> some_directions(Queries queries) {
   return some;
 }
 
-/// The processor's time for one call in nanoseconds: the least of several goes, each long enough for the clock.
+/// The CPU time of a call in nanoseconds: the least of several goes, each long enough for the clock's resolution.
 template <class Do>
 double nanoseconds_of(Do what) {
   constexpr int goes = 5;
@@ -47,7 +47,7 @@ double nanoseconds_of(Do what) {
   return least;
 }
 
-/// Tests of volumes alone, of every ray against all, as far as it goes.
+/// Tests every ray against all volumes, without a limit and without the elements.
 void test_volumes(const Volumes& volumes, Queries queries, accel::Work& work) {
   for (const Query& query : queries) {
     const trace::Ray ray(query.rayo);
@@ -120,7 +120,7 @@ class Bounding {
   double region_;
 };
 
-/// n and m are counted apart from what the clock runs over.
+/// Counts n and m in other runs than the timed ones.
 void measure(WayOfBounding& way, const Volumes& volumes, Queries queries, bool with_clock) {
   accel::Work answered;
   answer(accel::Counted(volumes, answered), queries);
@@ -134,7 +134,7 @@ void measure(WayOfBounding& way, const Volumes& volumes, Queries queries, bool w
   way.measured = nanoseconds_of([&] { answer(accel::Source(volumes), queries); }) / double(queries.size());
 }
 
-/// By the table of kinds, of all tests of volumes that were chosen element by element.
+/// The mean B of the kinds that were chosen for the elements, by the table.
 double B_of_the_table(const Volumes& volumes) {
   double sum = 0;
   std::size_t parts = 0;

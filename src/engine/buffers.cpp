@@ -38,7 +38,7 @@ class LightBuffered final : public Engine {
   accel::LightBuffer buffer_;
 };
 
-/// The segments from where the rays hit first to each of the lights.
+/// The shadow rays of some rays: segments from their first hits to each light.
 std::vector<Query> shadow_rays(const Scene& scene, const trace::Tables& tables, std::span<const Query> queries) {
   std::vector<Query> shadows;
   for (const Query& query : queries) {

@@ -1,5 +1,5 @@
 #pragma once
-/// The engines whose structures are for some rays alone, and measured with those.
+/// Engines whose structures serve only some rays, and are measured with these.
 
 #include <memory>
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace durero::engine {
 
-/// Segments that end at a light by accel::LightBuffer, other rays as `analytic`.
+/// Answers segments that end at a light by accel::LightBuffer, and other rays as `analytic`.
 std::unique_ptr<const Engine> light_buffer(const scene::Scene& scene);
-/// Measured with the segments from where the rays hit first to each of the lights.
+/// Measures the light buffer with the shadow rays of the queries: segments from their first hits to each light.
 Figures measured_light_buffer(const scene::Scene& scene, std::span<const scene::Query> queries);
 
-/// The item buffer's engine is structured<accel::ItemBuffer>: measured with as many primary rays as there are queries,
-/// evenly from all over the picture.
+/// Measures the item buffer with primary rays, as many as there are queries, spread evenly over the picture. Its engine
+/// is structured<accel::ItemBuffer>.
 Figures measured_item_buffer(const scene::Scene& scene, std::span<const scene::Query> queries);
 
 }  // namespace durero::engine

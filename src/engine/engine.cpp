@@ -29,8 +29,8 @@ namespace {
 using scene::Query;
 using scene::Scene;
 
-/// A sample stands for all points within its covering radius, so it cannot tell a ray's start on an element from a hit
-/// of that element nearby: it does not know origins.
+/// The oracle of samples as an engine. It ignores origins, because a sample stands for all points within its covering
+/// radius, and cannot tell a ray's start on an element from a nearby hit of that element.
 class Sampled final : public Engine {
  public:
   explicit Sampled(const Scene& scene) : oracle_(scene) {}
@@ -73,13 +73,14 @@ class Analytic final : public Engine {
 
 std::unique_ptr<const Engine> analytic(const Scene& scene) { return std::make_unique<const Analytic>(scene); }
 
-/// Where the lengths of a scene lie outside the range of the bounds, in a unit in which they do not.
+/// `fast` for a scene. A scene whose lengths lie outside the range of the bounds is answered in a unit of length in
+/// which they lie inside.
 std::unique_ptr<const Engine> fast(const Scene& scene) {
   if (const auto unit = unit_of(scene)) return std::make_unique<const Rescaled<Fast>>(scene, *unit);
   return std::make_unique<const Fast>(scene);
 }
 
-/// In the unit that `fast` answers in; rays that are not exact there are left out.
+/// Measures `fast` in the unit of length that it answers in, without the rays that are not exact there.
 Figures measured_fast(const Scene& scene, std::span<const Query> queries) {
   const auto unit = unit_of(scene);
   if (!unit) return measured<accel::WideBvh>(scene, queries);
@@ -133,7 +134,7 @@ const Row* find(std::string_view name) {
   return found == rows.end() ? nullptr : found;
 }
 
-/// Through the whole answers, some at a time.
+/// Takes the elements from whole hits, some queries at a time.
 void Engine::first_elements(std::span<const Query> queries, std::span<trace::FirstElement> elements) const {
   constexpr std::size_t at_a_time = 1 << 16;
   std::vector<scene::Hit> hits(std::min(queries.size(), at_a_time));

@@ -1,5 +1,5 @@
 #pragma once
-/// The engine over the wide tree, many rays together.
+/// The engine `fast` answers rays in batches over the wide hierarchy.
 
 #include "durero/accel/wide_bvh.hpp"
 #include "durero/engine/engine.hpp"

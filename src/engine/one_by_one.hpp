@@ -10,7 +10,7 @@
 
 namespace durero::engine {
 
-/// By first_hit(query) and occluded_segment(query), both of which any thread may call.
+/// Answers by first_hit(query) and occluded_segment(query). Precondition: any thread may call either.
 template <class FirstHit, class OccludedSegment>
 class OneByOne final : public Engine {
  public:

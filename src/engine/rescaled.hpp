@@ -1,5 +1,6 @@
 #pragma once
-/// An engine for a scene that another engine has in another unit of length (unit.hpp).
+/// An engine that answers the rays of a scene by another engine, which has the scene in another unit of length
+/// (unit.hpp).
 
 #include <algorithm>
 #include <boost/container/vector.hpp>
@@ -13,7 +14,8 @@
 
 namespace durero::engine {
 
-/// By Inner, an engine that is made of a scene. A ray that is not exact in the unit is answered element by element.
+/// Answers by Inner, an engine that is made of a scene. The search without tables answers rays that are not exact in
+/// the unit.
 template <class Inner>
 class Rescaled final : public Engine {
  public:
@@ -60,9 +62,10 @@ class Rescaled final : public Engine {
   }
 
  private:
-  static constexpr std::size_t at_a_time = 1 << 16;  // queries, which are copied
+  static constexpr std::size_t at_a_time = 1 << 16;  // queries that are copied into the unit together
 
-  /// take(number, answer, of_parameter) of what ask(queries) answers in the unit, and alone(number) of the others.
+  /// Calls take(number, answer, of_parameter) for the answers of ask(queries), and alone(number) for rays that are not
+  /// exact in the unit.
   template <class Ask, class Take, class Alone>
   void for_each_in_unit(std::span<const scene::Query> queries, Ask ask, Take take, Alone alone) const {
     for (std::size_t begin = 0; begin < queries.size(); begin += at_a_time) {

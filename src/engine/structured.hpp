@@ -1,5 +1,5 @@
 #pragma once
-/// An engine over an acceleration structure: candidates from the structure, answers from the certified search.
+/// An engine over an acceleration structure. Candidates come from the structure, answers from the certified search.
 
 #include <algorithm>
 #include <chrono>
@@ -12,11 +12,11 @@
 
 namespace durero::engine {
 
-/// Each query alone, in blocks that threads share.
+/// Answers each query by itself, in blocks that threads share.
 template <accel::Structure S>
 class Structured final : public Engine {
  public:
-  /// What the structure is made of beside the scene follows it.
+  /// Makes the structure of the scene and `more`.
   template <class... More>
   explicit Structured(const scene::Scene& scene, const More&... more) : structure_(scene, more...) {}
 
@@ -40,7 +40,7 @@ std::unique_ptr<const Engine> structured(const scene::Scene& scene, const More&.
   return std::make_unique<const Structured<S>>(scene, more...);
 }
 
-/// How long it takes to do something.
+/// The time of a call.
 template <class Do>
 double seconds_of(Do what) {
   const auto start = std::chrono::steady_clock::now();
@@ -48,7 +48,7 @@ double seconds_of(Do what) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Of a hierarchy with an inner node.
+/// The branching of a hierarchy. Precondition: it has an inner node.
 inline Branching branching(const accel::Hierarchy& tree) {
   Branching found{accel::weight<double>(tree) / accel::area<double>(tree[tree.root()].box), 0, 0};
   std::size_t inner = 0, children = 0;
@@ -62,7 +62,7 @@ inline Branching branching(const accel::Hierarchy& tree) {
   return found;
 }
 
-/// Row::measure. The clock runs over rays that are not counted, so that counting costs nothing there.
+/// Row::measure. The timed rays are not counted, because counting takes time.
 template <accel::Structure S, class... More>
 Figures measured(const scene::Scene& scene, std::span<const scene::Query> queries, const More&... more) {
   trace::Counts unseen;
@@ -76,7 +76,7 @@ Figures measured(const scene::Scene& scene, std::span<const scene::Query> querie
   });
   const accel::Counted counted(structure, figures.work);
   for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);
-  figures.size = structure.size();  // at the end: what is made when it is asked for belongs to it
+  figures.size = structure.size();  // at the end, because some structures are built on demand
   if constexpr (requires { structure.hierarchy(); })
     if (figures.size.nodes > 0) figures.branching = branching(structure.hierarchy());
   return figures;

@@ -16,7 +16,7 @@ namespace {
 
 using scene::Scene;
 
-/// Whether the attribute is measured in the unit of length: a direction and a slope are not.
+/// Whether the attribute is measured in the unit of length. A direction and a slope are not.
 template <class Attribute>
 constexpr bool is_length(const Attribute& attribute) {
   using Component = std::remove_const_t<decltype(attribute.component)>;
@@ -39,7 +39,7 @@ void for_each_number(scene::Corners& x, Use use) {
   for (glm::dvec3& corner : x) for_each_number(corner, use);
 }
 
-/// use(number, whether it is a length) of each number of a shape.
+/// Calls use(number, whether it is a length) for each number of a shape.
 template <class Shape, class Use>
 void for_each_number_of(Shape& shape, Use use) {
   scene::for_each_attribute<Shape>([&](const auto& attribute) {
@@ -47,7 +47,7 @@ void for_each_number_of(Shape& shape, Use use) {
   });
 }
 
-/// Multiplies by 2^exponent. Whether that is exact: then the way back gives the same.
+/// Multiplies by 2^exponent. Whether the product is exact, and so multiplies back to x.
 bool multiply(double& x, int exponent) {
   const double before = x;
   x = std::ldexp(x, exponent);
@@ -66,7 +66,7 @@ bool multiply_lengths(Shape& shape, int unit) {
   return exact;
 }
 
-/// What units make an element ordinary, the first and the last; none where the first is after the last.
+/// The units that make an element ordinary: a range, empty where first > last.
 struct Units {
   int first, last;
 };
@@ -88,7 +88,7 @@ Units units_of(Shape shape) {
   return others ? units : Units{0, -1};
 }
 
-/// In how many elements' units a unit lies, where that changes: from each key on.
+/// The number of elements that a unit makes ordinary, as changes: each key holds the difference to the unit before it.
 std::map<int, std::int64_t> changes(const Scene& scene) {
   std::map<int, std::int64_t> at;
   scene.for_each([&](scene::ElementRef, const auto& shape) {
@@ -147,7 +147,7 @@ scene::Hit out_of_unit(const Scene& scene, const scene::Query& query, scene::Hit
   const glm::dvec3 &p = query.rayo.p().xyz(), &v = query.rayo.v().xyz();
   bool exact = true;
   const auto multiply_back = [&](double& x, int exponent) {
-    // The least normal number may have been rounded as a subnormal one.
+    // A result of the least normal magnitude may have been rounded from a subnormal.
     const bool of_all_bits = std::isfinite(x) && std::abs(x) > std::numeric_limits<double>::min();
     x = std::ldexp(x, exponent);
     exact = exact && of_all_bits && std::isnormal(x);

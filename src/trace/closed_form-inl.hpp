@@ -1,10 +1,10 @@
 /// The first point of a ray on one element, by closed forms in a number type T of unit roundoff ε, with a certificate:
-/// binary64 (triage) or double-double (stable). It says hit or miss only where a bound on its error proves it. The
+/// binary64 (triage) or double-double (stable). A hit or miss is said only where an error bound proves it. The
 /// quadratic and the bounds of its coefficients are those of quadratic-inl.hpp.
 ///
-/// The bounds here pass those on. Where operands err by the whole of theirs an error takes all of its bound, of the
-/// root of D a third (tests/trace/closed_form_test.cpp); on generic rays it takes far less, as the coefficients err by
-/// far less than theirs.
+/// The bounds here pass on those of the coefficients. Where operands err by all of their bounds, an error takes all of
+/// its own, and that of the root of D a third (tests/trace/closed_form_test.cpp). On generic rays it takes far less,
+/// because the coefficients err by far less than their bounds.
 
 #if defined(DURERO_TRACE_CLOSED_FORM_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_CLOSED_FORM_INL_HPP_
@@ -22,7 +22,7 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-/// An approximation: within `error` of the number meant.
+/// An approximation, within `error` of the exact number.
 template <class T>
 struct Known {
   T value;
@@ -38,28 +38,30 @@ HWY_INLINE Known<T> root_of_discriminant(const Quadratic<T>& f) {
   return {S, 3 * f.B_error * leading(f.H) / leading(S) + 4 * Numbers<T>::roundoff * leading(S)};
 }
 
-/// A root of the quadratic: within `error` of t.
+/// A root of the quadratic, within `error` of t.
 template <class T>
 struct Root {
   T t;
   Bound<T> error;
 };
 
-/// The difference is rounded once, so its sign is right; with an infinite limit it is −∞ or NaN, and the answer false.
+/// Whether the root certainly lies beyond the limit. The difference is rounded once, so its sign is right; with an
+/// infinite limit it is −∞ or NaN, and the answer false.
 template <class T>
 HWY_INLINE Truth<T> beyond(const Root<T>& root, Bound<T> limit) {
   return leading(T(root.t - T(limit))) > root.error;
 }
 
-/// Whether a root is a point of the ray and of the element; where neither is known, both are false.
+/// Whether a root certainly is, or certainly is not, a point of the ray and of the element; both are false where
+/// neither is known.
 template <class T>
 struct Place {
   Truth<T> outside, inside;
 };
 
-/// avance at the root. It errs by what s0 and s1 bring, 4ε|q| + 3ε(|t| + error)V, by |s1|·error, and by the roundings
-/// of t·s1, of the sum and, where the caller takes it, of altura − avance, which make that 6ε|q| + 6ε(|t| + error)V +
-/// ε·altura: in all less than 16ε(|q| + altura + (|t| + error)V) + |s1|·error.
+/// avance at the root. Its error has three parts: of s0 and s1, 4ε|q| + 3ε(|t| + error)V; of the root, |s1|·error; and
+/// of the roundings of t·s1, of the sum and, where the caller takes it, of altura − avance, with which the first part
+/// becomes 6ε|q| + 6ε(|t| + error)V + ε·altura. In all it is less than 16ε(|q| + altura + (|t| + error)V) + |s1|·error.
 constexpr double advance_units = 16;
 template <class T>
 HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
@@ -68,7 +70,7 @@ HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
               (magnitude(f.s1) * 1.0000001) * root.error};
 }
 
-/// t > 0, and 0 ≤ avance ≤ altura or margin ≥ 0 where the element is so bounded.
+/// The place of a root: inside where t > 0, and 0 ≤ avance ≤ altura or margin ≥ 0 where the element is clipped.
 template <class T>
 HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
   const Bound<T> t = leading(root.t);
@@ -86,12 +88,12 @@ HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
   return {outside, inside};
 }
 
-/// What a step knows of the first point, in its own numbers.
+/// A step's finding on the first point, in the step's own numbers.
 template <class T>
 struct Found {
   Verdict verdict;
   Root<T> root{};
-  Bound<T> slope{}, slope_error{};  ///< A·t + B, and how far it may be off
+  Bound<T> slope{}, slope_error{};  ///< A·t + B, and the bound on its error
   Bound<T> A{}, A_error{};
 };
 
@@ -100,9 +102,9 @@ HWY_INLINE Found<T> found_at(const Quadratic<T>& f, const Root<T>& root, const T
   return {Verdict::hit, root, leading(slope), slope_error, leading(f.A), f.A_error};
 }
 
-/// x/y where each is known to its error: |x/y − x̂/ŷ| ≤ (x_error + |x̂/ŷ|·y_error)/(|ŷ| − y_error), and a rounding.
-/// Three roundings more are for who adds such errors to the result and rounds that (search.cpp).
-/// Precondition: |ŷ| > 2·y_error.
+/// x/y, both known to their errors: |x/y − x̂/ŷ| ≤ (x_error + |x̂/ŷ|·y_error)/(|ŷ| − y_error), and a rounding. Three
+/// more roundings allow a caller to add the error to the result and round the sum (ends.hpp). Precondition: |ŷ| >
+/// 2·y_error.
 constexpr double quotient_units = 4;
 template <class T>
 HWY_INLINE Root<T> quotient(const T& x, Bound<T> x_error, const T& y, Bound<T> y_error) {
@@ -112,8 +114,8 @@ HWY_INLINE Root<T> quotient(const T& x, Bound<T> x_error, const T& y, Bound<T> y
   return {t, error * 1.0000001 + quotient_units * Numbers<T>::roundoff * size};
 }
 
-/// q = −(B + σS) with the sign σ of the computed B: for either sign the roots are q/A and C/q, and A·t + B there −σS
-/// and σS. So q/A is the smaller one where σ and A agree in sign.
+/// The stable form of the two roots. With q = −(B + σS) and σ the sign of the computed B, the roots are q/A and C/q for
+/// either sign, and A·t + B there −σS and σS. Where σ and A agree in sign, q/A is the smaller root.
 template <class T>
 struct Stable {
   Truth<T> positive;  ///< σ
@@ -128,8 +130,8 @@ HWY_INLINE Stable<T> stable_sum(const Quadratic<T>& f, const Known<T>& root) {
   return {positive, S, {q, f.B_error + root.error + 2 * Numbers<T>::roundoff * magnitude(q)}};
 }
 
-/// The first of the two roots that is a point of the element, the nearer one first; beyond `limit` nothing matters.
-/// Precondition: the discriminant is positive.
+/// The first of the two roots that is a point of the element, tried in ascending order. Precondition: the discriminant
+/// is positive.
 template <class T>
 HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
   using std::abs;
@@ -139,7 +141,7 @@ HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
   if (!(size > 2 * q.error)) return {Verdict::undecided};
 
   const bool A_known(abs(A) > 2 * f.A_error);
-  // Where A may be 0, |q/A| is at least this, which may already be beyond the element or the limit.
+  // Where A may be 0, this bounds |q/A| from below, which may exceed the element or the limit already.
   bool far_away = false;
   if (!A_known) {
     const Bound<T> least = 0.9999999 * (size - q.error) / (abs(A) + f.A_error);
@@ -161,7 +163,8 @@ HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
   return {Verdict::miss};
 }
 
-/// The ray starts on the element, so C = 0: the roots are 0, which is no point of the ray, and −2B/A.
+/// The first point of a ray that starts on the element. C = 0, so the roots are 0, which is no point of the ray, and
+/// −2B/A.
 template <class T>
 HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, Bound<T> limit) {
   if (!(magnitude(f.A) > 2 * f.A_error)) return {Verdict::undecided};
@@ -172,14 +175,14 @@ HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, Bound<T> limit) {
   return {where.outside ? Verdict::miss : Verdict::undecided};
 }
 
-/// Where A is 0 the quadratic is 2B·t + C, and its slope there B. Precondition: |B| > 2·B_error.
+/// The root where A = 0: the quadratic is 2B·t + C, and its slope there B. Precondition: |B| > 2·B_error.
 template <class T>
 HWY_INLINE Root<T> root_of_linear(const Quadratic<T>& f) {
   return quotient(T(-f.C), f.C_error, T(f.B + f.B), 2 * f.B_error);
 }
 
-/// A is 0. Where B may be 0 as well the ray may lie in the surface, which this T cannot tell; where it starts on the
-/// element C is 0, and so is the only root.
+/// The first point where A = 0. Where B may be 0 too the ray may lie in the surface, which T cannot tell. Where the ray
+/// starts on the element C = 0, so the only root is 0.
 template <class T>
 HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, Bound<T> limit) {
   if (!(magnitude(f.B) > 2 * f.B_error)) return {Verdict::undecided};
@@ -191,7 +194,7 @@ HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, Bound<T> lim
   return {where.outside ? Verdict::miss : Verdict::undecided};
 }
 
-/// A is not 0 whatever the ray. on: as below.
+/// The first point on a shape whose A is not 0 for every ray. `on`: the ray starts on the element.
 template <class T>
 HWY_INLINE Found<T> first_of_curved(const Quadratic<T>& f, bool on, Bound<T> limit) {
   if (on) return first_from_surface(f, limit);
@@ -200,8 +203,8 @@ HWY_INLINE Found<T> first_of_curved(const Quadratic<T>& f, bool on, Bound<T> lim
   return first_of(f, limit);
 }
 
-/// The first point of the ray on the element, or none (none up to the limit), or that this T cannot tell.
-/// on: the ray starts on the element. Precondition: element and ray are ordinary.
+/// The first point of the ray on the element; or none (none up to the limit); or that T cannot tell. `on`: the ray
+/// starts on the element. Precondition: element and ray are ordinary.
 template <class T, class Element>
 HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
   const Quadratic<T> f = quadratic<T>(element, ray);
@@ -209,8 +212,8 @@ HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on,
   return first_of_curved<T>(f, on, limit);
 }
 
-/// The slope is of use to the triage's root alone; cut to its leading part it would be far from its error of the
-/// stable.
+/// The finding of a step. The slope is kept for the triage's root alone; in double-double its leading part would differ
+/// from it by far more than its error.
 template <class T>
 HWY_INLINE Finding published(const Found<T>& found) {
   const auto& [t, error] = found.root;
@@ -221,8 +224,8 @@ HWY_INLINE Finding published(const Found<T>& found) {
   }
 }
 
-/// The same in lanes, for rays that do not start on the element and without a limit: both roots are always taken, and
-/// a lane where A may be 0 is undecided. L is Lanes; proofs/Formas.v is written from what another L is asked.
+/// The first points in lanes, for rays that do not start on their elements, without a limit. Both roots are computed
+/// always, and a lane where A may be 0 is undecided. L is Lanes, or the symbolic numbers that write proofs/Formas.v.
 template <class L>
 struct LanesFound {
   Truth<L> hit, undecided;
@@ -254,7 +257,7 @@ HWY_INLINE LanesFound<L> first_in_lanes(const Quadratic<L>& f) {
           root_of_D.error};
 }
 
-/// Where there is one root, in the lanes where it is known.
+/// The first points where there is one root, in the lanes where it is known.
 template <class L>
 HWY_INLINE LanesFound<L> only_root(const Quadratic<L>& f, Truth<L> known, const Root<L>& root, L slope) {
   const Place<L> at = place(f, root);
@@ -262,27 +265,27 @@ HWY_INLINE LanesFound<L> only_root(const Quadratic<L>& f, Truth<L> known, const 
   return {hit, !(hit | miss), root, slope, f.B_error};
 }
 
-/// The same where A is 0.
+/// The first points in lanes where A = 0.
 template <class L>
 HWY_INLINE LanesFound<L> first_of_linear_in_lanes(const Quadratic<L>& f) {
   return only_root<L>(f, abs(f.B) > 2 * f.B_error, root_of_linear(f), f.B);
 }
 
-/// As first_from_surface.
+/// first_from_surface in lanes.
 template <class L>
 HWY_INLINE LanesFound<L> first_from_surface_in_lanes(const Quadratic<L>& f) {
   const Root<L> root = quotient(-(f.B + f.B), 2 * f.B_error, f.A, f.A_error);
   return only_root<L>(f, abs(f.A) > 2 * f.A_error, root, -f.B);
 }
 
-/// As first_of_linear of a ray that starts on the element: the only root is 0, which is no point of the ray.
+/// first_of_linear in lanes for rays that start on their elements: the only root is 0, which is no point of the ray.
 template <class L>
 HWY_INLINE LanesFound<L> first_of_linear_from_surface_in_lanes(const Quadratic<L>& f) {
   const Truth<L> known = abs(f.B) > 2 * f.B_error;
   return {known & !known, !known, {}, f.B, f.B_error};
 }
 
-/// What is found in lanes of rays that do not start on their elements, of one type, and of rays that do.
+/// The first points in lanes on elements of one type: for rays that do not start on them, and for rays that do.
 template <model::Tipo tipo, class L>
 HWY_INLINE LanesFound<L> found_in_lanes(const Quadratic<L>& f) {
   return is_linear(tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);

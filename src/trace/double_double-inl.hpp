@@ -1,6 +1,6 @@
-/// Numbers of about 106 bits: the unevaluated sum hi + lo of two binary64, with |lo| ≤ ulp(hi)/2. Compiled once for
-/// every instruction set, since an exact product takes two operations where there is a fused multiply-add and
-/// seventeen where there is none; the results are the same bits.
+/// Double-double numbers of about 106 bits: the unevaluated sum hi + lo of two binary64, with |lo| ≤ ulp(hi)/2. They
+/// are compiled for every instruction set, since an exact product takes two operations with a fused multiply-add and
+/// seventeen without; the results are the same bits.
 ///
 /// Each operation below errs by at most 2⁻¹⁰² of its result, which is 16u² with u = 2⁻⁵³, as long as nothing overflows
 /// or underflows (proofs/Sums.v, proofs/Products.v, proofs/Ratios.v). In units of u², relative to the result:
@@ -28,7 +28,7 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-/// hi + lo, of binary64 or of lanes of them.
+/// hi + lo, as numbers or in lanes.
 template <class R>
 struct Twofold {
   R hi = 0;
@@ -71,7 +71,7 @@ HWY_INLINE Twofold<R> two_prod_of_halves(R a, R b) {
   return {product, ((x.hi * y.hi - product) + x.hi * y.lo + x.lo * y.hi) + x.lo * y.lo};
 }
 
-/// fused_multiply_subtract: a·b − c rounded once. The one place where it is asked for; only where the hardware has it.
+/// a·b − c, rounded once; only where the hardware has a fused multiply-add. No other code asks for one.
 #if HWY_NATIVE_FMA
 HWY_INLINE double fused_multiply_subtract(double a, double b, double c) { return __builtin_fma(a, b, -c); }
 HWY_INLINE Lanes fused_multiply_subtract(Lanes a, Lanes b, Lanes c) { return hn::MulSub(a.v, b.v, c.v); }
@@ -124,7 +124,7 @@ HWY_INLINE Twofold<R> operator/(const Twofold<R>& a, const Twofold<R>& b) {
   return fast_two_sum(high, rest.hi / b.hi);
 }
 
-/// Precondition: a ≥ 0.
+/// The square root. Precondition: a ≥ 0.
 template <class R>
 HWY_INLINE Twofold<R> sqrt(const Twofold<R>& a) {
   using std::sqrt;

@@ -1,5 +1,5 @@
-/// Several binary64 side by side, in the registers of the instruction set, with the operators of one: an algorithm
-/// written over a number type T computes for T = Lanes in each lane the bits that it computes for T = double.
+/// Several binary64 in a register, with the operators of one. An algorithm over a number type T computes for T = Lanes,
+/// in each lane, the bits that it computes for T = double.
 
 #if defined(DURERO_TRACE_LANES_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_LANES_INL_HPP_
@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using LaneTag = hn::CappedTag<double, Packet::size>;
 
-/// What a comparison of lanes gives. Of single numbers it gives a bool.
+/// The result of comparing lanes, as a bool is of comparing numbers.
 struct LaneMask {
   hn::Mask<LaneTag> m;
 
@@ -56,7 +56,7 @@ struct Lanes {
   friend HWY_INLINE Lanes sqrt(Lanes a) { return hn::Sqrt(a.v); }
 };
 
-/// yes where the condition holds, no elsewhere.
+/// Selects yes where the condition holds, no elsewhere.
 HWY_INLINE Lanes choose(LaneMask condition, Lanes yes, Lanes no) { return hn::IfThenElse(condition.m, yes.v, no.v); }
 template <class T>
 HWY_INLINE T choose(bool condition, const T& yes, const T& no) {
@@ -70,7 +70,7 @@ HWY_INLINE unsigned bits(LaneMask mask) {
   return stored[0];
 }
 
-/// Half the numbers of a packet, or all, or one: where to begin the next part of it.
+/// The number of lanes of a register: 8, 4, 2 or 1 of the numbers of a packet.
 HWY_INLINE std::size_t lanes() { return hn::Lanes(LaneTag()); }
 
 }  // namespace HWY_NAMESPACE

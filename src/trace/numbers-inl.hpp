@@ -1,5 +1,5 @@
-/// What an algorithm over a number type T asks of it, and vectors over T, for T = double, Lanes and DoubleDouble: its
-/// unit roundoff, its leading part, and the difference of two binary64.
+/// The number types of the closed forms: T = double, Lanes and DoubleDouble, each with its unit roundoff, its leading
+/// part and the difference of two binary64; and vectors over T.
 
 #if defined(DURERO_TRACE_NUMBERS_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_NUMBERS_INL_HPP_
@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 template <class T>
 struct Numbers;
 
-/// binary64, one or in lanes.
+/// binary64, as a number or in lanes.
 template <class R>
 struct Binary64 {
   using Bound = R;
@@ -43,11 +43,11 @@ struct Numbers<DoubleDouble> {
   static HWY_INLINE DoubleDouble difference(double a, double b) { return two_sum(a, -b); }
 };
 
-/// What a bound on a T is, and what T's leading part is: binary64, one or in lanes.
+/// The type of a bound on a T, and of T's leading part: binary64, as a number or in lanes.
 template <class T>
 using Bound = typename Numbers<T>::Bound;
 
-/// What a condition on a T is.
+/// The type of a condition on a T.
 template <class T>
 using Truth = decltype(Bound<T>() < Bound<T>());
 
@@ -90,13 +90,13 @@ HWY_INLINE T length(const Vec<T>& a) {
   return sqrt(dot(a, a));
 }
 
-/// The sum of the magnitudes: at least the Euclidean length.
+/// The sum of the components' magnitudes, at least the Euclidean length.
 template <class T>
 HWY_INLINE Bound<T> extent(const Vec<T>& a) {
   return magnitude(a.x) + magnitude(a.y) + magnitude(a.z);
 }
 
-/// a − b and a, of stored vectors, in the numbers of T.
+/// a − b and a, for stored vectors, in the numbers of T.
 template <class T, class Stored>
 HWY_INLINE Vec<T> difference(const Stored& a, const Stored& b) {
   using N = Numbers<T>;

@@ -1,4 +1,4 @@
-// The triage in lanes, and its columns.
+// The triage in lanes: of packets, and of rays in columns.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/packet.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
@@ -12,7 +12,7 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// What is found of a quadratic, to the lanes from one on.
+/// Stores the findings of a quadratic into the lanes from `at` on.
 HWY_INLINE void keep(const Quadratic<Lanes>& f, const LanesFound<Lanes>& found, std::size_t at, Findings& findings) {
   found.root.t.store(&findings.t[at]);
   found.root.error.store(&findings.error[at]);
@@ -24,7 +24,7 @@ HWY_INLINE void keep(const Quadratic<Lanes>& f, const LanesFound<Lanes>& found, 
   findings.undecided |= bits(found.undecided) << at;
 }
 
-/// found(quadratic) in every lane.
+/// Stores find(quadratic) for every lane.
 template <model::Tipo tipo, class Find>
 HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
   findings.hit = findings.undecided = 0;
@@ -41,7 +41,7 @@ void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
   });
 }
 
-/// The lanes of some rays that the line may meet the surface in: the others miss it, as first_in_lanes has it.
+/// The lanes of `some` whose line may meet the surface. The other lanes miss it, by the first test of first_in_lanes.
 template <model::Tipo tipo>
 HWY_INLINE unsigned not_missed(const Quadratic<Lanes>& f, unsigned some) {
   if constexpr (is_linear(tipo)) return some;

@@ -1,4 +1,4 @@
-/// The columns of a packet, in lanes.
+/// Loads the columns of a packet into lanes.
 
 #if defined(DURERO_TRACE_PACKET_LANES_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_PACKET_LANES_INL_HPP_
@@ -25,7 +25,7 @@ HWY_INLINE LaneRay rays(const Packet& packet, std::size_t at) {
   return {load(packet.p, at), load(packet.v, at), Lanes::load(&packet.speed[at])};
 }
 
-/// Their elements.
+/// The elements from lane `at` on.
 template <model::Tipo tipo>
 HWY_INLINE LaneElement<tipo> element(const Packet& packet, std::size_t at) {
   return {load(packet.centro, at),

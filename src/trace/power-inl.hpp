@@ -1,9 +1,9 @@
-/// potencia at a point of a ray, in some hundred bits, of one element or of several in lanes: what the shapes share.
-/// That of each is in shape/.
+/// potencia at a point of a ray, in some hundred bits, for one element or several in lanes: the part that the shapes
+/// share. The potencia of each shape is in shape/.
 ///
-/// Numbers here are sums hi + lo of two binary64 that need not be normalised: sums and products of the leading parts
-/// are split exactly into hi and a remainder, remainders are added up in binary64. With u = 2⁻⁵³ a remainder is a few u
-/// of what it belongs to, so a rounding of it is of the order of u².
+/// Numbers here are sums hi + lo of two binary64 that need not be normalised. Sums and products of leading parts are
+/// split exactly into hi and a remainder; remainders are added up in binary64. With u = 2⁻⁵³ a remainder is a few u of
+/// its hi, so its rounding is of the order of u².
 
 #if defined(DURERO_TRACE_POWER_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_POWER_INL_HPP_
@@ -21,11 +21,11 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-/// hi + lo, here not always normalised.
+/// hi + lo, not always normalised.
 template <class R>
 using Pair = Twofold<R>;
 
-/// The square: (hi + lo)² = hi² + (2hi + lo)·lo.
+/// The square, by (hi + lo)² = hi² + (2hi + lo)·lo.
 template <class R>
 HWY_INLINE Pair<R> square(const Pair<R>& a) {
   const Pair<R> high = two_prod(a.hi, a.hi);
@@ -54,7 +54,7 @@ HWY_INLINE Pair<R> product(const Pair<R>& a, const Pair<R>& b) {
   return {high.hi, high.lo + (a.hi * b.lo + a.lo * b.hi)};
 }
 
-/// p + t·v − c along each axis, and W ≥ |p − centro| + |t·v|.
+/// The point p + t·v relative to c along each axis, and W ≥ |p − c| + |t·v|.
 template <class R>
 struct Place3 {
   Pair<R> x, y, z;
@@ -80,7 +80,8 @@ HWY_INLINE Pair<R> avance(const Place3<R>& q, const Axis& d) {
   return sum(sum(product<R>(q.x, d.x), product<R>(q.y, d.y)), product<R>(q.z, d.z));
 }
 
-/// d·d − 1, at most 2⁻⁵⁰: the sum of the leading squares less 1 is exact or nearly so, as they are close to 1.
+/// d·d − 1, at most 2⁻⁵⁰ in magnitude. The leading squares' sum less 1 is exact or nearly so, because the sum is close
+/// to 1.
 template <class R, class Axis>
 HWY_INLINE R excess(const Axis& d) {
   const Pair<R> n = sum(sum(two_prod<R>(d.x, d.x), two_prod<R>(d.y, d.y)), two_prod<R>(d.z, d.z));
@@ -96,14 +97,13 @@ HWY_INLINE Pair<R> alejamiento(const Place3<R>& q, const Pair<R>& s, const Axis&
 
 /// potencia at a point of the ray, and a bound on its error. In units of u·κ·M², M = W + r or W + altura: |q|'s lower
 /// parts are at most 3u·W in all, those of s 10u·W, of altura − s 11u·M, and with the remainders of the squares and
-/// sums all lower parts of the value come to less than 100. Each passes through at most 12 roundings: 1200u²·κM².
-/// What is lost where lower parts are rounded before a square is at most 2·(6 + 12·10)u²·κM². In all below 2⁻⁹⁵κM²
-/// = 2048u²·κM², and the last subtraction's part for a ray that starts on the element below another 2⁻⁹⁵κM². That it is
-/// so is proved: proofs/AtRoot.v, AtRootAxial.v and AtRootTriangle.v count at most 340u², and with that subtraction
-/// 421u², of sizes of at most 4.125κM².
-/// Measured (tests/conform/bounds_test.cpp) an error takes up to 1/1600 of this on generic rays and 1/110 on the worst
-/// found. It is left so: the root that it improves is good to some forty bits beyond a binary64 as it is, and all that
-/// a narrower bound could spare is the one rounding in 2⁴⁰ that lies between.
+/// sums all lower parts of the value come to less than 100. Each passes through at most 12 roundings: 1200u²·κM². At
+/// most 2·(6 + 12·10)u²·κM² is lost where lower parts are rounded before a square. The sum is below 2⁻⁹⁵κM² =
+/// 2048u²·κM², and the last subtraction's part for a ray that starts on the element is below another 2⁻⁹⁵κM². The bound
+/// is proved: proofs/AtRoot.v, AtRootAxial.v and AtRootTriangle.v count at most 340u², and with that subtraction 421u²,
+/// of sizes of at most 4.125κM². Measured errors (tests/conform/bounds_test.cpp) take up to 1/1600 of the bound on
+/// generic rays and 1/110 on the worst found. The bound stays wide: the root that it improves is good to some forty
+/// bits beyond a binary64 anyway, and a narrower bound could spare only the one rounding in 2⁴⁰ that lies between.
 template <class R>
 struct Power {
   Pair<R> value;

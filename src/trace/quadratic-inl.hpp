@@ -1,5 +1,5 @@
 /// The quadratic of a ray and an element over a number type T of unit roundoff ε, with a bound on the error of each
-/// coefficient: what the shapes share. The quadratic of each is in shape/.
+/// coefficient: the part that the shapes share. The quadratic of each shape is in shape/.
 ///
 /// Quantities. With q = p − centro, s0 = q·d, s1 = v·d, a = v − s1·d, b = q − s0·d, g = altura − s0 (d = vector):
 ///   sphere    A = v·v            B = q·v            C = q·q − r²      F, H = r|v| ∓ |q × v|
@@ -48,18 +48,18 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-/// The quantities of the comment above, each with a bound for its error.
+/// The quantities of the derivation above, with a bound on each error.
 template <class T>
 struct Quadratic {
   T A{}, B{}, C{};
-  T F{}, H{};  ///< D = F·H; both err by at most B_error
+  T F{}, H{};  ///< D = F·H; the error of both is at most B_error
   Bound<T> A_error{}, B_error{}, C_error{};
   T s0{}, s1{};          ///< avance at t is s0 + t·s1
-  bool bounded = false;  ///< by a stretch of its axis: 0 ≤ avance ≤ altura
+  bool bounded = false;  ///< clipped along its axis: 0 ≤ avance ≤ altura
   Bound<T> altura{};
   Bound<T> reach{}, speed{};  ///< |q| + altura and V: the bounds of avance and of its rate
-  bool edged = false;         ///< part of a plane, which the line crosses on or within its edge where margin ≥ 0
-  Bound<T> margin{}, margin_error{};  ///< the leading part of it, whose sign is its own, and the error of the whole
+  bool edged = false;         ///< part of a plane; where margin ≥ 0 the line crosses it within the edge or on it
+  Bound<T> margin{}, margin_error{};  ///< its leading part, whose sign is its own; the error of the whole
 };
 
 constexpr double coefficient_units = 64;
@@ -78,16 +78,17 @@ HWY_INLINE void set_factors(Quadratic<T>& f, const T& of_surface, const T& of_li
   f.H = of_surface + of_line;
 }
 
-/// Which of the shapes in shape/ is meant.
+/// A tag that selects a shape's overload in shape/.
 template <model::Tipo tipo>
 using Of = std::integral_constant<model::Tipo, tipo>;
 
-/// Whether the potencia of the shape is linear, so that its A is 0.
+/// Whether the shape's potencia is linear, so that A = 0.
 constexpr bool is_linear(model::Tipo tipo) {
   return tipo == model::Tipo::soy_plano || tipo == model::Tipo::soy_disco || tipo == model::Tipo::soy_triangulo;
 }
 
-/// Rays and elements of one type in lanes, with the letters of the shapes of scene. What the type has not is 0.
+/// Rays and elements of one type in lanes, with the letters of the scene's shapes. Attributes that the type lacks are
+/// 0.
 template <class L>
 struct RayIn {
   Vec<L> p, v;
@@ -104,7 +105,7 @@ struct LaneElement {
   std::array<Vec<L>, 3> vertices;
 };
 
-/// What the shapes along an axis share.
+/// The quantities that shapes along an axis share.
 template <class T>
 struct Axial {
   Vec<T> q, a, b;

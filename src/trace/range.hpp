@@ -1,6 +1,7 @@
 #pragma once
-/// What is computed of a ray and of an element before all else: how fast the ray is at most, and whether the numbers
-/// are in the range within which the bounds of the steps hold. Over double, and over what writes proofs/Formas.v.
+/// The quantities of a ray and of an element that every step needs: an upper bound of the ray's speed, and whether the
+/// numbers are in the range of the steps' bounds. The functions are templates over double and over the symbolic numbers
+/// that write proofs/Formas.v.
 
 #include <bit>
 #include <cmath>
@@ -11,14 +12,14 @@
 
 namespace durero::trace {
 
-/// The sum of the magnitudes of a direction: but for its roundings at least the length.
+/// The sum of the magnitudes of a direction's components: at least its length, but for roundings.
 template <class Vector>
 inline auto speed_of(const Vector& v) {
   using std::abs;
   return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
-/// Two binary64 side by side, and what is true of them.
+/// Two binary64 in a register, and two truth values.
 struct DoublePairs {
   using Pair [[gnu::vector_size(16)]] = double;
   using Truths [[gnu::vector_size(16)]] = std::int64_t;
@@ -29,8 +30,8 @@ struct DoublePairs {
   static bool both(Truths truths) { return (truths[0] & truths[1]) != 0; }
 };
 
-/// Of each of two numbers, that it is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰; without branches and two at a time, as it is
-/// asked for every ray.
+/// Whether each of two numbers is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰. The test has no branches and takes two numbers at
+/// once, because every ray needs it.
 template <class Pairs>
 inline typename Pairs::Truths pair_in_range(typename Pairs::Pair x) {
   const typename Pairs::Pair size = Pairs::magnitudes(x);
@@ -46,7 +47,7 @@ inline auto ray_in_range(const Vector& p, const Vector& v) {
                      pair_in_range<Pairs>(Pair{v.y, v.z}));
 }
 
-/// Whether each number of an attribute is: a number, a vector, or the vertices of a triangle.
+/// Whether each number of an attribute is in range: of a number, a vector, or the vertices of a triangle.
 template <class Pairs, class Stored>
 inline auto attribute_in_range(const Stored& a) {
   using Pair = typename Pairs::Pair;
@@ -58,7 +59,7 @@ inline auto attribute_in_range(const Stored& a) {
     return Pairs::both(pair_in_range<Pairs>(Pair{a, a}));
 }
 
-/// Whether each number of an element is, of which `value` has the attributes.
+/// Whether each number of an element is in range; value(attribute) gives its attributes.
 template <class Pairs, class Shape, class Value>
 inline bool shape_in_range(Value value) {
   bool all = true;

@@ -1,5 +1,5 @@
-/// A root improved by one step of Newton's, and numbers rounded once where that is certain: one ray or several in
-/// lanes. What is certain is rounded right: proofs/Once.v.
+/// Improves a root by one step of Newton's, and rounds numbers once where that is certain, for one ray or several in
+/// lanes. A certain result is rounded right: proofs/Once.v.
 
 #if defined(DURERO_TRACE_ROUNDING_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_ROUNDING_INL_HPP_
@@ -17,13 +17,13 @@ HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
-/// quadratic_at of rays that start on the element, one or several.
+/// quadratic_at for rays that start on their elements, one or several.
 template <class R, class Element, class Ray>
 HWY_INLINE Power<R> own_quadratic_at(R t, const Element& element, const Ray& ray) {
   return launched(power_at(t, element, ray), power_at(R(0.0), element, ray));
 }
 
-/// t = hi + lo within the error, where the slope is known not to be 0.
+/// A root t = hi + lo within the error, where the slope is known not to be 0.
 template <class R>
 struct Improved {
   Truth<R> known;
@@ -31,8 +31,8 @@ struct Improved {
   R error;
 };
 
-/// With δ = t* − t the way to the root t*, σ = A·t* + B and f the quadratic at t, f = −2σδ + Aδ². So δ = −f/(2σ − Aδ),
-/// and |δ| ≤ t.error bounds the last term.
+/// Newton's step. With δ = t* − t the way to the root t*, σ = A·t* + B and f the quadratic at t, f = −2σδ + Aδ². So δ =
+/// −f/(2σ − Aδ), and |δ| ≤ t.error bounds the last term.
 template <class R>
 HWY_INLINE Improved<R> newton(const Root<R>& t, const Known<R>& slope, const Known<R>& A, const Power<R>& f) {
   using std::abs;
@@ -43,16 +43,16 @@ HWY_INLINE Improved<R> newton(const Root<R>& t, const Known<R>& slope, const Kno
   return {abs(denominator) > 2 * denominator_error, two_sum(t.t, delta.t), delta.error};
 }
 
-/// A number rounded once, where it is known that it rounds so.
+/// A number rounded once, and whether that is certain.
 template <class R>
 struct Once {
   R value;
   Truth<R> certain;
 };
 
-/// Rounds x where every number within the error of it rounds the same: rounding is monotone, and hi + (lo ± error) is
-/// one rounded sum. The last term pays for the rounding of lo ± error. Numbers near the ends of the range are left to
-/// the exact step.
+/// Rounds x once, certain where every number within the error of it rounds the same: rounding is monotone, and hi + (lo
+/// ± error) is one rounded sum. The last term pays for the rounding of lo ± error. Numbers near the ends of the range
+/// are left to the exact step.
 template <class R>
 HWY_INLINE Once<R> round_once(const Pair<R>& x, R error) {
   using std::abs;
@@ -63,8 +63,8 @@ HWY_INLINE Once<R> round_once(const Pair<R>& x, R error) {
   return {low, certain};
 }
 
-/// p + t·v, not rounded, and a bound on its error. The lower part is of two remainders and t.lo·v, together at most
-/// 3u(|p| + |t·v|), and passes through three roundings; beside that the error of t, mostly the greater.
+/// p + t·v, not rounded, and a bound on its error. The lower part consists of two remainders and t.lo·v, together at
+/// most 3u(|p| + |t·v|), and passes through three roundings; the error of t, mostly the greater, is added.
 template <class R>
 struct Coordinate {
   Pair<R> value;
@@ -77,7 +77,7 @@ HWY_INLINE Coordinate<R> coordinate(R p, R v, const Pair<R>& t, R t_error) {
   return {sum(way, Pair<R>(p)), R(abs(v) * t_error + 0x1p-102 * (abs(way.hi) + abs(p)))};
 }
 
-/// The coordinate rounded once. Where v is 0 it is exactly p; 0 for −0.
+/// The coordinate rounded once. Where v is 0 it is exactly p, with 0 for −0.
 template <class R>
 HWY_INLINE Once<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
   const Coordinate<R> at = coordinate(p, v, t, t_error);
@@ -99,7 +99,7 @@ HWY_INLINE Coordinates<R> round_coordinates(const Ray& ray, const Pair<R>& t, R 
   return {x, y, z};
 }
 
-/// The parameter and the point there, each rounded once where all of them are certain.
+/// The parameter and the point, each rounded once; certain where all of them are.
 template <class R>
 struct OncePoint {
   R t, x, y, z;
@@ -116,10 +116,10 @@ HWY_INLINE OncePoint<R> round_point(const Ray& ray, const Pair<R>& t, R t_error)
   return joined(of_t, round_coordinates<R>(ray, t, t_error));
 }
 
-/// A coordinate that all points of a plane have in common, where it stands at a right angle to that axis: the one of
-/// its centre, where its normal has no component along the others, for of n·(x − c) = 0 is left n.x·(x − c.x) = 0; the
-/// one of the corners of a triangle, where they are alike. No interval about a computed one tells the sign of a floor
-/// at 0.
+/// A coordinate that all points of a flat element share, where its plane is perpendicular to that axis. For a plane or
+/// disc it is the centre's, where the normal has no component along the other axes: of n·(x − c) = 0 remains n.x·(x −
+/// c.x) = 0. For a triangle it is the corners', where these are equal. An interval around a computed coordinate could
+/// not tell the sign of a floor at 0.
 template <class R>
 HWY_INLINE Once<R> level_of_corners(R a, R b, R c) {
   const Truth<R> known = (a == b) & (a == c);
@@ -141,14 +141,14 @@ HWY_INLINE Coordinates<R> levels(const Element& element) {
   }
 }
 
-/// The first, where it is certain.
+/// The first number where it is certain, else the second.
 template <class R>
 HWY_INLINE Once<R> either(const Once<R>& first, const Once<R>& second) {
   const Truth<R> certain = first.certain | second.certain;
   return {choose(first.certain, first.value, second.value), certain};
 }
 
-/// The same of a ray that meets the element at t.
+/// round_point for a ray that meets the element at t.
 template <class R, class Element, class Ray>
 HWY_INLINE OncePoint<R> round_point_on(const Element& element, const Ray& ray, const Pair<R>& t, R t_error) {
   if constexpr (!is_linear(Element::tipo)) {

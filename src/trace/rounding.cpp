@@ -1,5 +1,5 @@
-// The parameter and the point of a hit, rounded once. A root known from the triage to some forty bits is improved by
-// one step of Newton's to some ninety, which nearly always decide the rounding.
+// The parameter and the point of a hit, rounded once. The triage knows a root to some forty bits; one step of Newton's
+// improves it to some ninety, which nearly always decide the rounding.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/rounding.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
@@ -34,7 +34,7 @@ Finding improved_of(scene::ShapeView element, const Ray& ray, bool on, const Fin
   return {Verdict::hit, better.t.hi, better.t.lo, better.error, slope};
 }
 
-/// own: the rays start on the elements.
+/// `own`: the rays start on their elements.
 template <Tipo tipo, bool own>
 void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& result) {
   using Column = Packet::Column;

@@ -1,15 +1,22 @@
 #pragma once
-/// The search of one ray, over steps that are given: function by function the model of proofs/Search.v, and of a shadow
-/// ray that of proofs/Occlusion.v. search.cpp gives it the steps of the program, tests give it tables of answers.
+/// The search of one ray over given steps: function by function the model of proofs/Search.v, and for a shadow ray that
+/// of proofs/Occlusion.v. search.cpp gives it the steps of the program, tests give it tables of answers.
 ///
-/// What Steps has, where `element` is what visit hands to its function, and `on` whether the ray starts on it:
-///   on(e), visit(e, use)                           of an ElementRef
-///   order_of_numbers(e, f)                         of two; equal where both are the same numbers, and start on both or
-///   none in_range(element, range)                       floating point may be asked triage(element, on, limit),
-///   stable(element, on, limit), improved(element, on, finding)    as in steps.hpp reach(element, on), order(t, u)
-///   exact ends(step, finding), ends(t)                   around the parameter ahead(f, g), certainly_less(f, g) of two
-///   findings by stable: the first is to be tried, is nearer rounded(element, finding), rounded(t)          t and the
-///   point, rounded once
+/// Steps has these functions, where `element` is the argument that visit gives to its function, and `on` is whether the
+/// ray starts on the element:
+///   on(e), visit(e, use)          for an ElementRef;
+///   order_of_numbers(e, f)        an order of two elements; equal where both have the same numbers, and the ray starts
+///                                 on both or on neither;
+///   in_range(element, range)      whether floating point may be asked;
+///   triage(element, on, limit), stable(element, on, limit), improved(element, on, finding)
+///                                 the steps of triage.hpp and steps.hpp;
+///   reach(element, on), order(t, u)
+///                                 the exact step;
+///   ends(step, finding), ends(t)  bounds of the parameter;
+///   ahead(f, g), certainly_less(f, g)
+///                                 for two findings by stable: whether f is tried first, and whether it is nearer;
+///   rounded(element, finding), rounded(t)
+///                                 t and the point, rounded once.
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
@@ -80,7 +87,7 @@ bool blocks(const Steps& steps, scene::ElementRef e, Search::Range range, Counts
   return meeting_of(steps, e, no_limit, range, counts).kind != Meeting::Kind::none;
 }
 
-/// Near 1 the exact parameter decides.
+/// Whether the ray meets the element at some 0 < t < 1. The exact parameter decides near 1.
 template <class Steps>
 bool blocks_segment(const Steps& steps, scene::ElementRef e, Search::Range range, Counts& counts) {
   const Meeting met = meeting_of(steps, e, 1, range, counts);
@@ -107,7 +114,7 @@ void take(const Steps& steps, Found& found, scene::ElementRef e, Search::Range r
   const bool nearer = met.high < found.limit;
   if (nearer) found.limit = met.high;
   found.candidates.push_back({e, std::move(met)});
-  if (nearer) drop_beyond_limit(found);  // the others lay within the limit as it was
+  if (nearer) drop_beyond_limit(found);  // the other candidates lay within the old limit
 }
 
 template <class Steps>
@@ -124,7 +131,7 @@ void make_exact(const Steps& steps, Candidate& candidate) {
   if (!candidate.at.t) candidate.at = exact_meeting(steps, reach_of(steps, candidate.e));
 }
 
-/// Leaves those that are not farther than the first of least.
+/// Keeps the candidates that are not farther than the least one by `first`.
 template <class First, class Farther>
 void keep_not_farther(Found& found, First first, Farther farther) {
   const Meeting least = std::min_element(found.candidates.begin(), found.candidates.end(), first)->at;
@@ -151,13 +158,13 @@ void keep_nearest_by_exact(const Steps& steps, Found& found) {
       [&](const Meeting& a, const Meeting& b) { return steps.order(*a.t, *b.t) < 0; });
 }
 
-/// An element, and the one of equal numbers that stands for it: as they were found alike, too, every step says the same
-/// of both.
+/// Two elements of equal numbers that were found alike. Every step says the same of both, so the first stands for the
+/// second.
 struct Alike {
   scene::ElementRef as, e;
 };
 
-/// Equal where elements of equal numbers were found alike.
+/// An order of candidates in which those of equal numbers that were found alike are equal.
 template <class Steps>
 std::strong_ordering order_of_kinds(const Steps& steps, const Candidate& a, const Candidate& b) {
   const Finding &f = a.at.finding, &g = b.at.finding;
@@ -168,7 +175,7 @@ std::strong_ordering order_of_kinds(const Steps& steps, const Candidate& a, cons
   return side == 0 ? std::strong_order(f.error, g.error) : side;
 }
 
-/// Of candidates that are alike leaves the first, and says for which it stands: none of them is computed again.
+/// Removes all but the first of candidates that are alike, and lists the others, so that no step computes them again.
 /// O(n log n) comparisons of stored numbers for n candidates.
 template <class Steps>
 std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
@@ -180,7 +187,7 @@ std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
     return side == 0 ? i < j : side < 0;
   });
   std::vector<Alike> alike;
-  std::size_t first = 0, kept = 1;  // of those alike, and how many stay
+  std::size_t first = 0, kept = 1;  // the first of the alike; the number kept
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (order_of_kinds(steps, all[order[first]], all[order[i]]) == 0) {
       alike.push_back({all[order[first]].e, all[order[i]].e});
@@ -197,7 +204,7 @@ std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
   return alike;
 }
 
-/// Drops those for which no candidate stands any more.
+/// Drops the listed elements whose representative was dropped.
 inline void drop_alike(std::vector<Alike>& alike, const Found& found) {
   if (alike.empty()) return;
   std::vector<scene::ElementRef> left;

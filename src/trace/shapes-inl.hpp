@@ -1,4 +1,4 @@
-/// The closed forms of every shape.
+/// The closed forms of every shape: dispatch from an element to its overload in shape/.
 
 #if defined(DURERO_TRACE_SHAPES_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_SHAPES_INL_HPP_
@@ -35,13 +35,13 @@ HWY_INLINE Power<R> power_at(R t, const Element& element, const Ray& ray) {
     return power(element.centro);
 }
 
-/// The quadratic of a ray that starts on the element: potencia there, less that here, at the origin.
+/// The quadratic of a ray that starts on the element: potencia at t, less potencia at the origin.
 template <class R>
 HWY_INLINE Power<R> launched(const Power<R>& there, const Power<R>& here) {
   return {difference(there.value, here.value), there.error + 2 * here.error};
 }
 
-/// The quadratic at t: potencia, less that at the origin where the ray starts on the element.
+/// The quadratic at t: potencia, less potencia at the origin where the ray starts on the element.
 template <class Element>
 HWY_INLINE Power<double> quadratic_at(double t, const Element& element, const Ray& ray, bool on) {
   const Power<double> there = power_at(t, element, ray);

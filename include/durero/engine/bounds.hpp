@@ -1,5 +1,5 @@
 #pragma once
-/// What bounding volumes cost on a scene, and how well they fit: T = n·B + m·I, foretold by areas and measured.
+/// The cost and the fit of bounding volumes on a scene: T = n·B + m·I, predicted by areas and measured (A §1.2).
 
 #include <cstdint>
 #include <optional>
@@ -12,50 +12,50 @@
 
 namespace durero::engine {
 
-/// How well a volume fits. Areas are in the square of the scene's unit.
+/// The fit of a volume around an element. Areas are in the square of the scene's unit of length.
 struct Fit {
-  double mean_fit = 0;  ///< mean void area over all directions; of a composed one as its share of lines says
-  std::optional<double> void_area{};  ///< in the mean over directions of the rays; none of a composed one
+  double mean_fit = 0;  ///< mean void area over all directions; of a composed volume by its share of lines
+  std::optional<double> void_area{};  ///< mean void area over directions of the rays; none for a composed volume
 };
 
-/// All elements of a scene in volumes that were chosen in one way, and rays that were asked for their first hits.
+/// A way to bound every element of a scene, with its cost for the first hits of some rays.
 struct WayOfBounding {
-  std::string name;     ///< of the kind; `chosen` where each element has the volume that costs least: the last
-  Fit fit;              ///< summed over the elements
-  std::uint64_t n = 0;  ///< tests of a volume, all rays together
-  std::uint64_t m = 0;  ///< elements that were tested
-  double B = 0;         ///< what a test of a volume took, in nanoseconds of the processor
-  double T = 0;         ///< n·B + m·I for a ray, in nanoseconds
-  double measured = 0;  ///< what a ray took, in nanoseconds of the processor
+  std::string name;     ///< the kind's; `chosen`, the last, takes the cheapest volume for each element
+  Fit fit;              ///< the sum over the elements
+  std::uint64_t n = 0;  ///< tests of a volume, over all rays
+  std::uint64_t m = 0;  ///< tests of an element, over all rays
+  double B = 0;         ///< CPU time of a test of a volume, in nanoseconds
+  double T = 0;         ///< n·B + m·I by the ray, in nanoseconds
+  double measured = 0;  ///< CPU time of a ray, in nanoseconds
 };
 
-/// A volume for an element.
+/// A volume around an element.
 struct Bound {
-  std::string name;     ///< of the kind, or of those of which it is composed
+  std::string name;     ///< of the kind, or of the kinds that compose it
   Fit fit;              ///< how well it fits
-  std::uint64_t m = 0;  ///< rays that meet it, at whatever distance
-  double T = 0;  ///< foretold of isotropic rays through the box about the scene, in nanoseconds of the table of kinds
+  std::uint64_t m = 0;  ///< rays that meet it, at any distance
+  double T = 0;         ///< predicted for isotropic rays through the scene's box, in the table's nanoseconds
 };
 
-/// An element's volumes.
+/// The volumes around an element.
 struct BoundedElement {
-  scene::ElementRef element;  ///< which
-  Bound chosen;               ///< what costs least
-  std::vector<Bound> kinds;   ///< one of each
+  scene::ElementRef element;  ///< the element
+  Bound chosen;               ///< the cheapest
+  std::vector<Bound> kinds;   ///< one of each kind
 };
 
-/// What was found.
+/// The figures of a scene.
 struct BoundsFigures {
-  /// What a test of an element took, in nanoseconds of the processor: what the answers within balls took more than
-  /// tests of these, with all that a ray takes besides.
+  /// CPU time of a test of an element, in nanoseconds: the time of answers within balls less that of the balls' tests,
+  /// and so with everything else that a ray costs.
   double I = 0;
-  std::uint64_t rays = 0;                ///< that were asked
-  std::vector<WayOfBounding> ways;       ///< every kind, then the chosen ones
-  std::vector<BoundedElement> elements;  ///< those that have a volume, in the order of the scene
+  std::uint64_t rays = 0;                ///< rays that were answered
+  std::vector<WayOfBounding> ways;       ///< each kind, then `chosen`
+  std::vector<BoundedElement> elements;  ///< the elements that have a volume, in the scene's order
 };
 
-/// Of a scene and rays. Without a clock B and I are those of the table of kinds (accel/volume/volume.hpp), and nothing
-/// is measured.
+/// The figures of a scene on some rays. Without a clock B and I are those of the table of kinds
+/// (accel/volume/volume.hpp), and nothing is timed.
 BoundsFigures bounds_figures(const scene::Scene& scene, std::span<const scene::Query> queries, bool with_clock);
 
 }  // namespace durero::engine

@@ -1,8 +1,8 @@
 #pragma once
-/// Whatever answers rays: one interface, which `durero trace`, `agree` and `render` ask and nothing else.
+/// An engine answers rays on a scene. `durero trace`, `agree` and `render` use this interface and no other.
 ///
-/// An engine answers on as many threads as the calling thread may use (tbb::global_control, tbb::task_arena); no answer
-/// depends on their number, nor on what else is asked with it.
+/// An engine uses as many threads as the calling thread may (tbb::global_control, tbb::task_arena). No answer depends
+/// on their number, nor on the other queries of a call.
 
 #include <memory>
 #include <optional>
@@ -19,23 +19,25 @@
 
 namespace durero::engine {
 
-/// Answers rays on one scene, which must outlive it unedited. Any number of threads may ask it.
+/// Answers rays on one scene, which must outlive the engine unedited. Any number of threads may call it.
 class Engine {
  public:
   virtual ~Engine() = default;
 
-  /// Primera_Interseccion of every query, in order. Preconditions: a place in `hits` for each query; the elements of
+  /// Primera_Interseccion of every query, in order. Preconditions: `hits` has a place for each query; the elements of
   /// every en are in the scene.
   virtual void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const = 0;
 
-  /// What first_hits says less t and point, which an engine need not find out then. Preconditions as above.
+  /// first_hits without t and point, which an engine need not compute then. Preconditions are those of first_hits, for
+  /// `elements`.
   virtual void first_elements(std::span<const scene::Query> queries, std::span<trace::FirstElement> elements) const;
 
-  /// occluded_segment of every query, in order: some element is met at some 0 < t < 1. Preconditions as above.
+  /// occluded_segment of every query, in order: whether the ray meets some element at some 0 < t < 1. Preconditions are
+  /// those of first_hits, for `occluded`.
   virtual void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const = 0;
 
-  /// The unit normal of an element of the scene at a point of it, for its look: on either side, and null where there is
-  /// none.
+  /// The unit normal of an element at one of its points, as shading uses it: on either side of the surface, and the
+  /// null vector where there is none. Precondition: the element is in the scene.
   virtual glm::dvec3 normal(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) const;
 
  protected:
@@ -51,37 +53,38 @@ scene::Hit first_hit(const Engine& engine, const scene::Query& query);
 /// Engine::occluded_segments of one query.
 bool occluded_segment(const Engine& engine, const scene::Query& query);
 
-/// How a hierarchy branches.
+/// The branching of a hierarchy's inner nodes.
 struct Branching {
-  double cost;       ///< by Goldsmith and Salmon: the tests that a line which meets the root is expected to need
-  double arity;      ///< children of an inner node, in the mean
-  std::size_t most;  ///< children of one inner node
+  double cost;       ///< the expected tests of a line that meets the root (Goldsmith and Salmon)
+  double arity;      ///< the mean number of children
+  std::size_t most;  ///< the greatest number of children
 };
 
-/// What a structure cost: to make, to hold, and to answer rays. A structure that is for some rays alone is asked about
-/// such as belong to the rays that it is measured with.
+/// The costs of a structure: to build it, to hold it, and to answer rays by it. A structure that serves only some rays
+/// is measured with rays of that kind.
 struct Figures {
-  accel::Size size;                       ///< what it holds
-  accel::Work work;                       ///< what it did for the rays
-  double building_seconds;                ///< that it took to make
-  double answering_seconds;               ///< that the answers took, on one thread
-  std::string_view asked = "first hits";  ///< what the rays were asked for
+  accel::Size size;                       ///< the structure's size
+  accel::Work work;                       ///< its work for the rays
+  double building_seconds;                ///< the time to build it
+  double answering_seconds;               ///< the time of the answers, on one thread
+  std::string_view asked = "first hits";  ///< the kind of query
   std::optional<double> without_seconds =
-      {};  ///< that the same took without a structure, where not first hits of the same
-  std::optional<Branching> branching = {};  ///< of a hierarchy that has inner nodes
+      {};  ///< the time of the same answers without the structure, where it serves only some rays
+  std::optional<Branching> branching = {};  ///< of a hierarchy with inner nodes
 };
 
-/// What an engine is called, what it promises, and what makes it ready for a scene, which must outlive it unedited.
+/// A row of the table of engines: an engine's name, its promises, and its makers. A scene must outlive the engines made
+/// for it, unedited.
 struct Row {
   std::string_view name;  ///< on the command line
-  std::string_view what;  ///< in a few words
+  std::string_view what;  ///< a description in a few words
   bool exact_bytes;       ///< its answers are those of `exact`, byte for byte
-  bool honours_origins;   ///< it knows of the elements that a ray starts on; otherwise it answers as if there were none
-  std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);  ///< makes it ready for the scene
-  std::string_view section{};  ///< of the acceleration seed that describes its structure; empty where it has none
-  /// The figures of its structure on some rays, one by one; null where it has none.
+  bool honours_origins;   ///< knows the elements that a ray starts on; otherwise it ignores them
+  std::unique_ptr<const Engine> (*prepare)(const scene::Scene& scene);  ///< makes the engine for a scene
+  std::string_view section{};  ///< of the acceleration seed that describes the structure, or empty
+  /// Measures the structure on some rays, one by one; null for an engine without a structure.
   Figures (*measure)(const scene::Scene& scene, std::span<const scene::Query> queries) = nullptr;
-  /// @{ As prepare and measure, with groups of the scene as its hierarchy; null where it follows none.
+  /// @{ prepare and measure with the scene's groups as the hierarchy; null for an engine that follows no groups.
   std::unique_ptr<const Engine> (*prepare_by_hand)(const scene::Scene& scene, const scene::Groups& groups) = nullptr;
   Figures (*measure_by_hand)(const scene::Scene& scene, std::span<const scene::Query> queries,
                              const scene::Groups& groups) = nullptr;
@@ -90,10 +93,10 @@ struct Row {
 
 /// Every engine, in the order of the ladder.
 std::span<const Row> engines();
-/// Null where no engine has the name.
+/// The row of an engine's name; null where there is none.
 const Row* find(std::string_view name);
 
-/// The engine of whoever names none.
+/// The engine that is used where none is named.
 inline constexpr std::string_view default_engine = "fast";
 
 }  // namespace durero::engine

@@ -1,5 +1,5 @@
 #pragma once
-/// An engine made ready for a scene with groups, which may be its hierarchy.
+/// Makes an engine for a scene whose groups may serve as its hierarchy.
 
 #include <memory>
 #include <string_view>
@@ -9,13 +9,13 @@
 
 namespace durero::engine {
 
-/// @{ How an engine groups elements: by itself, or as the groups of the scene do.
+/// @{ The hierarchy of an engine: its own, or the scene's groups.
 inline constexpr std::string_view automatic = "automatic", by_hand = "hand";
 /// @}
 
-/// The engine, ready for the scene, which must outlive it unedited, with its hierarchy made so: `automatic` or
-/// `by_hand`. Throws std::invalid_argument, which says what was expected, where it is neither, and where the engine
-/// follows no groups.
+/// Makes the engine of a row for a scene, which must outlive it unedited, with the hierarchy `automatic` or `by_hand`.
+/// Throws std::invalid_argument with the expected names, where the hierarchy is neither, and where the engine follows
+/// no groups.
 std::unique_ptr<const Engine> prepared(const Row& row, std::string_view hierarchy, const scene::GroupedScene& input);
 
 }  // namespace durero::engine
