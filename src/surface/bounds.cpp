@@ -10,11 +10,12 @@ double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std:
 
 }  // namespace
 
-// A point at the advance s of a disc's rim of radius r is r² + (s − height)² from the point of the axis at the height,
-// and all between the two discs is nearer than the farther rim: the height where both rims are equally far is best. The
-// radius is taken at the height as it was rounded. With w − centro = s·d + e, d² within 2⁻⁵⁰ of 1 and e·d of s times
-// that, squared distances from the axis's point are those of a unit axis up to 2⁻⁴⁷ of them: the factor pays for that
-// and for rounding. The rounded centre is off by at most 4u(|centro| + height) in each component.
+// The best centre is the height on the axis from which both rims are equally far. A point of a rim of radius r at the
+// advance s has the squared distance r² + (s − height)² from the axis's point at the height, and all points between the
+// two discs are nearer than the farther rim. The radius is computed for the height as it was rounded. With w − centro =
+// s·d + e, d² within 2⁻⁵⁰ of 1 and e·d of s times that, squared distances from the axis's point are those of a unit
+// axis up to 2⁻⁴⁷ of them: the factor pays for that and for rounding. The rounded centre is off by at most 4u(|centro|
+// + height) in each component.
 Ball ball_of_discs(const glm::dvec3& centro, const glm::dvec3& vector, double altura, double base, double top) {
   const double height = std::clamp((altura + (top - base) / altura * (top + base)) / 2, 0.0, altura);
   const double beyond = altura - height;
@@ -22,9 +23,9 @@ Ball ball_of_discs(const glm::dvec3& centro, const glm::dvec3& vector, double al
   return {centro + height * vector, radius * (1 + 0x1p-40) + 0x1p-48 * (extent(centro) + height)};
 }
 
-// A disc of radius r across a unit axis d reaches r·√(1 − dᵢ²) along the axis i of space. That d² is within 2⁻⁵⁰ of 1,
-// that e·d is of s times that, and the roundings below change 1 − dᵢ² by less than 2⁻⁴⁷ and the rest by less than 2⁻⁴⁰
-// of r; where the ends lie is rounded as the centre of a ball is.
+// A disc of radius r across a unit axis d reaches r·√(1 − dᵢ²) along the axis i of space. Three errors change 1 − dᵢ²
+// by less than 2⁻⁴⁷ and the rest by less than 2⁻⁴⁰ of r: d² is within 2⁻⁵⁰ of 1, e·d is of s times that, and the
+// roundings below. The ends are rounded as the centre of a ball is.
 Box box_of_discs(const glm::dvec3& centro, const glm::dvec3& vector, double altura, double base, double top) {
   Box box{};
   const double slack = 0x1p-48 * (extent(centro) + altura);

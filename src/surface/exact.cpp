@@ -29,7 +29,7 @@ struct Nearest {
   }
 };
 
-/// Absent begins stand for t → 0⁺, before every parameter.
+/// The order of all_hits. An absent begin stands for t → 0⁺, before every parameter.
 bool earlier(const Crossing& a, const Crossing& b) {
   if (!a.segment.begin || !b.segment.begin) {
     return std::pair(a.segment.begin.has_value(), a.elemento) < std::pair(b.segment.begin.has_value(), b.elemento);

@@ -14,7 +14,7 @@ using number::shifted;
 using number::sign;
 using number::square;
 
-/// A stretch of a line, which bounds make narrower.
+/// A stretch of a line, which bounds narrow.
 struct Stretch {
   Segment segment{};
   bool empty = false;
@@ -25,7 +25,7 @@ struct Stretch {
   void to(const Parameter& t) {
     if (!segment.end || order(t, *segment.end) < 0) segment.end = t;
   }
-  /// Keeps where the bound is not negative.
+  /// Narrows the stretch to the part where the bound is not negative.
   void keep(const Quadratic<Dyadic>& bound) {
     const Roots ends = roots({bound.A, bound.B, bound.C});
     if (ends.count == 0) {
@@ -46,7 +46,7 @@ struct Stretch {
   }
 };
 
-/// A ray inside the surface: the part of it that is within all bounds.
+/// The reach of a ray inside the surface: its part within all bounds.
 Reach reach_of_line(const Coefficients& f) {
   Stretch left;
   if (f.altura) {
@@ -69,7 +69,7 @@ Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
   }
 }
 
-/// What bounds a flat element along a line in its plane. None of a plane.
+/// The bounds of a flat element along a line in its plane. A plane has none.
 std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Plane&, const model::Rayo&) { return {}; }
 
 std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Disc& disc, const model::Rayo& rayo) {
@@ -77,8 +77,8 @@ std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Disc& disc, const mo
   return {{-ball.A, -ball.B, square(Dyadic(disc.radio)) - ball.C}};
 }
 
-/// The lados, at a + q + t·v. With the products of the edges, that of ab is e1²·(w·e2) − (e1·e2)(w·e1), that of ca
-/// e2²·(w·e1) − (e1·e2)(w·e2), and the three add up to e1²·e2² − (e1·e2)² (lado.def.1).
+/// The lados at a + q + t·v. With the products of the edges, the lado of ab is e1²·(w·e2) − (e1·e2)(w·e1), that of ca
+/// is e2²·(w·e1) − (e1·e2)(w·e2), and the three add up to e1²·e2² − (e1·e2)² (lado.def.1).
 std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Triangle& triangle, const model::Rayo& rayo) {
   const auto [e1, e2, q, v] = over_edges<Dyadic>(triangle, rayo);
   const Dyadic e11 = dot(e1, e1), e12 = dot(e1, e2), e22 = dot(e2, e2);
@@ -93,7 +93,7 @@ std::vector<Quadratic<Dyadic>> bounds_in_plane(const scene::Triangle& triangle, 
   return bounds;
 }
 
-/// The potencia of a flat element is linear, and its A is 0.
+/// The coefficients of a flat element, whose potencia is linear: A = 0.
 template <Flat Shape>
 Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
   auto at = crossing<Dyadic>(shape, rayo);
@@ -106,8 +106,8 @@ Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
   return f;
 }
 
-/// Whether the line crosses the plane at no t > 0, or beside the element, by balls around the right numbers: most rays
-/// meet no flat element, and few come so near to one that its balls do not tell.
+/// Whether the line certainly crosses the plane at no t > 0, or beside the element, by ball arithmetic. Most rays meet
+/// no flat element, and few come so near to one that the balls leave it open.
 template <class Shape>
 bool certainly_missed(const Shape& shape, const model::Rayo& rayo, bool on) {
   if constexpr (Flat<Shape>) {
@@ -160,7 +160,7 @@ bool within_clip(const Coefficients& f, const Parameter& t) {
   if (f.altura &&
       (number::sign(number::linear(f.s0, f.s1, t)) < 0 || number::sign(number::linear(*f.altura - f.s0, -f.s1, t)) < 0))
     return false;
-  // A root is where the line crosses the surface, and bounds are numbers there.
+  // At a root the line crosses the surface, and there the bounds are constants.
   return std::all_of(f.bounds.begin(), f.bounds.end(),
                      [](const Quadratic<Dyadic>& bound) { return sign(bound.C) >= 0; });
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// Where a line crosses the plane of a flat element, over any numbers: Dyadic, or balls around the right ones.
+/// The crossing of a line and the plane of a flat element, over any numbers: Dyadics, or balls that contain exact
+/// numbers.
 
 #include <array>
 
@@ -7,8 +8,8 @@
 
 namespace durero::surface::exact {
 
-/// The potencia along the line, and what is not negative where the line crosses the plane on the element or at its
-/// edge. The margins mean nothing for a line that does not cross it: where the slope is 0.
+/// potencia along the line, and margins, none of which is negative where the line crosses the plane on the element or
+/// its edge. The margins mean nothing where the slope is 0 and the line does not cross the plane.
 template <class N, std::size_t count>
 struct FlatCrossing {
   Linear<N> potencia;
@@ -20,7 +21,7 @@ FlatCrossing<N, 0> crossing(const scene::Plane& plane, const model::Rayo& rayo) 
   return {potencia(plane, along<N>(rayo)), {}};
 }
 
-/// The crossing is at −at_zero/slope, and so |slope|·w = |slope·q − at_zero·v| long from the centre.
+/// The crossing is at t = −at_zero/slope. With w its vector from the centre, |slope|·|w| = |slope·q − at_zero·v|.
 template <class N>
 FlatCrossing<N, 1> crossing(const scene::Disc& disc, const model::Rayo& rayo) {
   const auto w = along<N>(rayo);
@@ -52,8 +53,8 @@ LineOverEdges<N> over_edges(const scene::Triangle& triangle, const model::Rayo& 
 }
 
 /// With det = e1·(v × e2) = −v·(e1 × e2), the line crosses the plane where t·det = e2·(q × e1), which is the potencia
-/// of its origin, and there the lados of ca and ab are (e1 × e2)²/det times q·(v × e2) and v·(q × e1); the three add up
-/// to (e1 × e2)². They are signed by det here.
+/// of its origin. There the lados of ca and ab are (e1 × e2)²/det times q·(v × e2) and v·(q × e1), and the three add up
+/// to (e1 × e2)². The margins are these numbers with the sign of det.
 template <class N>
 FlatCrossing<N, 3> crossing(const scene::Triangle& triangle, const model::Rayo& rayo) {
   const auto [e1, e2, q, v] = over_edges<N>(triangle, rayo);

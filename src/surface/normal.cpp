@@ -7,7 +7,7 @@
 namespace durero::surface {
 namespace {
 
-/// Asked for every point of a picture: all that it calls is compiled into it.
+/// The normal at a point. It is computed for every point of a picture, so all its calls are inlined.
 template <class Shape>
 [[gnu::flatten]] glm::dvec3 normal_of(const Shape& shape, const glm::dvec3& w) {
   using D = Dual<double>;

@@ -1,11 +1,12 @@
 #pragma once
-/// What the equations of the surfaces are written in. A surface says once what it is, in surface/shape/, over any
-/// number type: potencia, which is 0 on it, and avance, the place along the axis of a shape that has one
-/// (spec/puntos.tex). Over Linear, the numbers along a ray, potencia gives the coefficients of the ray's quadratic;
-/// over Dual, numbers with a gradient, the normal; over double, a value.
+/// The number types of the surfaces' equations. Each surface is defined once, in surface/shape/, over any number type:
+/// by potencia, which is 0 on it, and avance, the place along the axis of a shape that has one (spec/puntos.tex). Over
+/// Linear, the numbers along a ray, potencia gives the coefficients of the ray's quadratic; over Dual, numbers with a
+/// gradient, the normal; over double, a value.
 ///
-/// What stays independent of this, so that a fault here is seen there: durero::model, the evaluated Z text, the sampled
-/// oracle, which knows a surface as points and never as an equation, the tests' own reference, and the extracted Coq.
+/// Five opinions stay independent of this header, which show a fault in it: durero::model, the evaluated Z text, the
+/// sampled oracle, which knows a surface as points and never as an equation, the tests' own reference, and the
+/// extracted Coq.
 
 #include <glm/vec3.hpp>
 
@@ -14,12 +15,12 @@
 
 namespace durero::surface {
 
-/// A number that changes along a ray as at_zero + t·slope.
+/// A number along a ray, at_zero + t·slope.
 template <class N>
 struct Linear {
   N at_zero, slope;  ///< the coefficients
 
-  /// @{ In its own arithmetic, coefficient by coefficient.
+  /// @{ Arithmetic, coefficient by coefficient.
   friend Linear operator+(const Linear& a, const Linear& b) { return {a.at_zero + b.at_zero, a.slope + b.slope}; }
   friend Linear operator-(const Linear& a, const N& b) { return {a.at_zero - b, a.slope}; }
   friend Linear operator-(const N& a, const Linear& b) { return {a - b.at_zero, -b.slope}; }
@@ -27,12 +28,12 @@ struct Linear {
   /// @}
 };
 
-/// A·t² + 2B·t + C: the square of a number along a ray, and sums of such.
+/// A quadratic along a ray, A·t² + 2B·t + C: a sum of squares of numbers along it.
 template <class N>
 struct Quadratic {
-  N A, B, C;  ///< the coefficients, of 2B·t and not of B·t
+  N A, B, C;  ///< the coefficients; B is half that of t
 
-  /// @{ In its own arithmetic, coefficient by coefficient.
+  /// @{ Arithmetic, coefficient by coefficient.
   friend Quadratic operator+(const Quadratic& a, const Quadratic& b) { return {a.A + b.A, a.B + b.B, a.C + b.C}; }
   friend Quadratic operator-(const Quadratic& a, const Quadratic& b) { return {a.A - b.A, a.B - b.B, a.C - b.C}; }
   friend Quadratic operator-(const Quadratic& a, const N& b) { return {a.A, a.B, a.C - b}; }
@@ -40,7 +41,7 @@ struct Quadratic {
   /// @}
 };
 
-/// @{ The square, in the numbers that it is of.
+/// @{ The square.
 template <class N>
 N square(const N& a) {
   return a * a;
@@ -51,12 +52,12 @@ Quadratic<N> square(const Linear<N>& a) {
 }
 /// @}
 
-/// A function of a point, by its value at one and its gradient there.
+/// A function near a point, by its value and its gradient there.
 template <class N>
 struct Dual {
   N value, dx, dy, dz;  ///< the value, and the gradient
 
-  /// @{ In its own arithmetic, coefficient by coefficient.
+  /// @{ Arithmetic, coefficient by coefficient.
   friend Dual operator+(const Dual& a, const Dual& b) {
     return {a.value + b.value, a.dx + b.dx, a.dy + b.dy, a.dz + b.dz};
   }
@@ -76,22 +77,22 @@ Dual<N> square(const Dual<N>& a) {
   return {a.value * a.value, twice * a.dx, twice * a.dy, twice * a.dz};
 }
 
-/// The number type of the constants that a T is computed with: a stored number becomes one of these.
+/// The number type of constants in a computation with T, to which stored numbers are converted.
 template <class T>
 struct ConstantOf {
-  using type = T;  ///< a number is its own
+  using type = T;  ///< a number's constants are of its own type
 };
-/// Of numbers along a ray.
+/// Constants along a ray.
 template <class N>
 struct ConstantOf<Linear<N>> {
-  using type = N;  ///< one that does not change along it
+  using type = N;  ///< a number that does not change along it
 };
-/// Of functions of a point.
+/// Constants beside functions of a point.
 template <class N>
 struct ConstantOf<Dual<N>> {
-  using type = N;  ///< one whose gradient is 0
+  using type = N;  ///< a number whose gradient is 0
 };
-/// The type of those constants.
+/// The type of the constants.
 template <class T>
 using Constant = typename ConstantOf<T>::type;
 
@@ -128,7 +129,7 @@ T dot(const Point<T>& q, const glm::dvec3& d) {
   return q.x * C(d.x) + q.y * C(d.y) + q.z * C(d.z);
 }
 
-/// A shape along an axis: it is clipped to 0 ≤ avance ≤ altura.
+/// A shape along an axis, which is clipped to 0 ≤ avance ≤ altura.
 template <class Shape>
 concept Axial = requires(const Shape& shape) { shape.altura; };
 

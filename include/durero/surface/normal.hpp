@@ -1,5 +1,5 @@
 #pragma once
-/// The direction in which a surface faces.
+/// The normal of a surface.
 
 #include <glm/vec3.hpp>
 
@@ -7,8 +7,8 @@
 
 namespace durero::surface {
 
-/// The unit normal of an element at a point of it: the gradient of its potencia, on the outer side. Where the gradient
-/// is null, at the apex of a cone, it is the axis.
+/// The unit normal of an element at one of its points: the gradient of its potencia, on the outer side. At the apex of
+/// a cone, where the gradient is null, it is the axis. Precondition: the element is in the scene.
 glm::dvec3 normal(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);
 
 }  // namespace durero::surface

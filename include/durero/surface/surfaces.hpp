@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of every shape of scene::Shapes.
+/// The surfaces of all shapes of scene::Shapes.
 
 #include <concepts>
 #include <tuple>
@@ -16,7 +16,7 @@
 
 namespace durero::surface {
 
-/// A shape that has all that a surface is asked for; one that lacks a part does not compile.
+/// A shape with an equation, a ball and a box; a shape that lacks one does not compile.
 template <class Shape>
 concept Surface = requires(const Shape& shape, const Point<double>& w) {
   { potencia(shape, w) } -> std::same_as<double>;
@@ -31,12 +31,13 @@ template <class... Shape>
 inline constexpr bool all_are_surfaces<std::tuple<Shape...>> = (Surface<Shape> && ...);
 static_assert(all_are_surfaces<scene::Shapes>);
 
-/// A shape whose potencia is linear: a plane, or part of one. A ray that is not in its plane meets it at most once.
+/// A flat shape: a plane, or part of one, whose potencia is linear. A ray that is not in its plane meets it at most
+/// once.
 template <class Shape>
 concept Flat =
     std::same_as<decltype(potencia(std::declval<Shape>(), std::declval<Point<Linear<double>>>())), Linear<double>>;
 
-/// Whether shapes of the type are.
+/// Whether the shapes of a type are flat.
 constexpr bool is_flat(model::Tipo tipo) {
   return scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return Flat<Shape>; });
 }

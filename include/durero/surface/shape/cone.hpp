@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a cone: its equation, and what contains it.
+/// The surface of a cone: its equation, ball and box.
 
 #include "durero/surface/bounds.hpp"
 #include "durero/surface/equation.hpp"
@@ -13,7 +13,7 @@ auto potencia(const scene::Cone& cone, const Point<T>& w) {
   return alejamiento(cone, w) - square((C(cone.altura) - avance(cone, w)) * C(cone.proporcion));
 }
 
-/// @{ What contains every point of it. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// @{ The ball and the box of a cone. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
 inline Ball ball(const scene::Cone& cone) {
   return ball_of_discs(cone.centro, cone.vector, cone.altura, cone.proporcion * cone.altura, 0);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a cylinder: its equation, and what contains it.
+/// The surface of a cylinder: its equation, ball and box.
 
 #include "durero/surface/bounds.hpp"
 #include "durero/surface/equation.hpp"
@@ -12,7 +12,7 @@ auto potencia(const scene::Cylinder& cylinder, const Point<T>& w) {
   return alejamiento(cylinder, w) - square(Constant<T>(cylinder.radio));
 }
 
-/// @{ What contains every point of it. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// @{ The ball and the box of a cylinder. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
 inline Ball ball(const scene::Cylinder& cylinder) {
   return ball_of_discs(cylinder.centro, cylinder.vector, cylinder.altura, cylinder.radio, cylinder.radio);
 }

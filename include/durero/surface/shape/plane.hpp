@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a plane: its equation, which is linear, and what contains it, which is all of space.
+/// The surface of a plane: its equation, which is linear, and its ball and box, which are infinite.
 
 #include <limits>
 
@@ -14,7 +14,7 @@ T potencia(const scene::Plane& plane, const Point<T>& w) {
   return dot(from(plane.centro, w), plane.vector);
 }
 
-/// @{ What contains every point of it: all of space.
+/// @{ The ball and the box of a plane: all of space.
 inline Ball ball(const scene::Plane& plane) { return {plane.centro, std::numeric_limits<double>::infinity()}; }
 inline Box box(const scene::Plane&) {
   const glm::dvec3 infinite(std::numeric_limits<double>::infinity());

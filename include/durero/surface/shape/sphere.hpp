@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a sphere: its equation, and what contains it.
+/// The surface of a sphere: its equation, ball and box.
 
 #include <cmath>
 #include <limits>
@@ -15,9 +15,9 @@ auto potencia(const scene::Sphere& sphere, const Point<T>& w) {
   return squared_length(from(sphere.centro, w)) - square(Constant<T>(sphere.radio));
 }
 
-/// Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// The ball of a sphere. Precondition of both: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
 inline Ball ball(const scene::Sphere& sphere) { return {sphere.centro, sphere.radio}; }
-/// A difference is rounded once, so its neighbour lies beyond the exact one.
+/// The box of a sphere. A difference is rounded once, so its neighbour lies beyond the exact one.
 inline Box box(const scene::Sphere& sphere) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Box box{};

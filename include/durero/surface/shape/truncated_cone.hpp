@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a truncated cone: its equation, and what contains it.
+/// The surface of a truncated cone: its equation, ball and box.
 
 #include "durero/surface/bounds.hpp"
 #include "durero/surface/equation.hpp"
@@ -17,7 +17,8 @@ auto potencia(const scene::TruncatedCone& e, const Point<T>& w) {
 /// The radius at the centre, rounded.
 inline double radius_of_base(const scene::TruncatedCone& e) { return e.radio + e.proporcion * e.altura; }
 
-/// @{ What contains every point of it. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰.
+/// @{ The ball and the box of a truncated cone. Precondition: every number of the shape is 0 or of magnitude 2⁻¹⁰⁰ …
+/// 2¹⁰⁰.
 inline Ball ball(const scene::TruncatedCone& e) {
   return ball_of_discs(e.centro, e.vector, e.altura, radius_of_base(e), e.radio);
 }
