@@ -1,63 +1,66 @@
 #pragma once
-/// Kaplan's division of space: a plane across an axis halves a cell, and again, until few elements touch a half.
+/// Kaplan's BSP tree: a plane across an axis halves a cell, and the halves are halved again until few elements touch
+/// each.
 
 #include "durero/accel/cells.hpp"
 #include "durero/accel/lattice.hpp"
 
 namespace durero::accel {
 
-/// Where planes are placed.
+/// The placing of planes.
 enum class Placing : std::uint8_t {
-  middle,       ///< x, y and z in turn, in the middle of cubes: cells are looked at when they are cubes again
-  median,       ///< as many elements on either side, where no element's box ends where another does
-  surface_area  ///< where the sides' areas, times what is in them, add up to least (MacDonald and Booth)
+  middle,       ///< x, y and z in turn, in the middle of cubes: only cubes become leaves
+  median,       ///< as many elements on either side, where no two elements' boxes end together
+  surface_area  ///< the least sum of area times elements over both sides (MacDonald and Booth)
 };
 
-/// When cells are no longer divided, and how they are.
+/// The limits of the division, and its placing of planes.
 struct BspOptions {
   Placing placing = Placing::surface_area;  ///< of every plane
-  int max_depth = -1;                       ///< at most Bsp::deepest; below 0: what the number of elements asks for
+  int max_depth = -1;                       ///< at most Bsp::deepest; below 0: chosen by the number of elements
   std::size_t max_objects = 2;              ///< a cell with no more is a leaf
-  std::size_t max_bytes = 0;                ///< of memory for the whole tree; 0: 64 KiB and 256 an element
+  std::size_t max_bytes = 0;                ///< of the whole tree; 0: 64 KiB and 256 an element
 };
 
-/// A structure (accel/structure.hpp).
+/// A BSP tree over a scene: a structure (accel/structure.hpp).
 class Bsp : public InCells {
  public:
-  /// A leaf, or a plane and where the two sides of it are.
+  /// A leaf, or a plane and the places of the cells at its two sides.
   struct Node {
     double plane;         ///< the coordinate that halves the cell
-    std::uint32_t below;  ///< the side below, and right after it the side above; of a leaf its number
-    std::uint32_t axis;   ///< that the plane lies across; 3: a leaf
-    bool leaf() const { return axis == 3; }  ///< of a list
+    std::uint32_t below;  ///< the place of the side below, before that of the side above; the number of a leaf
+    std::uint32_t axis;   ///< the axis across which the plane lies; 3 for a leaf
+    bool leaf() const { return axis == 3; }  ///< whether it is a leaf
   };
 
   /// The names of the nodes at this depth have 64 binary digits (BspNames).
   static constexpr int deepest = 63;
 
-  /// Throws std::invalid_argument where max_depth is more than `deepest`.
+  /// Builds the tree of a scene, which must outlive it unedited. Throws std::invalid_argument where max_depth >
+  /// `deepest`.
   explicit Bsp(const scene::Scene& scene, const BspOptions& options = {});
 
-  /// The root, and its nodes by place.
+  /// The nodes by place, the root first.
   std::span<const Node> nodes() const noexcept { return nodes_; }
   /// The root's cell. Its upper faces are above every element.
   const surface::Box& root() const noexcept { return root_; }
   /// The closed cell of each leaf, by number.
   std::vector<surface::Box> leaf_boxes() const;
-  Size size() const;  ///< as of every structure
+  Size size() const;  ///< the tree's size
 
-  /// visit(leaf, event) for every leaf that holds a point of the ray, in its order, and the crossing by which it is
-  /// entered, until it answers true. Whether it did. Jansen's recursion: the nearer half of the ray in the nearer half
-  /// of the cell, then the farther ones, where the ray crosses the plane at all. at_node(place) once for each inner
-  /// node.
+  /// Traversal by Jansen's recursion. Calls visit(leaf, event) for every leaf that holds a point of the ray, in the
+  /// order of the ray, with the crossing by which the leaf is entered, until visit answers true. Whether it did.
+  /// at_node(place) is called once for each inner node. The recursion goes into the nearer half first, and into both
+  /// halves only where the ray crosses the plane.
   template <class Visit, class AtNode>
   bool walk(const Line& line, Visit visit, AtNode at_node) const;
 
-  /// The same leaves, each found again from the root: the point of the ray where it has left a cell is in the next one.
+  /// Traversal by point location: the same leaves, each found from the root by the point at which the ray left the cell
+  /// before.
   template <class Visit, class AtNode>
   bool walk_by_location(const Line& line, Visit visit, AtNode at_node) const;
 
-  /// Leaf by leaf in the order of the ray (search_cells).
+  /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
@@ -78,15 +81,15 @@ class Bsp : public InCells {
 /// The tree with planes at the median.
 class BspMedian : public Bsp {
  public:
-  /// As Bsp has it.
+  /// Builds the tree of a scene, which must outlive it unedited.
   explicit BspMedian(const scene::Scene& scene) : Bsp(scene, {.placing = Placing::median}) {}
 };
 
-/// The tree walked by location alone: to be measured against the recursion.
+/// A BSP tree traversed by point location alone, to be measured against the recursion.
 class BspByLocation : public Bsp {
  public:
   using Bsp::Bsp;
-  /// As Bsp::any.
+  /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return search_cells(contents(), lists(), ray, limit, visit, work, [&](const Line& line, auto look) {
@@ -95,10 +98,10 @@ class BspByLocation : public Bsp {
   }
 };
 
-/// The recursion.
+/// The recursion of Bsp::walk.
 template <class Visit, class AtNode>
 struct Bsp::Walk {
-  /// From the crossing by which the node is entered to that by which it is left.
+  /// Visits the leaves below a node, which the ray enters by `in` and leaves by `out`.
   bool operator()(std::size_t place, const Crossing& in, const Crossing& out) {
     const Node& node = bsp.nodes_[place];
     if (node.leaf()) return visit(std::size_t{node.below}, in);

@@ -1,10 +1,10 @@
 #pragma once
-/// The hierarchy of bounding volumes of Rubin and Whitted: boxes, and one element a leaf.
+/// The bounding volume hierarchy (BVH) of Rubin and Whitted, with boxes as volumes and one element a leaf (A §1.3).
 ///
-/// A box is tested by the proved test (accel/slab.hpp); a leaf's box is not, its element is handed over where the
-/// parent's box is met. So a ray that meets an element at 0 < t ≤ limit() meets every box above it up to that limit,
-/// and finds it. Boxes that begin beyond the nearest hit so far are passed over, and so are elements: these by the
-/// search, which alone knows where they are met. The test of a box only reads the limit.
+/// The test of a box (accel/slab.hpp) is proved; a leaf has no test of its own, its element is handed over where the
+/// parent's box is met. A ray that meets an element at 0 < t ≤ limit() therefore meets every box above it up to that
+/// limit, and finds it. Boxes that begin beyond the nearest hit so far are pruned, which only reads the limit; elements
+/// beyond it are left to the search, which alone knows their points.
 
 #include <algorithm>
 #include <array>
@@ -24,49 +24,50 @@
 
 namespace durero::accel {
 
-/// How a hierarchy is made.
+/// The construction of a hierarchy.
 enum class Build : std::uint8_t {
-  top_down,     ///< halved where Σ surface · elements of both halves is least; O(n log² n)
-  incremental,  ///< by Goldsmith and Salmon, one by one, each looked for from the root; O(n log n) where it is balanced
-  every_place,  ///< the same, each tried in every position; O(n²)
+  top_down,     ///< splits by the least Σ surface · elements of both halves; O(n log² n)
+  incremental,  ///< Goldsmith and Salmon's insertion, each searched for from the root; O(n log n) where balanced
+  every_place,  ///< the same insertion with every position tried; O(n²)
 };
 
-/// How many children a node has at most, where nobody says otherwise.
+/// The default of the greatest number of a node's children.
 inline constexpr unsigned usual_children = 8;
 
-/// A scene's elements in a hierarchy. It follows edits of the scene that it is told of.
+/// A BVH over a scene. It follows edits of the scene that it is told of.
 class Bvh {
  public:
-  /// Of a scene, which must outlive it, and is edited only with added() and removed() after each edit. Precondition:
-  /// most_children ≥ 2.
+  /// Builds the hierarchy of a scene, which must outlive it, and is edited only with a call of added() or removed()
+  /// after each edit. Precondition: most_children ≥ 2.
   explicit Bvh(const scene::Scene& scene, Build build = Build::top_down, unsigned most_children = usual_children);
 
-  /// The hierarchy that was made by hand: a node for each group, but for such as hold one thing or nothing, of as many
-  /// children as are there; what is in no group is under the root. Precondition: the groups are of that scene. Groups
-  /// that change later change nothing here.
+  /// Builds the hierarchy from groups: a node for each group of two things or more, with any number of children;
+  /// elements outside all groups are below the root. Later changes of the groups change nothing here. Precondition: the
+  /// groups are of that scene.
   Bvh(const scene::Scene& scene, const scene::Groups& by_hand);
 
-  /// What it is made of.
+  /// The scene of the hierarchy.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary, and planes.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return apart_; }
-  /// The tree of the others.
+  /// The tree of the other elements.
   const Hierarchy& hierarchy() const noexcept { return tree_; }
-  /// What it holds.
+  /// The hierarchy's size.
   Size size() const;
 
-  /// Where an element has been added to the scene: by the heuristic of Goldsmith and Salmon.
+  /// Inserts an element by the heuristic of Goldsmith and Salmon. Precondition: it was just added to the scene.
   void added(scene::ElementRef e);
-  /// Where an element has been taken out of the scene, which was e: the last one of its type has become e.
+  /// Removes the element that e named. Precondition: it was just removed from the scene, where e now names the element
+  /// that was the last of its type.
   void removed(scene::ElementRef e);
 
-  /// As trace::Candidates has it, the nearest boxes first; adds what it did to `work`.
+  /// Candidates::any (trace/candidates.hpp), nearest boxes first; adds its work to `work`.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const;
 
  private:
   using Number = Hierarchy::Number;
-  /// Of an element: a leaf, or a place among those apart.
+  /// The place of an element: a leaf, or an index in apart_.
   struct Place {
     bool apart;
     std::uint32_t number;
@@ -78,12 +79,12 @@ class Bvh {
 
   Place& place(scene::ElementRef e) { return places_[static_cast<std::size_t>(e.tipo)][e.index]; }
   void put_apart(scene::ElementRef e);
-  /// Makes a leaf or a place apart for each element; the leaves.
+  /// Makes a leaf, or an entry of apart_, for each element. The leaves.
   std::vector<Number> take_elements();
   void grow(Build build, std::vector<Number> leaves);
-  /// Puts what is near in the tree near in memory.
+  /// Arranges the nodes in memory so that neighbours in the tree are neighbours there.
   void arrange();
-  /// The root over the groups. Precondition: a leaf or more.
+  /// Joins the groups' nodes to a root. Precondition: there is a leaf.
   Number join_groups(const scene::Groups& groups, std::span<const Number> leaves);
 
   const scene::Scene* scene_;
@@ -93,21 +94,21 @@ class Bvh {
   std::array<std::vector<Place>, scene::shape_count> places_;  // of every element
 };
 
-/// The recursion of the text over the same hierarchy, to be read: the children of a node in any order, and each box
-/// tested when the recursion comes to it.
+/// The BVH of the seed's recursion, as a readable reference: a node's children in no particular order, each box tested
+/// when the recursion reaches it (A §1.3.1).
 class BvhGlassner {
  public:
-  /// Of a scene, which must outlive it unedited.
+  /// Builds the hierarchy of a scene, which must outlive it unedited.
   explicit BvhGlassner(const scene::Scene& scene) : bvh_(scene) {}
 
-  /// What it is made of.
+  /// The scene of the hierarchy.
   const scene::Scene& scene() const noexcept { return bvh_.scene(); }
-  /// As of Bvh.
+  /// The elements that are not ordinary, and planes.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return bvh_.extraordinary(); }
-  /// What it holds.
+  /// The hierarchy's size.
   Size size() const { return bvh_.size(); }
 
-  /// As trace::Candidates has it; adds what it did to `work`.
+  /// Candidates::any (trace/candidates.hpp); adds its work to `work`.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return !bvh_.hierarchy().empty() &&
@@ -115,7 +116,7 @@ class BvhGlassner {
   }
 
  private:
-  /// Origin and direction, the least distance so far, and what takes an object.
+  /// The seed's ray: origin and direction, the least distance so far, and the test of an object.
   template <class Limit, class Visit>
   struct Rayo {
     Beam beam;
@@ -124,14 +125,15 @@ class BvhGlassner {
     Work& work;
   };
 
-  /// The text's `while (nodo.hijo)` stands for each child, one after the other. Whether the search is over.
+  /// The seed's `while (nodo.hijo)` becomes a visit of each child. Whether the search is over.
   template <class Ray>
   bool BVH_intersection(const Ray& rayo, Hierarchy::Number nodo) const;
 
   Bvh bvh_;
 };
 
-/// Where the ray enters the box; nothing where it does not meet it up to the limit. Counted.
+/// The parameter at which the ray enters the box, or nothing where it does not meet the box up to the limit. It is
+/// counted.
 inline std::optional<double> entry_into(const surface::Box& box, const Beam& beam, double limit, Work& work) {
   ++work.volumes;
   Stretch within = stretch(box, beam, std::numeric_limits<double>::infinity());

@@ -1,6 +1,6 @@
 #pragma once
-/// What every division of space into cells holds: its elements, the list of each cell, and for one ray, which elements
-/// were handed over already.
+/// The parts that all divisions of space into cells share: the scene's elements, a list of elements for each cell, and
+/// a mailbox for each ray.
 
 #include <array>
 #include <cstddef>
@@ -17,21 +17,21 @@
 
 namespace durero::accel {
 
-/// The elements of a scene as a division of space knows them. Keeps a reference to the scene.
+/// The elements of a scene, numbered for a division of space. It keeps a reference to the scene.
 struct Contents {
-  /// O(n) for n elements.
+  /// Numbers the elements of a scene, which must outlive it unedited. O(n) for n elements.
   explicit Contents(const scene::Scene& scene);
 
-  const scene::Scene* scene;                ///< unedited since
-  std::vector<scene::ElementRef> elements;  ///< those with a box; a cell lists their numbers, which are places here
-  std::vector<scene::ElementRef> apart;     ///< those that are not ordinary, and those without a finite box
-  surface::Box box;                         ///< of all elements with a box; of none, a point
+  const scene::Scene* scene;                ///< the scene, unedited since
+  std::vector<scene::ElementRef> elements;  ///< those with a finite box, by number
+  std::vector<scene::ElementRef> apart;     ///< the others: not ordinary, or without a finite box
+  surface::Box box;                         ///< of all numbered elements; a point where there are none
 
-  /// Of one element with a box.
+  /// The box of a numbered element.
   surface::Box box_of(std::uint32_t number) const;
 };
 
-/// An element, by its number, and a cell that its surface touches.
+/// A pair of an element and a cell that its surface touches.
 struct Reference {
   std::uint32_t element, cell;  ///< both by number
   bool operator==(const Reference&) const = default;
@@ -41,7 +41,7 @@ struct Reference {
 class Lists {
  public:
   Lists() = default;
-  /// @{ Of each cell its elements, and of each element its cells: in the order of the references. O(rows + references).
+  /// @{ The elements of each cell, or the cells of each element, in the order of the references. O(rows + references).
   static Lists elements_of_cells(std::span<const Reference> references, std::size_t cells);
   static Lists cells_of_elements(std::span<const Reference> references, std::size_t elements);
   /// @}
@@ -49,26 +49,27 @@ class Lists {
   std::span<const std::uint32_t> operator[](std::size_t row) const {
     return {items_.data() + begins_[row], items_.data() + begins_[row + 1]};
   }
-  std::size_t rows() const { return begins_.size() - 1; }   ///< how many lists
-  std::size_t references() const { return items_.size(); }  ///< how many numbers in all of them
-  /// The same references the other way round: of each of `columns` numbers, the rows that list it, ascending.
+  std::size_t rows() const { return begins_.size() - 1; }   ///< the number of lists
+  std::size_t references() const { return items_.size(); }  ///< the sum of their lengths
+  /// The transposed lists: for each of `columns` numbers the rows that list it, ascending.
   Lists inverse(std::size_t columns) const;
-  std::size_t bytes() const;  ///< of memory
+  std::size_t bytes() const;  ///< the memory in bytes
   bool operator==(const Lists&) const = default;
 
  private:
   template <class RowOf, class ItemOf>
   static Lists made(std::span<const Reference> references, std::size_t rows, RowOf row_of, ItemOf item_of);
 
-  std::vector<std::uint32_t> begins_{0};  // of each row, and the end of the last
+  std::vector<std::uint32_t> begins_{0};  // the begin of each row, and the end of the last
   std::vector<std::uint32_t> items_;
 };
 
-/// Which elements one ray has been tested against: an element in many cells is handed over once. It belongs to the ray
-/// and not to the element, so threads share nothing. A hash table with room at first for as many as most rays meet.
+/// The mailbox of a ray: the elements that it was tested against, so that an element in many cells is tested once. It
+/// belongs to the ray and not to the element, so that threads share nothing. It is a hash table with room for most
+/// rays' elements.
 class Mailbox {
  public:
-  /// Takes note of an element; false where it was noted before.
+  /// Notes an element; false where it was noted before.
   bool note(std::uint32_t element) {
     const std::uint32_t letter = element + 1;  // 0 is an empty place
     std::uint32_t at = place(letter);
@@ -93,29 +94,29 @@ class Mailbox {
   std::uint32_t mask_ = 63, count_ = 0;
 };
 
-/// What every structure of cells is made of: the base of each, which makes the lists.
+/// The base of all structures of cells, which make the lists.
 class InCells {
  public:
-  /// The scene that it was made of.
+  /// The scene of the structure.
   const scene::Scene& scene() const noexcept { return *contents_.scene; }
-  /// The elements that are in no cell.
+  /// The elements that are in no cell, which every ray is tested against.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return contents_.apart; }
-  /// What the cells list.
+  /// The numbered elements.
   const Contents& contents() const noexcept { return contents_; }
-  /// Of each cell its elements, and by inverse() of each element its cells.
+  /// The elements of each cell; inverse() gives the cells of each element.
   const Lists& lists() const noexcept { return lists_; }
 
  protected:
-  explicit InCells(const scene::Scene& scene) : contents_(scene) {}  ///< of a scene, with no lists yet
-  /// What is known without the cells themselves: elements, references, and the bytes of both.
+  explicit InCells(const scene::Scene& scene) : contents_(scene) {}  ///< numbers the elements; the lists are empty
+  /// The part of the size that is known without the cells: elements, references, and the bytes of both.
   Size size_of_lists() const;
 
-  Contents contents_;  ///< what the lists number
-  Lists lists_;        ///< of each cell
+  Contents contents_;  ///< the numbered elements
+  Lists lists_;        ///< the elements of each cell
 };
 
-/// Hands over the elements of a cell's list that the ray was not yet tested against, until visit(e) answers true.
-/// Whether it did.
+/// Visits the elements of a cell's list that the ray was not tested against yet, until visit(e) answers true. Whether
+/// it did.
 template <class Visit>
 bool look_through(std::span<const std::uint32_t> list, const Contents& contents, Mailbox& mailbox, Work& work,
                   Visit& visit) {
@@ -131,13 +132,13 @@ bool look_through(std::span<const std::uint32_t> list, const Contents& contents,
   return false;
 }
 
-/// The elements of the cells along a ray, handed over until visit(e) answers true. Whether it did.
-/// walk_cells(line, look) calls look(cell, event) for the cells in the order of the ray, with the crossing by which
-/// each is entered, until it answers true.
+/// Visits the elements of the cells along a ray, until visit(e) answers true. Whether it did. walk_cells(line, look)
+/// must call look(cell, event) for the cells in the order of the ray, with the crossing by which each is entered, until
+/// look answers true.
 ///
-/// An element of a cell may be met outside it, and farther than what the next cell holds. So the walk does not end with
-/// the first cell in which something is hit, but before the first that is entered beyond the limit: whatever is listed
-/// only from there on has no point of the ray at or before it.
+/// A ray may meet an element of a cell outside the cell, and beyond points in the next cell. The traversal therefore
+/// ends not at the first cell with a hit, but at the first that is entered beyond the limit: an element listed only
+/// from there on has no point of the ray at or before the limit.
 template <class Limit, class Visit, class WalkCells>
 bool search_cells(const Contents& contents, const Lists& lists, const trace::Ray& ray, Limit& limit, Visit& visit,
                   Work& work, WalkCells walk_cells) {

@@ -1,16 +1,17 @@
 #pragma once
-/// Ray classification (A §1.6, Arvo and Kirk): rays are points of five dimensions, an origin in space and a direction
-/// on the direction cube, and each box of those, a box of space and a square of the cube, has a list of the elements
-/// that its rays may meet. Boxes are halved where rays come, and lists made from those of the boxes about them when
-/// they are first asked for. A list depends on its box alone: of two threads that make the same one at once, the first
-/// is kept.
+/// Ray classification (A §1.6, Arvo and Kirk). A ray is a point of five dimensions, an origin in space and a direction
+/// on the direction cube. A box of these dimensions, made of a box of space and a square of the cube, has a list of the
+/// elements that its rays may meet. Boxes are halved where rays come, and a list is made from the list of the enclosing
+/// box when it is first asked for. A list depends on its box alone; of two threads that make the same list at once, the
+/// first one's is kept.
 ///
-/// The rays of a box start within a distance h of its middle c, in directions within a cone. A ray from o that meets a
-/// ball, moved by c − o, starts at c and meets the ball moved as much: so a ball of radius R is met only if, grown to
-/// R + h, it is seen from c in the cone; and a ray has no point of it before the distance to the grown ball.
+/// The test of a list is conservative. The rays of a box start within a distance h of its middle c, in directions
+/// within a cone. A ray from o that meets a ball, moved by c − o, starts at c and meets the ball moved by as much. A
+/// ball of radius R is therefore met only if, grown to R + h, it is seen from c in the cone; and the ray has no point
+/// of it before the distance to the grown ball.
 ///
-/// A ray from outside the box of all elements starts where it enters that, up to rounding, for which all boxes are
-/// taken to be greater than they are.
+/// A ray from outside the box of all elements starts at its entry into that box, up to rounding; a margin on all boxes
+/// covers the rounding.
 
 #include <array>
 #include <atomic>
@@ -27,16 +28,16 @@
 
 namespace durero::accel {
 
-/// A Structure whose lists are made when they are asked for. What has no ball is apart.
+/// A structure (accel/structure.hpp) whose lists are made on demand. Elements without a ball are extraordinary.
 class Classification {
  public:
-  /// Of a scene, which must outlive it unedited.
+  /// Prepares a scene, which must outlive it unedited.
   explicit Classification(const scene::Scene& scene);
   Classification(const Classification&) = delete;
   Classification& operator=(const Classification&) = delete;
   ~Classification();
 
-  /// @{ As every Structure has it. The size is that of the lists that have been made.
+  /// @{ The operations of a structure. The size is that of the lists made so far.
   const scene::Scene& scene() const noexcept { return *scene_; }
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
   Size size() const;
@@ -45,13 +46,13 @@ class Classification {
   /// @}
 
  private:
-  /// An element, and what the rays of a box have at least to go to it.
+  /// An element of a list, and a lower bound of the distance from the box's rays to it.
   struct Entry {
     std::uint32_t number;
     double near;
   };
   struct Node;
-  /// Where a ray starts, within the box of all elements.
+  /// The start of a ray within the box of all elements.
   struct Start {
     double t;
     glm::dvec3 place;
@@ -65,8 +66,8 @@ class Classification {
 
   const scene::Scene* scene_;
   std::vector<scene::ElementRef> elements_;
-  std::vector<surface::Ball> balls_;  // of each
-  std::vector<surface::Box> boxes_;   // of each
+  std::vector<surface::Ball> balls_;  // of each element
+  std::vector<surface::Box> boxes_;   // of each element
   std::vector<scene::ElementRef> extraordinary_;
   surface::Box bounds_{};
   double reach_ = 0, margin_ = 0;
@@ -95,8 +96,7 @@ bool Classification::any(const trace::Ray& ray, Limit limit, Visit visit, Work& 
     return false;
   }
   for (const Entry& entry : list(from->place, ray, work)) {
-    // |v|·(t − from.t) is not less than entry.near, and `length` not less than |v|; the factor pays for three
-    // roundings.
+    // |v|·(t − from.t) ≥ entry.near and `length` ≥ |v|; the factor pays for three roundings.
     if ((from->t + entry.near / ray.length()) * (1 - 0x1p-50) > limit()) {
       ++work.by_distance;
       return false;

@@ -1,26 +1,28 @@
 #pragma once
-/// The coherence of rays between two balls (A §1.6, Ohta and Maekawa): of the rays that start in one and meet the
-/// other, none makes a greater angle with the line of their centres than arcsin((r + s)/d), r and s their radii and d
-/// the distance of the centres, where d > r + s.
+/// A bound on the directions of rays between two balls (A §1.6, Ohta and Maekawa): of the rays that start in one and
+/// meet the other, none makes a greater angle with the line of the centres than arcsin((r + s)/d), with r and s the
+/// radii and d the distance of the centres, where d > r + s.
 ///
-/// For let the ray go from p in the one through q in the other. q − p is the difference of the centres but for a vector
-/// of length r + s at most, and the directions of all such vectors are those in which a ball of that radius about the
-/// one centre is seen from the other. The tangents that cross between the balls attain the bound. As well, no q is
-/// nearer to its p than d − (r + s).
+/// Proof. Let the ray go from p in the one ball through q in the other. q − p is the difference of the centres plus a
+/// vector of length r + s at most, so its direction is one in which a ball of radius r + s about the one centre is seen
+/// from the other. The tangents that cross between the balls attain the bound. By the same argument no q is nearer to
+/// its p than d − (r + s).
 ///
-/// Ohta and Maekawa keep lists for each object that a ray may start on: as many as there are objects, squared. Here a
-/// source of candidates is not told what a ray starts on (trace/candidates.hpp), and the lists by this bound are those
-/// of accel/classification.hpp, for balls about boxes of space in place of the objects, and made only where rays come.
+/// Ohta and Maekawa keep lists for each object that a ray may start on, whose number is the square of that of the
+/// objects. A source of candidates is not told which object a ray starts on (trace/candidates.hpp), so
+/// accel/classification.hpp keeps lists by this bound for balls around boxes of space instead, made only where rays
+/// come.
 
 #include "durero/accel/seen.hpp"
 
 namespace durero::accel {
 
-/// Where a ball is seen from all points of another together: from its centre, where it is greater by its radius.
-/// Rounded to the side that sees more. Preconditions: as of seen().
+/// The ball `to` as it is seen from all points of the ball `from` together: from its centre, with the radii added.
+/// Rounding only makes it greater. Preconditions are those of seen().
 Seen seen_from_within(const surface::Ball& from, const surface::Ball& to);
 
-/// False only where no ray of that direction, of length 1 up to 8u, starts in the one ball and meets the other.
+/// Whether a ray of that direction, of length 1 up to 8u, may start in `from` and meet `to`; false only where none
+/// does.
 bool may_reach(const surface::Ball& from, const glm::dvec3& direction, const surface::Ball& to);
 
 }  // namespace durero::accel

@@ -1,6 +1,6 @@
 #pragma once
-/// A hierarchy of boxes: a tree whose inner nodes have a box around all that is below, and two children or more; each
-/// leaf is one element. Whoever builds one, of whatever arity, builds it of these steps.
+/// A hierarchy of boxes is a tree. Each inner node has a box around everything below it and two children or more; each
+/// leaf is one element. The builders of all hierarchies, of any arity, use these steps.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,34 +27,34 @@ N area(const surface::Box& box) {
   return N(2) * (x * y + y * z + z * x);
 }
 
-/// The tree. Nodes are known by number, until they are taken out.
+/// The tree. A node has a number until it is taken out.
 class Hierarchy {
  public:
   using Number = std::uint32_t;  ///< of a node
-  /// Of no node.
+  /// The number of no node.
   static constexpr Number none = std::numeric_limits<Number>::max();
 
-  /// Leaf or inner node.
+  /// A leaf or an inner node.
   struct Node {
     surface::Box box;             ///< around all that is below
-    Number parent = none;         ///< none of the root
-    Number child = none;          ///< the first; none of a leaf
-    Number next = none;           ///< of the same parent; none of the last
-    std::uint32_t arity = 0;      ///< how many children: k; 0 of a leaf
-    std::uint32_t leaves = 1;     ///< below, or itself
+    Number parent = none;         ///< `none` for the root
+    Number child = none;          ///< the first child; `none` for a leaf
+    Number next = none;           ///< the next child of the parent; `none` for the last
+    std::uint32_t arity = 0;      ///< the number k of children; 0 for a leaf
+    std::uint32_t leaves = 1;     ///< the number of leaves below, 1 for a leaf
     scene::ElementRef element{};  ///< of a leaf
-    /// It stands for one element.
+    /// Whether the node is a leaf.
     bool is_leaf() const noexcept { return child == none; }
   };
 
-  /// Of no node at all.
+  /// Whether there is no node.
   bool empty() const noexcept { return root_ == none; }
-  /// none where it is empty.
+  /// The root's number, or `none` where there is no node.
   Number root() const noexcept { return root_; }
   /// A node.
   const Node& operator[](Number node) const noexcept { return nodes_[node]; }
 
-  /// visit(child) for each child of a node, in order, until it answers true. Whether it did.
+  /// Calls visit(child) for each child of a node, in order, until it answers true. Whether it did.
   template <class Visit>
   bool any_child(Number node, Visit visit) const {
     for (Number child = nodes_[node].child; child != none; child = nodes_[child].next)
@@ -62,7 +62,7 @@ class Hierarchy {
     return false;
   }
 
-  /// visit(node) for each node, each before those below it.
+  /// Calls visit(node) for each node, parents before children.
   template <class Visit>
   void for_each(Visit visit) const {
     std::vector<Number> left;
@@ -78,40 +78,40 @@ class Hierarchy {
     }
   }
 
-  /// A leaf that has no place yet.
+  /// Makes a leaf that has no place yet.
   Number leaf(scene::ElementRef element, const surface::Box& box);
-  /// An inner node that has no place yet. Precondition: two children or more, without a place.
+  /// Makes an inner node that has no place yet. Precondition: two children or more, all without a place.
   Number join(std::span<const Number> children);
-  /// Makes a node without a place the root. Precondition: there is none, or it has got a place since.
+  /// Makes a node without a place the root. Precondition: there is no root, or it has a parent now.
   void set_root(Number node);
 
-  // Preconditions of both: the node has no place; the other one has, and is inner where it becomes a parent.
-  /// The node becomes a child of another.
+  // Preconditions of both: `node` has no place; the other node has one, and is an inner node in put_under.
+  /// Makes a node a child of another.
   void put_under(Number parent, Number node);
-  /// A new node takes the place of another, and has both as its children.
+  /// Replaces a node by a new one with both as children.
   void put_beside(Number place, Number node);
 
-  /// Takes a leaf out, whose number is free from then on; a parent that is left with one child gives its place to it;
-  /// the boxes above shrink to what they hold.
+  /// Takes out a leaf, whose number becomes free. A parent that is left with one child gives its place to it, and the
+  /// boxes above shrink to fit.
   void take_out(Number leaf);
-  /// Takes out an inner node that is not the root: its children become its parent's.
+  /// Takes out an inner node that is not the root. Its children become its parent's.
   void dissolve(Number node);
-  /// The leaf's element goes by another reference now.
+  /// Gives another name to a leaf's element.
   void rename(Number leaf, scene::ElementRef element) noexcept { nodes_[leaf].element = element; }
-  /// The leaf's element has another box: those above are made anew.
+  /// Gives another box to a leaf, and fits the boxes above.
   void refit(Number leaf, const surface::Box& box);
 
-  /// Numbers the nodes anew, from 0 on without a gap: the children of a node stand together, and what is near in the
-  /// tree is near in memory. Numbers of before name nothing any more. Precondition: every node has a place.
+  /// Renumbers the nodes from 0 on without a gap, so that the children of a node, and neighbours in the tree, are near
+  /// in memory. Earlier numbers become invalid. Precondition: every node has a place.
   void arrange();
-  /// The numbers of nodes are less than this. Right after arrange() each of them is one of a node.
+  /// An upper bound of the nodes' numbers; right after arrange() each lesser number is a node's.
   Number numbers() const noexcept { return static_cast<Number>(nodes_.size()); }
 
-  /// The longest way from the root to a leaf, in steps.
+  /// The greatest number of steps from the root to a leaf.
   std::size_t depth() const;
-  /// Inner nodes.
+  /// The number of inner nodes.
   std::size_t inner_nodes() const;
-  /// Of memory.
+  /// The memory in bytes.
   std::size_t bytes() const noexcept;
 
  private:
@@ -131,8 +131,8 @@ class Hierarchy {
   Number root_ = none;
 };
 
-/// Σ k·A over all nodes, k their children and A their surface: the cost of the hierarchy by Goldsmith and Salmon,
-/// times the surface of its root. Leaves cost nothing.
+/// Σ k·A over all nodes, with k their children and A their surface: the cost by Goldsmith and Salmon times the surface
+/// of the root. Leaves cost nothing.
 template <class N>
 N weight(const Hierarchy& tree) {
   N sum(0);

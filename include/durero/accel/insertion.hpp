@@ -1,12 +1,11 @@
 #pragma once
-/// The incremental construction of Goldsmith and Salmon: elements come one by one, each where it adds least to the
+/// Goldsmith and Salmon's incremental construction: elements are inserted one by one, each where it adds least to the
 /// cost of the hierarchy.
 ///
-/// An element becomes a child of a node that is there, or a new node takes the place of one that is there and has both
-/// as its children. Either changes Σ k·A in one node and in the boxes of those above it, and nowhere else, so that the
-/// increment is known without a look at the rest. With k the children before, a node that gets one more adds
-/// k·(A_new − A_old) + A_new: the text prints the first summand alone, which leaves out the test of the new child
-/// itself, and would not add up to the cost.
+/// An insertion makes the element a child of a node, or replaces a node by a new one with both as children. Either
+/// changes Σ k·A only in one node and in the boxes above it, so the increment is known without the rest of the tree. A
+/// node with k children that gets one more adds k·(A_new − A_old) + A_new. The seed prints the first summand alone,
+/// which leaves out the test of the new child itself, and would not add up to the cost.
 
 #include <cstddef>
 #include <vector>
@@ -15,26 +14,27 @@
 
 namespace durero::accel {
 
-/// A place for a new leaf, and what it costs there.
+/// A position for a new leaf, and its increment of the cost.
 template <class N>
 struct Position {
-  enum class Kind : std::uint8_t { under, beside };  ///< child of the node, or of a new one in the node's place
-  Hierarchy::Number node = Hierarchy::none;          ///< none where the tree is empty
-  Kind kind = Kind::beside;                          ///< how it comes to the node
+  enum class Kind : std::uint8_t { under, beside };  ///< a child of the node; or with it below a new node
+  Hierarchy::Number node = Hierarchy::none;          ///< `none` where the tree is empty
+  Kind kind = Kind::beside;                          ///< the relation to the node
   N increment = N(0);                                ///< of Σ k·A
-  std::size_t examined = 0;                          ///< nodes that were looked at to find it
+  std::size_t examined = 0;                          ///< the number of nodes examined
 };
 
-/// Looks for the position of a box. Of those that cost the same it takes the one with the fewest leaves below, which
-/// keeps a tree of equal boxes balanced. N is exact in tests; with binary64 a wrong choice costs time, not answers.
+/// Searches for the cheapest position of a box. Among equal costs it takes the position with the fewest leaves below,
+/// which keeps a tree of equal boxes balanced. N is exact in tests; in binary64 a wrong choice costs time, and no
+/// answer.
 template <class N>
 class Insertion {
  public:
-  /// Of a box into a tree, whose nodes have at most so many children.
+  /// Searches a tree whose nodes have at most `most_children` children.
   Insertion(const Hierarchy& tree, const surface::Box& box, unsigned most_children)
       : tree_(tree), box_(box), most_children_(most_children) {}
 
-  /// The simple criterion: every position is tried. Θ(n).
+  /// The best of all positions. Θ(n).
   Position<N> of_all() {
     std::vector<Reached> left;
     if (!tree_.empty()) left.push_back({tree_.root(), N(0)});
@@ -50,7 +50,7 @@ class Insertion {
     return best_;
   }
 
-  /// The heuristic: from the root to a leaf along the child that would cost least, and the best position on the way.
+  /// The heuristic: the best position on the way from the root to a leaf along the cheapest child.
   Position<N> downwards() {
     if (tree_.empty()) return best_;
     Reached at{tree_.root(), N(0)};
@@ -64,14 +64,14 @@ class Insertion {
  private:
   struct Reached {
     Hierarchy::Number node;
-    N inherited;  ///< what the nodes above would grow by
+    N inherited;  ///< the growth of the nodes above
   };
 
   N area_with(Hierarchy::Number node) const { return area<N>(around(tree_[node].box, box_)); }
 
   bool takes_one_more(const Hierarchy::Node& node) const { return !node.is_leaf() && node.arity < most_children_; }
 
-  /// Considers both positions at a node. What a leaf anywhere below it would add to it and to those above.
+  /// Considers both positions at a node. The increment that any insertion below it makes in it and above.
   N look_at(const Reached& at) {
     ++best_.examined;
     const Hierarchy::Node& node = tree_[at.node];
@@ -116,7 +116,7 @@ class Insertion {
   Position<N> best_;
 };
 
-/// Puts a leaf that has no place into a position of the tree.
+/// Puts a leaf that has no place at a position of the tree.
 template <class N>
 void put(Hierarchy& tree, const Position<N>& position, Hierarchy::Number leaf) {
   if (position.node == Hierarchy::none) return tree.set_root(leaf);

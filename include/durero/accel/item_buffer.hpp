@@ -1,13 +1,12 @@
 #pragma once
-/// The item buffer (A §1.5, Weghorst, Hooper and Greenberg): a pass over the pixels of the camera's picture, which
-/// keeps for each the identity of what its ray meets first, so that a primary ray tests that element alone.
+/// The item buffer (A §1.5, Weghorst, Hooper and Greenberg): a pass over the camera's pixels keeps the first element
+/// that each primary ray meets, so that the ray is later tested against that element alone.
 ///
-/// Why the answer is still exact: the pass keeps of each pixel's ray, which is the very ray that is asked later, each
-/// element that may be the first by the certified steps, and a parameter `beyond` that nothing else which it meets lies
-/// before. The search certifies what was kept; where its limit has not fallen below `beyond`, it goes through the
-/// hierarchy of all elements too. So an identity that was wrong would cost time and no answer: what it stands for is
-/// not met, or met no nearer than `beyond`. Other rays, and rays that start on elements, go through the hierarchy at
-/// once.
+/// The answers stay exact. The pass casts the very rays that are asked later. By the certified steps it keeps, for each
+/// pixel, every element that may be the first, and a parameter `beyond` before which the ray meets nothing else. The
+/// search certifies the kept elements; where its limit has not fallen below `beyond`, it traverses the hierarchy of all
+/// elements too. A wrong identity would cost time and no answer, because the ray does not meet that element, or not
+/// before `beyond`. Other rays, and rays that start on elements, traverse the hierarchy at once.
 
 #include <algorithm>
 #include <cstdint>
@@ -22,17 +21,18 @@
 
 namespace durero::accel {
 
-/// The rays of the stage's camera at its resolution; none without a camera that sees something from an ordinary point,
-/// and where the picture has more than 2²³ pixels.
+/// The primary rays of the stage's camera at its resolution; nothing where there is no camera that sees from an
+/// ordinary point, or where the picture has more than 2²³ pixels.
 std::optional<scene::PrimaryRays> primary_rays(const scene::Stage& stage);
 
-/// Of the camera and the resolution of the stage; without primary_rays, of no pixel.
+/// An item buffer for the camera and resolution of the stage; without primary_rays it has no pixels.
 class ItemBuffer {
  public:
-  /// Of a scene, which must outlive it unedited. On as many threads as the calling one may use.
+  /// Casts the primary rays of a scene, which must outlive it unedited, on as many threads as the calling thread may
+  /// use.
   explicit ItemBuffer(const scene::Scene& scene);
 
-  /// @{ As every Structure has it.
+  /// @{ The operations of a structure.
   const scene::Scene& scene() const noexcept { return others_.scene(); }
   std::span<const scene::ElementRef> extraordinary() const noexcept { return extraordinary_; }
   Size size() const;
@@ -41,14 +41,14 @@ class ItemBuffer {
   /// @}
 
  private:
-  friend struct ItemBufferFault;  // of the test that plants wrong identities
+  friend struct ItemBufferFault;  // a test's access, to plant wrong identities
 
-  /// What is kept of a pixel.
+  /// The items of a pixel.
   struct Pixel {
-    std::uint32_t first, count;  // of its items
-    double beyond;               // nothing else is met before this parameter; without items, at all if it is above 0
+    std::uint32_t first, count;  // the range of its items
+    double beyond;               // no other is met before this parameter; without items none at all, if above 0
   };
-  /// Some rows of the picture.
+  /// Consecutive rows of the picture.
   struct Band {
     std::vector<Pixel> pixels;
     std::vector<scene::ElementRef> items;
@@ -60,13 +60,13 @@ class ItemBuffer {
   void fill(Band& band, const Tile& tile, std::vector<Candidate> seen) const;
   Pixel pixel(std::vector<scene::ElementRef>& items, const model::Rayo& rayo, std::span<const Candidate> seen) const;
   const Pixel* pixel_of(const trace::Ray& ray) const;
-  /// What is not kept of a ray, through the hierarchy.
+  /// Traverses the hierarchy for the elements that are not kept for the ray.
   template <class Limit, class Visit>
   bool any_other(const trace::Ray& ray, std::span<const scene::ElementRef> kept, Limit limit, Visit visit,
                  Work& work) const;
 
   Bvh others_;
-  std::vector<scene::ElementRef> boundless_;  // ordinary, as a plane may be: in no hierarchy, and kept of pixels
+  std::vector<scene::ElementRef> boundless_;  // ordinary, without a box, such as planes: not in the hierarchy
   std::vector<scene::ElementRef> extraordinary_;
   std::optional<scene::PrimaryRays> rays_;
   std::vector<Pixel> pixels_;  // row by row
@@ -98,7 +98,7 @@ bool ItemBuffer::any_other(const trace::Ray& ray, std::span<const scene::Element
     ++work.candidates;
     if (visit(e)) return true;
   }
-  Work found;  // whose leaves are no pixels
+  Work found;  // without its leaves, which are not pixels
   std::uint64_t again = 0;
   const bool over = others_.any(
       ray, limit, [&](scene::ElementRef e) { return is_kept(e) ? ++again, false : visit(e); }, found);

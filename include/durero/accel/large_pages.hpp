@@ -1,36 +1,36 @@
 #pragma once
-/// Memory for long arrays that are read here and there. Each read of another page is looked up in a table of which the
-/// processor keeps a part; of large pages there are so few that it keeps all.
+/// Memory on large pages, for long arrays that are read at random. A read of another page needs its address
+/// translation, of which the processor caches a few; large pages are so few that all fit.
 
 #include <cstddef>
 #include <vector>
 
 namespace durero::accel {
 
-/// From so many bytes on an array begins on a large page, and the system is asked for such.
+/// The least size of an array, in bytes, that is put on large pages.
 inline constexpr std::size_t large_page = std::size_t{1} << 21;
 
-/// What a shorter one is aligned to, in bytes.
+/// The alignment of a shorter array, in bytes.
 inline constexpr std::size_t cache_line = 64;
 
-/// @{ Memory of so many bytes, aligned to a cache line at least. It comes on large pages where the system gives them,
-/// which is no promise. Throws std::bad_alloc; is given back with the same number.
+/// @{ Allocates and frees memory, aligned to a cache line at least. From `large_page` bytes on it lies on large pages,
+/// if the system grants them. Throws std::bad_alloc. Memory must be freed with the size it was allocated with.
 void* allocate_on_large_pages(std::size_t bytes);
 void free_on_large_pages(void* memory, std::size_t bytes) noexcept;
 /// @}
 
-/// The allocator of a container that is to have such memory.
+/// An allocator of such memory.
 template <class T>
 struct LargePages {
-  using value_type = T;  ///< what is allocated
+  using value_type = T;  ///< the type of the elements
   static_assert(alignof(T) <= cache_line);
 
   LargePages() = default;
-  /// All of them share one memory.
+  /// All allocators are equal.
   template <class U>
   LargePages(const LargePages<U>&) noexcept {}
 
-  /// @{ As std::allocator has it; a container asks for no more than it could address.
+  /// @{ The operations of std::allocator.
   T* allocate(std::size_t count) { return static_cast<T*>(allocate_on_large_pages(count * sizeof(T))); }
   void deallocate(T* memory, std::size_t count) noexcept { free_on_large_pages(memory, count * sizeof(T)); }
   bool operator==(const LargePages&) const noexcept { return true; }

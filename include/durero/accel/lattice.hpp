@@ -1,9 +1,9 @@
 #pragma once
-/// Equal cubes side by side, and the walk of a ray through them: 3DDDA (Fujimoto), which steps by whole cells and
-/// compares parameters, on exact crossings.
+/// A lattice of equal cubes, and its traversal by 3DDDA (Fujimoto), which steps from cell to cell by comparing the
+/// parameters of exact crossings.
 ///
-/// What is walked is the line itself and nothing near it: the sequence of the cells that hold its points, by the rule
-/// of accel/line.hpp. Fujimoto centres the origin in its cell first; that would walk another line.
+/// The traversal follows the line itself: it visits the cells that hold its points, by the rule of accel/line.hpp.
+/// Fujimoto moves the origin to the centre of its cell first, which would follow another line.
 
 #include <algorithm>
 #include <cstddef>
@@ -18,45 +18,45 @@ namespace durero::accel {
 /// A cell of a lattice, by its place along each axis.
 using Cell = glm::ivec3;
 
-/// count.x · count.y · count.z cubes from a corner on. Every plane between two is a binary64 number: low is a whole
-/// multiple of h, h has at most 8 significant bits, and no plane is more than 2⁴⁴ times h.
+/// count.x · count.y · count.z cubes. All planes between cubes are binary64 numbers, because low is a whole multiple of
+/// h, h has at most 8 significant bits, and no plane is more than 2⁴⁴ times h.
 struct Lattice {
   glm::dvec3 low;  ///< the least corner
-  double h;        ///< the side of a cube: a parameter of length
-  Cell count;      ///< how many along each axis, at least 1
+  double h;        ///< the side of a cube, as a length
+  Cell count;      ///< the number along each axis, at least 1
 
   bool operator==(const Lattice&) const = default;
 
-  /// The plane below the cells of this place.
+  /// The lower plane of the cells at a place.
   double plane(int axis, int place) const { return low[axis] + place * h; }
-  /// The closed cube.
+  /// The closed cube of a cell.
   surface::Box box(const Cell& cell) const {
     return {{plane(0, cell.x), plane(1, cell.y), plane(2, cell.z)},
             {plane(0, cell.x + 1), plane(1, cell.y + 1), plane(2, cell.z + 1)}};
   }
-  /// All of them as one.
+  /// The closed box of all cubes.
   surface::Box whole() const { return {low, {plane(0, count.x), plane(1, count.y), plane(2, count.z)}}; }
-  /// How many cubes.
+  /// The number of cubes.
   std::size_t size() const {
     return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) * static_cast<std::size_t>(count.z);
   }
-  /// The number of a cell in 0 … size() − 1.
+  /// The number of a cell, in 0 … size() − 1.
   std::size_t number(const Cell& cell) const {
     const auto at = [](int place) { return static_cast<std::size_t>(place); };
     return (at(cell.z) * at(count.y) + at(cell.y)) * at(count.x) + at(cell.x);
   }
-  /// The place of a coordinate; −1 below the lattice, and count beyond it.
+  /// The place of a coordinate; −1 below the lattice, count beyond it.
   int place(int axis, double x) const {
     return greatest(axis, x, [&](int i) { return plane(axis, i) <= x; });
   }
-  /// The place right after a crossing, of this lattice's planes or of others.
+  /// The place right after a crossing of any plane.
   int place_after(const Line& line, int axis, const Crossing& event) const {
     const double x = line.p()[axis] + event.t * line.v()[axis];
     return greatest(axis, x, [&](int i) { return line.above(axis, plane(axis, i), event); });
   }
 
  private:
-  /// The greatest place whose plane is below, near a guess; −1 where there is none. The guess costs time, not answers.
+  /// The greatest place whose plane is below, or −1. The guess affects the time only.
   template <class Below>
   int greatest(int axis, double guess, Below below) const {
     const double steps = std::floor((guess - low[axis]) / h);
@@ -72,13 +72,13 @@ struct Lattice {
   }
 };
 
-/// The next of three crossings, one across each axis: it, and which happen with it.
+/// The next of three crossings, one across each axis, and the axes whose crossings coincide with it.
 struct Next {
-  Crossing event;  ///< the first of them
-  unsigned axes;   ///< bit i: the crossing across axis i happens then
+  Crossing event;  ///< the first crossing
+  unsigned axes;   ///< bit i: the crossing across axis i coincides with it
 };
 
-/// Of three crossings.
+/// The first of three crossings.
 inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
   Next next{crossings[0], 1};
   for (int axis = 1; axis < 3; ++axis) {
@@ -90,10 +90,10 @@ inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
   return next;
 }
 
-/// The crossing by which a ray comes into a half-open box, or its start; nothing where no point of it is in there.
+/// The crossing by which a ray enters a half-open box, or its start; nothing where the ray has no point in the box.
 std::optional<Crossing> way_in(const Line& line, const surface::Box& box);
 
-/// How a ray that is in a box leaves it.
+/// The crossing by which a ray leaves a box. Precondition: the ray is in it.
 inline Next way_out(const Line& line, const surface::Box& box) {
   Crossing out[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -101,8 +101,8 @@ inline Next way_out(const Line& line, const surface::Box& box) {
   return first_of(line, out);
 }
 
-/// visit(cell, event) for every cell that holds a point of the ray, in its order, and the crossing by which the cell is
-/// entered, until it answers true. Whether it did.
+/// Calls visit(cell, event) for every cell that holds a point of the ray, in the order of the ray, with the crossing by
+/// which the cell is entered, until visit answers true. Whether it did.
 template <class Visit>
 bool walk(const Line& line, const Lattice& lattice, Visit visit) {
   const std::optional<Crossing> first = way_in(line, lattice.whole());

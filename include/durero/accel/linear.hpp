@@ -1,6 +1,6 @@
 #pragma once
-/// No structure at all: every element's ball is tried for every ray, as `analytic` does. What the others are measured
-/// against.
+/// The linear structure tests every element's ball against every ray, as `analytic` does. Other structures are measured
+/// against it.
 
 #include <span>
 
@@ -12,14 +12,14 @@ namespace durero::accel {
 /// A ball around each element, in the order of the scene.
 class Linear {
  public:
-  /// Of a scene, which must outlive it unedited.
+  /// Prepares a scene, which must outlive it unedited.
   explicit Linear(const scene::Scene& scene) : tables_(scene) {}
 
-  /// @{ As every Structure has it.
+  /// @{ The operations of a structure.
   const scene::Scene& scene() const noexcept { return tables_.scene(); }
   std::span<const scene::ElementRef> extraordinary() const noexcept { return tables_.extraordinary(); }
   Size size() const;
-  /// All balls are counted, those behind an element that ends the walk with them.
+  /// All balls are counted, also those behind the element that ends the search.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     work.volumes += scene().size() - extraordinary().size();

@@ -1,10 +1,10 @@
 #pragma once
-/// An octree: a cube around the scene, in eight, and each eighth again where more elements touch it than a leaf may
-/// list. A leaf is empty, or lists what touches it.
+/// An octree (A §1.4.2): a cube around the scene is divided in eight, and each eighth again where more elements touch
+/// it than a leaf may list. A leaf lists the elements that touch it, or is empty.
 ///
-/// The three middle planes of a node are crossed in some order, which is all that a ray needs: it goes through at most
-/// four of the eight children, since it crosses each plane once. So the walk steps among siblings (3DDDA in a lattice
-/// of two by two by two), and down and up between groups of them, on exact crossings (accel/line.hpp).
+/// A ray crosses each of the three middle planes of a node once, in some order, and so visits at most four of the eight
+/// children. The traversal steps among siblings (3DDDA in a lattice of two by two by two), and down and up between
+/// groups of siblings, on exact crossings (accel/line.hpp).
 
 #include <string>
 
@@ -13,61 +13,62 @@
 
 namespace durero::accel {
 
-/// When cells are no longer divided.
+/// The limits of the division.
 struct OctreeOptions {
-  int max_depth = -1;           ///< at most Octree::deepest; below 0: what the number of elements asks for
+  int max_depth = -1;           ///< at most Octree::deepest; below 0: chosen by the number of elements
   std::size_t max_objects = 2;  ///< a cell with no more is a leaf
-  std::size_t max_bytes = 0;    ///< of memory for the whole octree; 0: 64 KiB and 256 an element
+  std::size_t max_bytes = 0;    ///< of the whole octree; 0: 64 KiB and 256 an element
 };
 
-/// A structure (accel/structure.hpp).
+/// An octree over a scene: a structure (accel/structure.hpp).
 class Octree : public InCells {
  public:
   /// The names of the nodes at this depth have 19 digits, as many as an integer of 64 bits holds (octree_names).
   static constexpr int deepest = 19;
 
-  /// Why a cell is not divided.
+  /// The reason why a cell is not divided.
   enum class Why : std::uint8_t { few_objects, max_depth, max_bytes };
 
   /// A leaf: a cube, by the least of the finest cells in it.
   struct Leaf {
     Cell corner;  ///< in units of the finest cells
-    int depth;    ///< of the root 0; each level halves the side
-    Why why;      ///< it is a leaf
+    int depth;    ///< 0 for the root; each level halves the side
+    Why why;      ///< the reason why it is a leaf
   };
 
-  /// Throws std::invalid_argument where max_depth is more than `deepest`.
+  /// Builds the octree of a scene, which must outlive it unedited. Throws std::invalid_argument where max_depth >
+  /// `deepest`.
   explicit Octree(const scene::Scene& scene, const OctreeOptions& options = {});
 
-  /// Every leaf, by number.
+  /// The leaves by number.
   std::span<const Leaf> leaves() const noexcept { return leaves_; }
-  /// The finest cells that there may be: 2^max_depth along each axis of the root.
+  /// All possible finest cells: 2^max_depth along each axis of the root.
   const Lattice& finest() const noexcept { return finest_; }
   /// The closed cube of a leaf.
   surface::Box box(const Leaf& leaf) const;
-  Size size() const;  ///< as of every structure
+  Size size() const;  ///< the octree's size
 
-  /// @{ The leaf that holds a point of the root, or one of the finest cells: by comparing coordinates with the middle
-  /// of each node, and by the digits of the cell's octal code. Precondition: the root holds it. `probes` counts nodes.
+  /// @{ The leaf that holds a point, by comparing coordinates with the middle of each node; or a finest cell, by the
+  /// digits of the cell's octal code. `probes` counts the nodes. Precondition: the root holds the point or cell.
   std::size_t leaf_at(const glm::dvec3& point, std::size_t& probes) const;
   std::size_t leaf_at(const Cell& cell, std::size_t& probes) const;
   /// @}
-  /// The digit of a finest cell's octal code at a depth from 1 on: which child of its parent it is in. Bit i is set in
-  /// the upper half of axis i.
+  /// The digit of a finest cell's octal code at a depth from 1 on: the number of the child that holds it. Bit i is set
+  /// in the upper half of axis i.
   unsigned octal_digit(const Cell& cell, int depth) const;
 
-  /// visit(leaf, event) for every leaf that holds a point of the ray, in its order, and the crossing by which it is
-  /// entered, until it answers true. Whether it did. group(count) after each group of eight that the ray has left, with
-  /// the number of siblings visited.
+  /// Traversal by siblings. Calls visit(leaf, event) for every leaf that holds a point of the ray, in the order of the
+  /// ray, with the crossing by which the leaf is entered, until visit answers true. Whether it did. group(count) is
+  /// called after each group of eight that the ray has left, with the number of siblings visited.
   template <class Visit, class Group>
   bool walk(const Line& line, Visit visit, Group group, Work& work) const;
 
-  /// The same leaves, each found again from the root: the point of the ray where it has left a cell is in the next one.
-  /// BuscarObjetosEnOctree of the seed.
+  /// Traversal by point location, the seed's BuscarObjetosEnOctree: the same leaves, each found from the root by the
+  /// point at which the ray left the cell before.
   template <class Visit>
   bool walk_by_location(const Line& line, Visit visit, Work& work) const;
 
-  /// Leaf by leaf in the order of the ray (search_cells).
+  /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
@@ -79,7 +80,7 @@ class Octree : public InCells {
  private:
   friend class OctreeBuilder;
 
-  /// A leaf, or where its eight children begin.
+  /// A leaf, or the place of its eight children.
   using Node = std::uint32_t;
   static constexpr Node leaf_bit = 0x80000000u;
 
@@ -93,11 +94,11 @@ class Octree : public InCells {
   std::vector<Leaf> leaves_;
 };
 
-/// The octree walked by location alone: to read, and to be measured against the other.
+/// An octree traversed by point location alone: a readable reference, and to be measured against the other traversal.
 class OctreeByLocation : public Octree {
  public:
   using Octree::Octree;
-  /// As Octree::any.
+  /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return search_cells(contents(), lists(), ray, limit, visit, work,
@@ -105,16 +106,16 @@ class OctreeByLocation : public Octree {
   }
 };
 
-/// A cube around a box: its side is a power of two, and the planes of all cells down to Octree::deepest are binary64
-/// numbers. Every point of the box is below its upper faces.
+/// A cube around a box. Its side is a power of two, the planes of all cells down to Octree::deepest are binary64
+/// numbers, and every point of the box is below its upper faces.
 Lattice cube_over(const surface::Box& box);
-/// The cells that such a cube is made of at a depth. Precondition: 0 ≤ depth ≤ Octree::deepest.
+/// The cells of such a cube at a depth. Precondition: 0 ≤ depth ≤ Octree::deepest.
 Lattice finest_cells(const surface::Box& box, int depth);
 
-/// The recursion.
+/// The recursion of Octree::walk.
 template <class Visit, class Group>
 struct Octree::Walk {
-  /// From the crossing by which the node is entered to that by which it is left.
+  /// Visits the leaves below a node, which the ray enters by `in` and leaves by `out`.
   bool operator()(Node node, const glm::dvec3& low, double side, Crossing in, const Crossing& out) {
     if ((node & leaf_bit) != 0) return visit(node & ~leaf_bit, in);
     ++work.nodes;

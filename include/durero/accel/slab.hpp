@@ -1,13 +1,13 @@
 #pragma once
-/// The test of a ray against a box along the axes, in binary64, that never rejects a box in which the ray has a point
-/// that matters: proofs/Slab.v, slab64_never_rejects, is about these operations in this order.
+/// The slab test of a ray against an axis-aligned box, in binary64. It never rejects a box in which the ray has a point
+/// up to the limit: proofs/Slab.v, slab64_never_rejects, is about these operations in this order.
 ///
-/// A ray crosses the planes of an axis at (plane − p)·(1/v), with three roundings, each within u = 2⁻⁵³ of its result
-/// or, where it underflows, within 2⁻¹⁰⁷⁵. The box is entered at the latest of the near crossings and of 0, and left at
-/// the earliest of the far ones and of the best so far. Three roundings of each side and two of the comparison are less
-/// than 16u, hence `grow`; what underflow may add is less than the least normal number, `tiny`. Where v is 0 its
-/// inverse is an infinity, and a crossing an infinity of the right sign, or NaN in the plane itself, which no
-/// comparison prefers.
+/// The bounds are these. A ray crosses the planes of an axis at (plane − p)·(1/v), with three roundings, each within u
+/// = 2⁻⁵³ of its result or, where it underflows, within 2⁻¹⁰⁷⁵. The ray enters the box at the latest of the near
+/// crossings and of 0, and leaves it at the earliest of the far ones and of the limit. Three roundings of each side and
+/// two of the comparison are less than 16u, hence `grow`; underflow adds less than the least normal number, `tiny`.
+/// Where v is 0 its inverse is an infinity, and a crossing is an infinity of the right sign, or NaN in the plane
+/// itself, which no comparison prefers.
 
 #include <cmath>
 #include <glm/vec3.hpp>
@@ -20,20 +20,20 @@ namespace durero::accel {
 inline constexpr double grow = 1 + 0x1p-49;  ///< 1 + 16u
 inline constexpr double tiny = 0x1p-1022;    ///< the least normal number
 
-/// A ray as boxes are asked about it: what is computed once.
+/// A ray, prepared for tests against boxes.
 struct Beam {
-  /// Of an ordinary ray.
+  /// Prepares a ray. Precondition: it is ordinary.
   explicit Beam(const trace::Ray& ray) : p(ray.p), inverse(1 / ray.v.x, 1 / ray.v.y, 1 / ray.v.z) {}
 
   glm::dvec3 p;        ///< origin
-  glm::dvec3 inverse;  ///< 1/v, of each component; infinite where v is 0
+  glm::dvec3 inverse;  ///< 1/v by component; infinite where v is 0
 };
 
-/// Where a ray may be within a box: at parameters entry … exit, each with the errors that `meets` allows for.
+/// The parameters entry … exit at which a ray may be within a box, each with the errors that `meets` allows for.
 struct Stretch {
   double entry;  ///< not less than 0
   double exit;   ///< not more than the limit
-  /// The ray may have a point of the box up to the limit: where not, it has none.
+  /// Whether the ray may have a point of the box up to the limit; false only where it has none.
   bool meets() const { return entry <= exit * grow + tiny; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What every acceleration structure offers, and how it becomes a source of candidates (trace/candidates.hpp).
+/// An acceleration structure, and its use as a source of candidates (trace/candidates.hpp).
 
 #include <concepts>
 
@@ -10,11 +10,11 @@
 
 namespace durero::accel {
 
-/// A structure is made of a scene, which must outlive it unedited, and offers
-///   scene(), extraordinary()   as any source of candidates; what has no finite bound, such as a plane, is
-///   extraordinary any(ray, limit, visit, work)
-///                              as a source's any(ray, limit, visit), and adds to `work` what it did
-///   size()                     what it holds.
+/// A structure is constructed from a scene, which must outlive it unedited, and offers
+///   scene(), extraordinary()         as a source of candidates; elements without a finite bound, such as planes, are
+///                                    extraordinary;
+///   any(ray, limit, visit, work)     as a source's any(ray, limit, visit), and adds its work to `work`;
+///   size()                           its size.
 template <class S>
 concept Structure = std::constructible_from<S, const scene::Scene&> &&
                     requires(const S& structure, const trace::Ray& ray, double (&limit)(),
@@ -25,13 +25,13 @@ concept Structure = std::constructible_from<S, const scene::Scene&> &&
                       { structure.size() } -> std::same_as<Size>;
                     };
 
-/// A structure, which must outlive it, as a source of candidates of whoever does not ask what it does.
+/// A structure, which must outlive it, as a source of candidates whose work is not counted.
 template <class S>
 class Source {
  public:
-  explicit Source(const S& structure) : structure_(structure) {}  ///< the structure
+  explicit Source(const S& structure) : structure_(structure) {}  ///< refers to the structure
 
-  /// @{ As trace::Candidates has it.
+  /// @{ The operations of trace::Candidates.
   const scene::Scene& scene() const noexcept { return structure_.scene(); }
   std::span<const scene::ElementRef> extraordinary() const noexcept { return structure_.extraordinary(); }
   template <class Limit, class Visit>
@@ -42,17 +42,17 @@ class Source {
   /// @}
 
  protected:
-  const S& structure_;  ///< that it stands for
+  const S& structure_;  ///< the structure
 };
 
-/// The same, that adds up its work.
+/// A structure as a source of candidates whose work is counted.
 template <class S>
 class Counted : public Source<S> {
  public:
-  /// Both must outlive it.
+  /// Refers to the structure and to the counts, which must outlive it.
   Counted(const S& structure, Work& work) : Source<S>(structure), work_(work) {}
 
-  /// As trace::Candidates has it.
+  /// Candidates::any.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit) const {
     ++work_.rays;

@@ -1,6 +1,6 @@
 #pragma once
-/// Bounding volumes without a hierarchy: one around each element, each ray tested against all. The tests saved are
-/// of elements; their number stays a multiple of the number of elements.
+/// Bounding volumes without a hierarchy: a volume around each element, each tested against every ray (A §1.2). They
+/// save tests of elements; the number of tests still grows with the number of elements.
 
 #include <span>
 #include <vector>
@@ -11,37 +11,37 @@
 
 namespace durero::accel {
 
-/// Each element of a scene in a volume of its own kind.
+/// A scene's elements, each in a volume of its own kind.
 class Volumes {
  public:
-  /// For each element the volume, of one kind or composed, that is cheapest for isotropic rays through the box about
-  /// the scene. The scene must outlive it unedited.
+  /// Chooses for each element the volume, simple or composed, that is cheapest for isotropic rays through the scene's
+  /// box. The scene must outlive it unedited.
   explicit Volumes(const scene::Scene& scene);
-  /// One kind for all.
+  /// Uses one kind for all elements. The scene must outlive it unedited.
   Volumes(const scene::Scene& scene, const Kind& kind);
 
-  /// The surface of the box about all elements of a scene that have one; 0 where none has.
+  /// The surface of the box around all elements of a scene that have one; 0 where none has.
   static double region(const scene::Scene& scene);
 
-  /// What it is made of.
+  /// The scene of the volumes.
   const scene::Scene& scene() const noexcept { return *scene_; }
   /// The elements that are not ordinary, and planes.
   std::span<const scene::ElementRef> extraordinary() const noexcept { return apart_; }
-  /// What it holds.
+  /// The structure's size.
   Size size() const;
 
   /// An element and its volume.
   struct Bounded {
-    scene::ElementRef element;  ///< what is within
-    Volume volume;              ///< one kind, or composed
+    scene::ElementRef element;  ///< the element
+    Volume volume;              ///< of one kind, or composed
   };
-  /// All of them, those that are made alike together, so that the processor foresees what comes next. A volume may be
-  /// replaced by another that contains the element.
+  /// The elements and their volumes. Volumes of one make stand together, so that the processor predicts their tests. A
+  /// volume may be replaced by another that contains the element.
   std::span<Bounded> bounded() noexcept { return bounded_; }
-  /// The same, to look at.
+  /// The elements and their volumes, read only.
   std::span<const Bounded> bounded() const noexcept { return bounded_; }
 
-  /// As trace::Candidates has it; adds what it did to `work`.
+  /// Candidates::any (trace/candidates.hpp); adds its work to `work`.
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     if (bounded_.empty()) return false;

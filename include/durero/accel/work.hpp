@@ -1,38 +1,38 @@
 #pragma once
-/// What a structure does to answer rays, and what it holds: counted, so that structures can be compared by more than
-/// the clock. The same scene and rays give the same numbers, on any machine and any number of threads.
+/// The work of a structure for rays, and its size. Counts compare structures better than the clock does: the same scene
+/// and rays give the same numbers, on any machine and any number of threads.
 
 #include <cstddef>
 #include <cstdint>
 
 namespace durero::accel {
 
-/// What was done for some rays. A plain value: every thread counts in its own, and adds.
+/// The work for some rays. Every thread has its own counts, which are added at the end.
 struct Work {
-  std::uint64_t rays = 0;         ///< that were asked
-  std::uint64_t volumes = 0;      ///< tests of a ray against a bounding volume or a plane that halves a space: n
-  std::uint64_t nodes = 0;        ///< inner nodes whose children were looked at
-  std::uint64_t cells = 0;        ///< leaves, voxels or lists that were looked through
-  std::uint64_t by_miss = 0;      ///< volumes passed over because the ray misses them
-  std::uint64_t by_distance = 0;  ///< volumes or cells passed over because they lie beyond the nearest hit so far
-  std::uint64_t candidates = 0;   ///< elements handed to the certified search: m
-  std::uint64_t repeated = 0;     ///< elements found again in a further cell, and not handed over again
-  std::uint64_t untested = 0;     ///< rays for which no element was handed over
+  std::uint64_t rays = 0;         ///< rays answered
+  std::uint64_t volumes = 0;      ///< n: tests of a ray against a bounding volume, or a plane that halves space
+  std::uint64_t nodes = 0;        ///< inner nodes visited
+  std::uint64_t cells = 0;        ///< leaves, voxels or lists visited
+  std::uint64_t by_miss = 0;      ///< volumes that the ray missed
+  std::uint64_t by_distance = 0;  ///< volumes or cells pruned beyond the nearest hit so far
+  std::uint64_t candidates = 0;   ///< m: elements handed to the certified search
+  std::uint64_t repeated = 0;     ///< elements found in a further cell, and not handed over again
+  std::uint64_t untested = 0;     ///< rays without a candidate
 
-  /// Adds number by number.
+  /// Adds each number.
   Work& operator+=(const Work& other);
   bool operator==(const Work&) const = default;
 };
 
-/// What a structure holds.
+/// The size of a structure.
 struct Size {
-  std::size_t elements = 0;    ///< in its nodes or cells
-  std::size_t apart = 0;       ///< that every ray is tested against: what is not ordinary, and what has no bound
+  std::size_t elements = 0;    ///< elements in its nodes or cells
+  std::size_t apart = 0;       ///< elements that every ray is tested against, which are not ordinary or have no bound
   std::size_t nodes = 0;       ///< inner nodes
-  std::size_t cells = 0;       ///< leaves, voxels or lists, the empty ones with them
-  std::size_t references = 0;  ///< to elements, from all cells
-  std::size_t depth = 0;       ///< the longest way from the root to a leaf; 0 where there is no root
-  std::size_t bytes = 0;       ///< of memory, all told
+  std::size_t cells = 0;       ///< leaves, voxels or lists, also the empty ones
+  std::size_t references = 0;  ///< references to elements, over all cells
+  std::size_t depth = 0;       ///< the longest path from the root to a leaf; 0 without a root
+  std::size_t bytes = 0;       ///< memory in bytes
 
   bool operator==(const Size&) const = default;
 };
