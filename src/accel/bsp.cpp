@@ -14,26 +14,26 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// A plane across an axis that parts a cell.
+/// A plane across an axis that halves a cell.
 struct Halving {
   int axis;
   double plane;
 };
 
-/// Half of the area of a box's faces.
+/// Half the surface of a box.
 double area(const surface::Box& box) {
   const glm::dvec3 side = box.high - box.low;
   return side.x * side.y + side.y * side.z + side.z * side.x;
 }
 
-/// Both halves of a cell.
+/// The two halves of a cell.
 std::pair<surface::Box, surface::Box> halves(const surface::Box& box, const Halving& by) {
   std::pair<surface::Box, surface::Box> result{box, box};
   result.first.high[by.axis] = result.second.low[by.axis] = by.plane;
   return result;
 }
 
-/// The least and the greatest coordinates of elements' boxes along an axis, in order.
+/// The least and the greatest coordinates of the elements' boxes along an axis, sorted.
 struct Ends {
   Ends(const Contents& contents, const Numbers& elements, int axis) {
     for (const std::uint32_t number : elements) {
@@ -47,16 +47,17 @@ struct Ends {
   std::vector<double> lows, highs;
 };
 
-/// The plane can be crossed exactly (Line::crossing), and it parts the cell.
+/// The halving by a plane, if the plane can be crossed exactly (Line::crossing) and lies inside the cell.
 std::optional<Halving> checked(const surface::Box& box, int axis, double plane) {
   if (std::abs(plane) < 0x1p-150) plane = 0;
   if (!(box.low[axis] < plane && plane < box.high[axis])) return {};
   return Halving{axis, plane};
 }
 
-// Of 2m ends in order let the plane be the one at the place m, from 0 on, and all be different. Let L elements end
-// below it and R begin above it. m ends are less: those of the L, and the beginnings of all but the R, without the one
-// in the plane, if it is a beginning. So L − R is 1 or 0.
+// The median of the 2m ends of m boxes leaves about as many elements on either side. Let it be the end at the place m,
+// counted from 0, with all ends different. Let L elements end below it and R begin above it. The m lesser ends are the
+// ends of the L and the beginnings of all but the R, without the beginning in the plane, if the plane is one. So L − R
+// is 1 or 0.
 std::optional<Halving> at_median(const Contents& contents, const Numbers& elements, const surface::Box& box) {
   const glm::dvec3 side = box.high - box.low;
   std::array<int, 3> axes{0, 1, 2};
@@ -68,18 +69,18 @@ std::optional<Halving> at_median(const Contents& contents, const Numbers& elemen
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(elements.size());
     std::ranges::nth_element(all, middle);
     const std::optional<Halving> by = checked(box, axis, *middle);
-    // A plane that all elements touch would part nothing.
+    // A plane that all elements touch would separate none.
     if (by && (ends.highs.front() < by->plane || by->plane < ends.lows.back())) return by;
   }
   return {};
 }
 
-// To ask a plane, in tests of an element. The curve is flat: of a thousand elements a ray meets 7.2 with a fourth and
-// 8.0 with 1, and asks 22.8 planes or 21.4.
+// The cost of testing a plane, in tests of an element. The curve is flat: of a thousand elements a ray meets 7.2 with a
+// fourth and 8.0 with 1, and tests 22.8 planes or 21.4.
 constexpr double cost_of_plane = 0.25;
 
-// A ray through the cell comes through a half of it as often as the half's area is of the cell's. A cell is a leaf
-// where no plane costs less than its elements.
+// The surface area heuristic: a ray through the cell crosses a half as often as the half's area is of the cell's. A
+// cell is a leaf where no plane costs less than its elements.
 std::optional<Halving> at_least_cost(const Contents& contents, const Numbers& elements, const surface::Box& box) {
   std::optional<Halving> best;
   const auto all = static_cast<double>(elements.size());
@@ -98,7 +99,7 @@ std::optional<Halving> at_least_cost(const Contents& contents, const Numbers& el
       const double cost = area(low) * below + area(high) * above;
       if (cost < least) best = by, least = cost;
     };
-    // Between two ends the cost is linear, so that an end is best; beside it, on its element's free side.
+    // Between two ends the cost is linear, so an end is best, or rather its neighbour on the element's free side.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const double low : ends.lows) consider(std::nextafter(low, -infinity));
     for (const double high : ends.highs) consider(std::nextafter(high, infinity));
@@ -121,13 +122,13 @@ std::optional<Halving> placed(Placing placing, const Contents& contents, const N
   return {};
 }
 
-/// About as many levels as halve the elements down to a few, and some for those that planes cut.
+/// The number of levels that halve the elements down to a few, and some more for elements that planes cut.
 int levels_for(Placing placing, std::size_t elements) {
   const int halvings = static_cast<int>(std::bit_width(elements));
   return placing == Placing::middle ? 3 * ((halvings + 2) / 3 + 3) : 8 + halvings + halvings / 3;
 }
 
-/// The faces of the cell that holds the scene: beyond all elements above, since what is in a plane is above it.
+/// The root's cell. It extends beyond all elements above, since a point in a plane is above the plane.
 surface::Box root_for(Placing placing, const surface::Box& box) {
   if (placing == Placing::middle) return cube_over(box).box({0, 0, 0});
   surface::Box root = box;
@@ -141,7 +142,7 @@ surface::Box root_for(Placing placing, const surface::Box& box) {
 
 }  // namespace
 
-/// Divides cells in the order of their depth, so that where memory ends all are about as deep.
+/// Divides cells in the order of their depth, so that all are about equally deep where memory ends.
 class BspBuilder {
  public:
   BspBuilder(Bsp& bsp, const BspOptions& options) : bsp_(bsp), options_(options) {
@@ -174,7 +175,8 @@ class BspBuilder {
     Numbers elements;
   };
 
-  /// A cell between two cubes is no leaf, and is asked nothing: planes in the middle divide cubes in eight.
+  /// Whether a cell may be a leaf. With planes in the middle, cells between two cubes may not, because cubes are
+  /// divided in eight.
   bool whole(int depth) const { return options_.placing != Placing::middle || depth % 3 == 0; }
 
   void place(const Waiting& cell) {
@@ -187,7 +189,7 @@ class BspBuilder {
     Waiting below{bsp_.nodes_.size(), low, cell.depth + 1, within(cell, low)};
     Waiting above{bsp_.nodes_.size() + 1, high, cell.depth + 1, within(cell, high)};
     const std::size_t references = references_ - cell.elements.size() + below.elements.size() + above.elements.size();
-    // Of a cube as many as there can be: seven planes, and each element in every eighth.
+    // A cube adds at most seven planes, and each element in every eighth.
     const bool cube = options_.placing == Placing::middle;
     if (whole(cell.depth) && bytes(bsp_.nodes_.size() + (cube ? 14 : 2),
                                    cube ? references_ + 7 * cell.elements.size() : references) > options_.max_bytes) {
@@ -224,7 +226,7 @@ class BspBuilder {
     ++leaves_;
   }
 
-  /// Of a tree with so many nodes and references, half of the nodes being leaves.
+  /// The bytes of a tree with so many nodes and references, half of the nodes being leaves.
   std::size_t bytes(std::size_t nodes, std::size_t references) const {
     const Contents& contents = bsp_.contents_;
     return sizeof(Bsp) + nodes * sizeof(Bsp::Node) + (nodes / 2 + 2 + references) * sizeof(std::uint32_t) +

@@ -15,14 +15,14 @@ namespace {
 
 static_assert(Structure<Classification>);
 
-/// Lists so short are not divided.
+/// The length of a list that is not divided.
 constexpr std::size_t short_list = 4;
 
-/// What the rounding of u and v may turn a direction by, and more.
+/// A bound on the angle by which the rounding of u and v turns a direction.
 constexpr double turned = 0x1p-50;
 
-/// So often a box of so many elements is halved, space and directions together: if no list were shorter than the one
-/// that it is made from, there would be 2²⁴ entries in all.
+/// The number of times that a box of so many elements is halved, in space and directions together: if no list were
+/// shorter than the list that it is made from, there would be 2²⁴ entries in all.
 std::uint32_t most_halvings(std::size_t elements) {
   std::uint32_t halvings = 0;
   while (elements << halvings < (std::size_t{1} << 22U) && halvings < 24) ++halvings;
@@ -41,7 +41,7 @@ int longest_axis(const surface::Box& box) {
 
 }  // namespace
 
-/// A box of five dimensions. Its quarters are of the square, its halves, 0 and 1, of space.
+/// A box of five dimensions. Its children are the quarters of its square, or the halves, 0 and 1, of its box of space.
 struct Classification::Node {
   surface::Box box;
   Square square;
@@ -92,7 +92,7 @@ Classification::Classification(const scene::Scene& scene) : scene_(&scene) {
 
 Classification::~Classification() = default;
 
-/// The half diagonal is greater by its own rounding; the margin pays for that of the middle too.
+/// The half diagonal is increased by its own rounding; the margin pays also for the rounding of the middle.
 void Classification::make_list(Node& node, std::span<const Entry> of_parent) const {
   const glm::dvec3 middle = 0.5 * node.box.low + 0.5 * node.box.high;
   const double half = 0.5 * glm::length(node.box.high - node.box.low) * (1 + 0x1p-40) + margin_;
@@ -137,9 +137,10 @@ std::span<const Classification::Entry> Classification::list(const glm::dvec3& pl
   return node->list;
 }
 
-/// Before the entry, which errs by less than 2⁻⁴⁸ of itself, by 2⁻⁴⁰ of it: so the ray's own point at t lies before the
-/// box, and so near to it and to the place that the margin, which is more than 2⁻³⁸·t·|v| and the roundings of the
-/// place, holds it. Where the ray misses the box, any place will do. Nothing where t·|v| is too long for the margin.
+/// The start lies before the computed entry by 2⁻⁴⁰ of it, because the entry errs by less than 2⁻⁴⁸ of itself. The
+/// ray's own point at t therefore lies before the box, and so near to the box and to the place that the margin, which
+/// is more than 2⁻³⁸·t·|v| and the roundings of the place, contains it. Where the ray misses the box, any place serves.
+/// Nothing where t·|v| is too long for the margin.
 std::optional<Classification::Start> Classification::start(const trace::Ray& ray, const Beam& beam,
                                                            const Stretch& stretch) const {
   if (stretch.entry == 0) return Start{0, ray.p};

@@ -33,8 +33,8 @@ Square quarter(const Square& square, std::uint32_t which) {
   return {square.face, square.u + (which % 2 == 0 ? 0 : half), square.v + (which < 2 ? 0 : half), half};
 }
 
-// Directions within an angle below 90° of an axis are convex: with those of its corners they hold the pyramid. The
-// angle of a whole face is arccos(1/√3).
+// The directions within an angle below 90° of an axis are convex, so a cone that contains the corners' directions
+// contains the pyramid. The angle of a whole face is arccos(1/√3).
 Cone cone_of(const Square& square, double more) {
   const auto at = [&](double du, double dv) {
     return direction(direction_of({square.face, square.u + du * square.side, square.v + dv * square.side}));

@@ -1,5 +1,5 @@
 #pragma once
-/// Which elements a structure can hold.
+/// Selects the elements that a structure can hold.
 
 #include <cmath>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace durero::accel {
 
-/// The box of an element; nothing where the element is not ordinary, or no box contains it: a plane.
+/// The box of an element; nothing where the element is not ordinary, or has no finite box, as a plane.
 inline std::optional<surface::Box> finite_box(const scene::Scene& scene, scene::ElementRef e) {
   return scene.visit(e, [](const auto& shape) -> std::optional<surface::Box> {
     if (!trace::ordinary(shape)) return {};

@@ -8,8 +8,8 @@
 namespace durero::accel {
 namespace {
 
-/// The cubes of one side over a box; nothing where a plane would be farther than 2⁴⁴ of them, or there were too many.
-/// Beyond the box's last point there is a plane, since a point in a plane is above it.
+/// The cubes of one side over a box; nothing where a plane would be farther than 2⁴⁴ sides, or there were too many
+/// cubes. A plane lies beyond the box's last point, since a point in a plane is above the plane.
 std::optional<Lattice> cubes_of_side(const surface::Box& box, double h) {
   Lattice lattice{{}, h, {}};
   for (int axis = 0; axis < 3; ++axis) {
@@ -23,7 +23,7 @@ std::optional<Lattice> cubes_of_side(const surface::Box& box, double h) {
   return lattice;
 }
 
-/// visit(cell) for the cells of a lattice that an element touches.
+/// Calls visit(cell) for the cells of a lattice that an element touches.
 template <class Visit>
 void for_each_cell(const Contents& contents, std::uint32_t number, const Lattice& lattice, Visit visit) {
   const surface::Box box = contents.box_of(number);
@@ -31,7 +31,7 @@ void for_each_cell(const Contents& contents, std::uint32_t number, const Lattice
   for (int axis = 0; axis < 3; ++axis) {
     first[axis] = lattice.place(axis, box.low[axis]);
     last[axis] = lattice.place(axis, box.high[axis]);
-    // What touches a plane is in both cells that it parts.
+    // An element that touches a plane is in the cells at both sides of it.
     if (first[axis] > 0 && lattice.plane(axis, first[axis]) == box.low[axis]) --first[axis];
   }
   contents.scene->visit(contents.elements[number], [&](const auto& shape) {
@@ -42,7 +42,7 @@ void for_each_cell(const Contents& contents, std::uint32_t number, const Lattice
   });
 }
 
-/// The cells that the elements' boxes reach into, an upper bound of the references.
+/// The number of cells that the elements' boxes reach into, an upper bound of the references.
 double references_at_most(const Contents& contents, const Lattice& lattice) {
   double sum = 0;
   for (std::uint32_t number = 0; number < contents.elements.size(); ++number) {
@@ -76,8 +76,8 @@ Lists listed(const Contents& contents, const Lattice& lattice) {
 
 }  // namespace
 
-// Sides m·2ᵏ with m from 15 down to 8, and on: the first that gives enough cubes, and the last that gives few enough
-// where none does.
+// The sides tried are m·2ᵏ with m from 15 down to 8, for one k after another: the first that gives enough cubes, or the
+// last that gives few enough where none does.
 Lattice cubes_over(const surface::Box& box, double cells) {
   double extent = 0;
   for (int axis = 0; axis < 3; ++axis)

@@ -7,7 +7,7 @@
 namespace durero::accel {
 namespace {
 
-/// Of a box within another.
+/// Whether a box within another reaches one of its faces.
 bool reaches_a_face(const surface::Box& inner, const surface::Box& outer) {
   return glm::any(glm::equal(inner.low, outer.low)) || glm::any(glm::equal(inner.high, outer.high));
 }
@@ -16,7 +16,7 @@ bool reaches_a_face(const surface::Box& inner, const surface::Box& outer) {
 
 Hierarchy::Number Hierarchy::add(const Node& node) {
   if (free_.empty()) {
-    // By a quarter, not twofold: what stands ready and is not used is memory that is told of.
+    // The capacity grows by a quarter, not twofold, because unused capacity counts as memory of the tree.
     if (nodes_.size() == nodes_.capacity()) nodes_.reserve(nodes_.size() + nodes_.size() / 4 + 16);
     nodes_.push_back(node);
     return static_cast<Number>(nodes_.size() - 1);
@@ -85,7 +85,7 @@ void Hierarchy::refit(Number leaf, const surface::Box& box) {
   fit_upwards(nodes_[leaf].parent);
 }
 
-/// `by`, which has no place, takes the place of `old`, which has none then.
+/// Gives the place of `old` to `by`, which has none; `old` has none then.
 void Hierarchy::replace(Number old, Number by) {
   const Number parent = nodes_[old].parent;
   if (parent == none) {
@@ -113,7 +113,7 @@ void Hierarchy::detach(Number child) {
   nodes_[child].parent = nodes_[child].next = none;
 }
 
-/// Box and number of leaves of an inner node, from those of its children.
+/// Computes the box and the number of leaves of an inner node from its children.
 void Hierarchy::fit(Number node) {
   nodes_[node].box = nodes_[nodes_[node].child].box;
   nodes_[node].leaves = 0;
@@ -124,7 +124,7 @@ void Hierarchy::fit(Number node) {
   });
 }
 
-/// So many leaves within a box have come below a node: the box of each node above grows by it, and by nothing else.
+/// Adds leaves within a box to the nodes from `node` up to the root, whose boxes grow by that box alone.
 void Hierarchy::grow_upwards(Number node, const surface::Box& by, std::uint32_t leaves) {
   for (; node != none; node = nodes_[node].parent) {
     nodes_[node].box = around(nodes_[node].box, by);
@@ -132,8 +132,9 @@ void Hierarchy::grow_upwards(Number node, const surface::Box& by, std::uint32_t 
   }
 }
 
-/// A leaf has gone from below a node, which had a child with the box `gone` that now is smaller or no more. A box whose
-/// faces that child did not reach is made by the others, as it was, and so are those above it.
+/// Fits the nodes from `node` up to the root after a leaf below is gone; a child of `node` had the box `gone`, and now
+/// is smaller or no more. A box whose faces that child did not reach is determined by the other children and unchanged,
+/// and so are the boxes above it.
 void Hierarchy::shrink_upwards(Number node, surface::Box gone) {
   bool may_shrink = true;
   for (; node != none; node = nodes_[node].parent) {
@@ -151,8 +152,9 @@ void Hierarchy::fit_upwards(Number node) {
   for (; node != none; node = nodes_[node].parent) fit(node);
 }
 
-/// Family by family, each before those of its members, and of these the first before all below the second: `arranged`
-/// has the new numbers, but for the children of the nodes that are left, which are still those of before.
+/// The nodes are copied family by family. A family comes before those of its members, and everything below the first
+/// member before that below the second. `arranged` has new numbers, except for the children of the nodes in `left`,
+/// which are old ones.
 void Hierarchy::arrange() {
   Nodes arranged;
   arranged.reserve(nodes_.size() - free_.size());

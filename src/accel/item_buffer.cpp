@@ -15,7 +15,8 @@ static_assert(Structure<ItemBuffer>);
 
 constexpr std::uint32_t rows_of_a_band = 16, side_of_a_tile = 4;
 
-/// Where more elements may be the first, as of many in one place, a pixel keeps none, and all are tried.
+/// The greatest number of items of a pixel. Where more elements may be the first, the pixel keeps none and all are
+/// tested.
 constexpr std::size_t most_items = 16;
 
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 23U;
@@ -28,7 +29,7 @@ std::optional<scene::PrimaryRays> primary_rays(const scene::Stage& stage) {
   try {
     const scene::PrimaryRays rays(*stage.camera, size);
     if (trace::ordinary(scene::Sphere{stage.camera->eye, 1})) return rays;
-  } catch (const std::domain_error&) {  // which whoever draws the picture is told
+  } catch (const std::domain_error&) {  // the caller that draws the picture is told
   }
   return std::nullopt;
 }
@@ -38,14 +39,14 @@ struct ItemBuffer::Candidate {
   Seen seen;
 };
 
-/// Some pixels, rows and columns.
+/// A rectangle of pixels.
 struct ItemBuffer::Tile {
   std::uint32_t x, y, width, height;
 };
 
 namespace {
 
-/// A cone with the rays of all these pixels, as they are; none where they spread too wide.
+/// A cone that contains the rays of a tile's pixels; nothing where they spread too wide.
 template <class Tile>
 std::optional<Cone> cone_of(const scene::PrimaryRays& rays, const Tile& tile) {
   const auto at = [&](std::uint32_t x, std::uint32_t y) { return direction(rays.ray(x, y).v().xyz()); };
@@ -90,7 +91,7 @@ ItemBuffer::Band ItemBuffer::band(std::span<const Candidate> all, std::uint32_t 
   return band;
 }
 
-/// Halves the tile until it is small, each half with what is seen there.
+/// Halves a tile until it is small, each half with the elements that are seen in it.
 void ItemBuffer::fill(Band& band, const Tile& tile, std::vector<Candidate> seen) const {
   if (const auto cone = cone_of(*rays_, tile))
     std::erase_if(seen, [&](const Candidate& candidate) { return !may_be_seen(candidate.seen, *cone); });
@@ -119,14 +120,14 @@ ItemBuffer::Pixel ItemBuffer::pixel(std::vector<scene::ElementRef>& items, const
                                     std::span<const Candidate> seen) const {
   struct Met {
     scene::ElementRef e;
-    double low;  // −∞ where it is in doubt
+    double low;  // −∞ where the hit is undecided
   };
   boost::container::small_vector<Met, 8> all;
   trace::Counts unseen;
   const trace::Search search(scene(), rayo, {}, unseen);
   double nearest = trace::no_limit, beyond = trace::no_limit;
   for (const Candidate& candidate : seen) {
-    // |v|·t is not less than the least distance, and `length` greater than |v| by more than the division's rounding.
+    // |v|·t is not less than the least distance, and `length` exceeds |v| by more than the division's rounding.
     const double least = candidate.seen.near / search.ray().length();
     if (least > nearest) {
       beyond = least;

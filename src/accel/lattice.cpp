@@ -2,8 +2,8 @@
 
 namespace durero::accel {
 
-// The ray is in the box where it is between the planes of all three axes: right after the last of the crossings by
-// which it comes between two, unless it has left by then.
+// A ray is in the box where it is between the planes of all three axes: right after the last of the crossings by which
+// it enters between two planes, unless it has left by then.
 std::optional<Crossing> way_in(const Line& line, const surface::Box& box) {
   Crossing event = line.start();
   for (int axis = 0; axis < 3; ++axis) {

@@ -13,14 +13,15 @@ static_assert(Structure<LightBuffer>);
 
 constexpr double widening = 0x1p-22;
 
-/// Squares are quartered so often at most; smaller ones would be as small as the widening.
+/// The greatest depth of squares. Smaller squares would be as small as the widening.
 constexpr std::uint32_t deepest_square = 18;
 
-/// How many squares are quartered in all, and how many references there are then, of so many elements.
+/// The greatest numbers of quartered squares and of references, for so many elements.
 constexpr std::size_t most_quartered(std::size_t elements) { return 512 + 2 * elements; }
 constexpr std::size_t most_references(std::size_t elements) { return 4096 + 16 * elements; }
 
-/// Lists so short are quartered even where each quarter has all of it: a sphere may cover a quarter.
+/// The length of a list whose square is quartered even if each quarter has the whole list, because a sphere may cover a
+/// quarter.
 constexpr std::size_t few_seen = 16;
 
 LightCube::Item item_of(const scene::Scene& scene, scene::ElementRef e, const glm::dvec3& light) {
@@ -29,14 +30,15 @@ LightCube::Item item_of(const scene::Scene& scene, scene::ElementRef e, const gl
   });
 }
 
-/// The light stands at a point that segments with ordinary rays may end at: one that an ordinary element may be at.
+/// Whether segments with ordinary rays may end at the light: whether an ordinary element may be there.
 bool is_ordinary(const glm::dvec3& light) { return trace::ordinary(scene::Sphere{light, 1}); }
 
-/// A sphere of radius r whose centre is seen from the light at distance d. If the centre is within arcsin(r(1 −
-/// 2⁻²⁰)/d) of every direction of a square, widened, then so it is of −v₀, and the foot of the centre on the exact
-/// segment from x to the light, where |v₀| > d, is less than r(1 − 2⁻²⁰)(1 + 2⁻⁴⁰) from it, the ray's own point at that
-/// parameter u|v₀| more: inside the sphere, if |v₀| ≤ 2³¹·r. The ray's end lies u|v₀| from the light: outside, if d ≥
-/// r(1 + 2⁻²⁰). From the one to the other the ray crosses the sphere, at 0 < t < 1, wherever x lies.
+/// A sphere of radius r, whose centre is seen from the light at distance d, covers a square under this condition. If
+/// the centre is within arcsin(r(1 − 2⁻²⁰)/d) of every direction of the square, widened, then it is so of −v₀. The foot
+/// of the centre on the exact segment from x to the light, where |v₀| > d, is then less than r(1 − 2⁻²⁰)(1 + 2⁻⁴⁰) from
+/// it, and the ray's own point at that parameter u|v₀| more: inside the sphere, if |v₀| ≤ 2³¹·r. The ray's end lies
+/// u|v₀| from the light: outside, if d ≥ r(1 + 2⁻²⁰). From the one to the other the ray crosses the sphere, at 0 < t <
+/// 1, wherever x lies.
 constexpr double inner = 1 - 0x1p-20, outer = 1 + 0x1p-20;
 
 bool covers(const scene::Sphere& sphere, const Seen& seen, const Cone& cone) {
@@ -60,7 +62,8 @@ LightCube::LightCube(const scene::Scene& scene, const glm::dvec3& light, std::sp
   build();
 }
 
-/// Where a sphere that is seen covers the cone, its record, and what it hides is no longer seen.
+/// Adds a record for the nearest sphere in `seen` that covers the cone, and removes the elements that it hides. The
+/// record.
 std::uint32_t LightCube::end_at_cover(const Cone& cone, Numbers& seen, std::uint32_t record) {
   for (const std::uint32_t number : seen) {
     const Item& item = items_[number];
@@ -77,7 +80,7 @@ std::uint32_t LightCube::end_at_cover(const Cone& cone, Numbers& seen, std::uint
   return record;
 }
 
-/// What is seen all around, or covers the square, is so in every part of it.
+/// Whether all elements of a list are seen all around, or cover the square, which holds in every part of it too.
 bool LightCube::is_settled(const Open& open) const {
   return std::ranges::all_of(open.seen, [&](std::uint32_t number) {
     return items_[number].seen.around || (open.record != 0 && items_[number].e == records_[open.record].e);
@@ -95,7 +98,7 @@ LightCube::Open LightCube::open(std::uint32_t node, const Square& square, const 
   return open;
 }
 
-/// Quarters the square of the longest list, of equal ones the first made, again and again.
+/// Quarters the square of the longest list, the first made among equal ones, again and again.
 void LightCube::build() {
   const auto is_after = [](const Open& a, const Open& b) {
     return a.seen.size() < b.seen.size() || (a.seen.size() == b.seen.size() && a.node > b.node);
@@ -121,7 +124,7 @@ void LightCube::build() {
   }
 }
 
-/// Makes the quarters of a square, and hands them to push, where there is room for them and something is gained.
+/// Makes the quarters of a square and hands them to push, if there is room and the quarters' lists gain something.
 template <class Push>
 bool LightCube::quarter_pays(const Open& whole, std::size_t& references, Push push) {
   const std::size_t before = whole.seen.size();

@@ -30,7 +30,7 @@ SquaredDistances squared_distances(const glm::dvec3& from, const surface::Box& b
   return sum;
 }
 
-/// A plane across the vector parts the triangle from the box.
+/// Whether a plane across the vector separates the triangle from the box.
 bool parts(const ExactVector& across, const scene::Triangle& triangle, const surface::Box& box) {
   Dyadic least = 0, greatest = 0;  // across·w of the points w of the box
   const Dyadic* const components[] = {&across.x, &across.y, &across.z};
@@ -45,8 +45,8 @@ bool parts(const ExactVector& across, const scene::Triangle& triangle, const sur
   return last < least || greatest < first;
 }
 
-// As touches() tries them, whose planes across the axes of space are exact: across the triangle, and along an edge of
-// it and one of the box. Two convex bodies with flat faces are apart only where one of these parts them.
+// touches() with exact planes: across the axes of space, across the triangle, and along an edge of it and one of the
+// box. Two convex bodies with flat faces are apart only where one of these separates them.
 bool has_exact_point(const scene::Triangle& triangle, const surface::Box& box) {
   const auto& [a, b, c] = triangle.vertices;
   const ExactVector p = surface::between<Dyadic>(a, b), q = surface::between<Dyadic>(a, c);
@@ -58,7 +58,8 @@ bool has_exact_point(const scene::Triangle& triangle, const surface::Box& box) {
   });
 }
 
-// The sphere is connected, and so is the box: it has a point in it where the box is neither all outside nor all inside.
+// The sphere and the box are connected: the sphere has a point in the box where the box is neither all outside nor all
+// inside.
 bool has_exact_point(const scene::Sphere& sphere, const surface::Box& box) {
   const auto [nearest, farthest] = squared_distances(sphere.centro, box);
   const Dyadic radius_squared = square(Dyadic(sphere.radio));
@@ -83,7 +84,7 @@ bool encloses(scene::ShapeView element, const surface::Box& box) {
   });
 }
 
-/// Cuts cubes in eight, each eighth before the next.
+/// Divides cubes in eight, depth first.
 struct Mosaic::Cutter {
   using Numbers = std::vector<std::uint32_t>;
 

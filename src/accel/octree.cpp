@@ -9,8 +9,8 @@
 namespace durero::accel {
 namespace {
 
-/// As deep as eight children a level make a cell for each element, and three levels more, at which surfaces that meet
-/// are told apart.
+/// The depth at which eight children a level give a cell for each element, and three levels more, which separate
+/// surfaces that meet.
 int depth_for(std::size_t elements) { return (static_cast<int>(std::bit_width(elements)) + 2) / 3 + 3; }
 
 int depth_of(const OctreeOptions& options, std::size_t elements) {
@@ -43,7 +43,7 @@ Lattice finest_cells(const surface::Box& box, int depth) {
   return {cube.low, std::ldexp(cube.h, -depth), Cell(1 << depth)};
 }
 
-/// Divides cells in the order of their depth, so that where memory ends all are about as deep.
+/// Divides cells in the order of their depth, so that all are about equally deep where memory ends.
 class OctreeBuilder {
  public:
   OctreeBuilder(Octree& octree, int max_depth, const OctreeOptions& options)
@@ -116,7 +116,7 @@ class OctreeBuilder {
     for (const std::uint32_t element : cell.elements) listed_.push_back({element, number});
   }
 
-  /// Of an octree with so many nodes and references. Of each group of eight, seven more are leaves.
+  /// The bytes of an octree with so many nodes and references. Seven nodes of each group of eight add to the leaves.
   std::size_t bytes(std::size_t nodes, std::size_t references) const {
     const Contents& contents = octree_.contents_;
     const std::size_t leaves = nodes - nodes / 8;

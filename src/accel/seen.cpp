@@ -7,10 +7,10 @@
 namespace durero::accel {
 namespace {
 
-// Cosines of angles between directions, and of sums and differences of angles, are made of fewer than ten products and
-// sums of numbers up to 1. The directions are 1 long up to 8u each and a difference of points is off by u of its
-// length; a sine and a cosine made of each other by √((1 − x)(1 + x)) are those of one angle up to 4u. All of it is
-// less than 100u, and this is 256u.
+// The bound on errors of cosines. Cosines of angles between directions, and of sums and differences of angles, are made
+// of fewer than ten products and sums of numbers up to 1. The directions are 1 long up to 8u each, and a difference of
+// points is off by u of its length; a sine and a cosine made of each other by √((1 − x)(1 + x)) are those of one angle
+// up to 4u. The sum is less than 100u, and this is 256u.
 constexpr double angle_slack = 0x1p-45;
 
 double complement(double x) { return std::sqrt(std::max(0.0, (1 - x) * (1 + x))); }
@@ -51,14 +51,16 @@ Seen seen(const surface::Ball& ball, const glm::dvec3& from) {
           .far = distance + ball.radius + slack};
 }
 
-// The angles of the ball and of the cone add up to 180° at most, where the cosine falls with the angle.
+// Where the cone sees the ball, their angles add up to the angle of the centres at least. The sum is 180° at most,
+// where the cosine falls with the angle.
 bool may_be_seen(const Seen& ball, const Cone& cone) {
   if (ball.around) return true;
   const double farthest = ball.cosine * cone.cosine - ball.sine * cone.sine;
   return cosine_between(ball.towards, cone.axis) >= farthest - angle_slack;
 }
 
-// The angle between axis and centre and that of the cone add up to the angle of the sine at most.
+// The ball covers the cone where the angle between axis and centre and the angle of the cone add up to that of the sine
+// at most.
 bool is_covered(const Cone& cone, const Seen& ball, double sine) {
   if (ball.around || sine < cone.sine) return false;
   const double nearest = complement(sine) * cone.cosine + sine * cone.sine;

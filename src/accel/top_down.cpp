@@ -26,17 +26,17 @@ class TopDown {
   }
 
  private:
-  /// Where a set is cut: its first `count` along the axis. Which cut is chosen costs time, never answers.
+  /// A cut of a set: its first `count` elements along the axis. The choice costs time, never answers.
   struct Cut {
     int axis;
     std::size_t count;
     double cost;
   };
 
-  /// Elements of ever other sizes are parted two or three at a time, which makes a tree nearly as deep as they are
-  /// many: from this depth on a set is halved.
+  /// The depth from which on a set is halved. Elements of ever other sizes are separated two or three at a time, which
+  /// would make a tree nearly as deep as they are many.
   static constexpr int deepest_by_area = 40;
-  /// From this number on one axis is tried, the one along which the centres lie farthest apart.
+  /// The number of leaves from which on only one axis is tried, along which the centres spread widest.
   static constexpr std::size_t many = 1024;
 
   double centre(Number leaf, int axis) const { return tree_[leaf].box.low[axis] + tree_[leaf].box.high[axis]; }
@@ -54,7 +54,7 @@ class TopDown {
     return centre(*greatest, axis) - centre(*least, axis);
   }
 
-  /// Puts first what the first part is to have, and tells how many these are.
+  /// Reorders the leaves so that the first part comes first. The size of the first part.
   std::size_t cut(Leaves leaves, int depth) {
     int widest = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -74,7 +74,7 @@ class TopDown {
     return best.count;
   }
 
-  /// Of cuts that cost the same the one nearest to the middle.
+  /// The cheapest cut along an axis; among equal costs the one nearest to the middle.
   Cut best_along(Leaves leaves, int axis) {
     sort(leaves, axis);
     const std::size_t n = leaves.size();
@@ -96,7 +96,8 @@ class TopDown {
     return best;
   }
 
-  /// Without the child its parent, of surface A, costs k·A more and A less, and the child's k·A are saved.
+  /// Whether a child gives way to its children. Its parent, of surface A, then costs k·A more and A less, and the
+  /// child's k·A are saved.
   bool gives_way(Number number) const {
     const Hierarchy::Node &child = tree_[number], &parent = tree_[child.parent];
     if (child.is_leaf() || parent.arity - 1 + child.arity > most_children_) return false;
@@ -105,7 +106,7 @@ class TopDown {
 
   Hierarchy& tree_;
   unsigned most_children_;
-  std::vector<double> after_;  // surfaces of what lies behind each cut
+  std::vector<double> after_;  // the surfaces of the boxes behind each cut
 };
 
 }  // namespace

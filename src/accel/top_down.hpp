@@ -1,5 +1,5 @@
 #pragma once
-/// A hierarchy from the root downwards, by surface area.
+/// The construction of a hierarchy from the root downwards, by surface area.
 
 #include <span>
 
@@ -7,10 +7,10 @@
 
 namespace durero::accel {
 
-/// Joins leaves without a place to one tree, whose root it gives. Each set is cut in two, in the order of the centres
-/// along an axis, where A·n of both parts, their surfaces and numbers, add up to least; then a node gives way to its
-/// children where that lowers Σ k·A, as long as its parent keeps to so many children. Precondition: a leaf or more.
-/// Reorders `leaves`. The tree is no deeper than 40 + ⌈log₂ n⌉ steps.
+/// Joins leaves without a place to one tree, and answers its root. Each set is cut in two, in the order of the centres
+/// along an axis, by the least sum of A·n over both parts, with A their surfaces and n their numbers. A node then gives
+/// way to its children where that lowers Σ k·A and its parent keeps to `most_children`. Reorders `leaves`. The tree is
+/// no deeper than 40 + ⌈log₂ n⌉ steps. Precondition: there is a leaf.
 Hierarchy::Number top_down(Hierarchy& tree, std::span<Hierarchy::Number> leaves, unsigned most_children);
 
 }  // namespace durero::accel

@@ -11,13 +11,13 @@ namespace {
 
 using surface::Box;
 
-// Each number here is made by less than 2⁸ roundings of sums of terms no greater than the size that it is compared
-// with, and an axis is of unit length within 2⁻⁵⁰: 2⁻⁴⁰ of that size is more than all of it.
+// The slack exceeds the error of each number here, which is made by less than 2⁸ roundings of sums of terms no greater
+// than the size that it is compared with, from axes of unit length within 2⁻⁵⁰.
 constexpr double slack = 0x1p-40;
 
 double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }
 
-/// A box as a point sees it: every difference is rounded once, however far both lie from the origin of space.
+/// A box relative to a point: every difference is rounded once, however far both lie from the origin of space.
 struct Seen {
   Seen(const Box& box, const glm::dvec3& from)
       : low(box.low - from), high(box.high - from), middle(0.5 * low + 0.5 * high), half(0.5 * high - 0.5 * low) {
@@ -36,7 +36,7 @@ bool overlap(const Box& a, const Box& b) {
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-// The surface is touched where the nearest point of the box is within the sphere and the farthest is not.
+// The surface touches the box where the nearest point of the box is within the sphere and the farthest is not.
 bool touched(const scene::Sphere& sphere, const Box& box) {
   const Seen seen(box, sphere.centro);
   double nearest = 0, farthest = 0;
@@ -51,7 +51,7 @@ bool touched(const scene::Sphere& sphere, const Box& box) {
 }
 
 // Two convex bodies with flat faces are apart exactly where a plane along a face of one, or along an edge of each,
-// parts them. The box's own faces have been tried.
+// separates them. The box's own faces have been tried.
 bool touched(const scene::Triangle& triangle, const Box& box) {
   const Seen seen(box, triangle.vertices[0]);
   const glm::dvec3 b = triangle.vertices[1] - triangle.vertices[0], c = triangle.vertices[2] - triangle.vertices[0];
@@ -70,14 +70,14 @@ bool touched(const scene::Triangle& triangle, const Box& box) {
   return true;
 }
 
-/// All points between two discs across a unit axis: what a shape along an axis bounds, with the radii of its ends.
+/// The solid between two discs across a unit axis, which bounds a shape along the axis, with the radii of its ends.
 struct Solid {
   glm::dvec3 centro, vector;
   double altura, base, top;
 };
 
-// Between the discs, w·c is at most that of the farther rim's farthest point: |c|² less (c·vector)² is the square of
-// what of c lies across the axis.
+// The test of a plane across c. Between the discs, w·c is at most that of the farther rim's farthest point: |c|² less
+// (c·vector)² is the square of the part of c across the axis.
 bool parted(const Solid& solid, const Seen& seen, const glm::dvec3& c) {
   const double along = dot(c, solid.vector);
   const double across = std::sqrt(std::max(0.0, dot(c, c) - along * along)) + slack * extent(c);
@@ -86,8 +86,8 @@ bool parted(const Solid& solid, const Seen& seen, const glm::dvec3& c) {
   return seen.least(c) > farthest + slack * extent(c) * size;
 }
 
-/// Some plane parts the box from the solid: across the axis; along it and an edge of the box; or touching the solid
-/// where it faces the middle of the box.
+/// Whether some plane separates the box from the solid: across the axis; along the axis and an edge of the box; or
+/// tangent to the solid where it faces the middle of the box.
 bool apart(const Solid& solid, const Seen& seen) {
   const glm::dvec3& d = solid.vector;
   const auto parted_either_way = [&](const glm::dvec3& c) { return parted(solid, seen, c) || parted(solid, seen, -c); };
@@ -104,7 +104,7 @@ bool apart(const Solid& solid, const Seen& seen) {
          parted(solid, seen, out / length + (solid.base - solid.top) / solid.altura * d);
 }
 
-/// Every corner of the box, and so all of it, lies strictly inside the wall, which is carried on beyond both ends.
+/// Whether every corner of the box, and so all of it, lies strictly inside the wall, extended beyond both ends.
 bool within_wall(const Solid& solid, const Seen& seen) {
   const double slope = (solid.base - solid.top) / solid.altura;
   const double size = (seen.size + solid.altura + solid.base + solid.top) * (1 + slope);
@@ -135,7 +135,7 @@ bool touched(const scene::Cone& e, const Box& box) {
 bool touched(const scene::TruncatedCone& e, const Box& box) {
   return touched(Solid{e.centro, e.vector, e.altura, surface::radius_of_base(e), e.radio}, box);
 }
-// A plane has no finite box; no structure asks where it is.
+// A plane has no finite box, so no structure asks for its cells.
 bool touched(const scene::Plane& plane, const Box& box) {
   const Seen seen(box, plane.centro);
   const double less = slack * seen.size * extent(plane.vector);

@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t line_count = 1024;
-/// Which of the lines meet a volume.
+/// The set of lines that meet a volume.
 using Met = std::bitset<line_count>;
 
 /// A line through the ball of radius 1 about 0, and the point on it that is nearest to 0.
@@ -23,7 +23,7 @@ struct Chord {
   glm::dvec3 along, aside;
 };
 
-/// Isotropic lines: four coordinates that fill the cube evenly (the multiples of the powers of the root of x⁵ = x + 1)
+/// Isotropic lines. Four coordinates that fill the cube evenly (the multiples of the powers of the root of x⁵ = x + 1)
 /// give the direction, and the place across it.
 std::array<Chord, line_count> isotropic_lines() {
   constexpr double root = 1.1673039782614187;
@@ -39,7 +39,7 @@ std::array<Chord, line_count> isotropic_lines() {
   return lines;
 }
 
-/// The volumes of an element and how many lines meet them, each found out when it is asked for.
+/// The volumes around an element and the lines that meet them, computed on demand.
 class Trial {
  public:
   Trial(scene::ShapeView element, double surface_of_region)
@@ -51,14 +51,14 @@ class Trial {
     if (!known) known = kinds()[kind].around(element_, outline_);
     return *known;
   }
-  /// Rays that meet a volume of one kind, of one that crosses the region, by Cauchy: more than 1 where it reaches
-  /// beyond.
+  /// The share of rays that meet a kind's volume, of those that cross the region, by Cauchy; above 1 where the volume
+  /// reaches beyond the region.
   double rays(std::size_t kind) {
     auto& known = rays_[kind];
     if (!known) known = surface_of(volume(kind)) / region_;
     return *known;
   }
-  /// No volume is met by fewer.
+  /// The share of rays that meet the hull, a lower bound for every volume.
   double share_of_hull() const { return std::min(1.0, outline_.surface() / region_); }
   const Met& met(std::size_t kind) {
     auto& known = met_[kind];
@@ -76,7 +76,7 @@ class Trial {
   }
 
  private:
-  /// The isotropic lines about the element.
+  /// The isotropic lines around the element.
   const std::vector<trace::Ray>& lines() {
     static const std::array<Chord, line_count> chords = isotropic_lines();
     if (!lines_.empty()) return lines_;
@@ -88,7 +88,7 @@ class Trial {
     return lines_;
   }
 
-  /// Of the ball that the lines go through, in radii of the ball about the element: no kind reaches beyond √3 of them.
+  /// The radius of the ball that the lines cross, in radii of the element's ball: no kind reaches beyond √3 of them.
   static constexpr double reach = 1.75;
 
   const surface::Ball& ball() { return std::get<surface::Ball>(volume(0)); }
@@ -102,12 +102,13 @@ class Trial {
   std::vector<trace::Ray> lines_;
 };
 
-/// The least so far. What can save less than a hundredth is not tried: the lines do not tell it.
+/// The cheapest choice so far. A choice that can save less than a hundredth is not tried, because the lines are too few
+/// for it.
 class Least {
  public:
   explicit Least(Choice first) : best_(std::move(first)) {}
 
-  /// Whether something that costs no less than this may be taken.
+  /// Whether a choice that costs at least `bound` may be taken.
   bool may_be_beaten_by(double bound) const { return bound < 0.99 * best_.T; }
   void consider(Choice choice) {
     if (choice.T < best_.T) best_ = std::move(choice);

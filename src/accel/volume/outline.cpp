@@ -45,7 +45,7 @@ Outline of(const scene::Disc& e) {
 Outline of(const scene::Plane& e) {
   return {.centre = {e.centro}, .radius = {}, .count = 1, .axis = e.vector, .ball = false, .size = 0};
 }
-/// The axis only serves the fit, so that any unit vector will do where the normal is lost to rounding.
+/// The axis affects only the fit, so any unit vector serves where the normal is lost to rounding.
 Outline of(const scene::Triangle& e) {
   const auto& [a, b, c] = e.vertices;
   const double scale = std::max({norm_1(b - a), norm_1(c - a), 0x1p-200});
@@ -65,10 +65,10 @@ Outline outline(scene::ShapeView element) {
   return element.visit([](const auto& shape) { return of(shape); });
 }
 
-// A disc of radius r across a unit axis d reaches r·√(n² − (n·d)²) along n. That d² is within 2⁻⁵⁰ of 1, and the
-// roundings of the difference, change it by less than 2⁻⁴⁷ n², and the rest is less than 2⁻⁴⁰ of r. A point of the disc
-// at a height s lies s(1 − d²) beside it, less than 2⁻⁴⁹ of the size; the centre of the second disc is rounded by less
-// than 4u of the size, and n·c by 4u of |n|₁ times the size, with u = 2⁻⁵³: all less than 2⁻⁴⁷.
+// A disc of radius r across a unit axis d reaches r·√(n² − (n·d)²) along n. Two errors change the difference by less
+// than 2⁻⁴⁷ n²: d² is within 2⁻⁵⁰ of 1, and the difference is rounded; the rest is less than 2⁻⁴⁰ of r. A point of the
+// disc at a height s lies s(1 − d²) beside it, less than 2⁻⁴⁹ of the size; the centre of the second disc is rounded by
+// less than 4u of the size, and n·c by 4u of |n|₁ times the size, with u = 2⁻⁵³: all less than 2⁻⁴⁷.
 Slab Outline::extent(const glm::dvec3& n) const {
   const double squared = glm::dot(n, n), along = ball ? 0 : glm::dot(n, axis);
   const double share = std::sqrt(std::max(0.0, squared - along * along) + 0x1p-47 * squared) * (1 + 0x1p-40);
@@ -90,7 +90,7 @@ double Outline::surface() const {
   return pi * (radius[0] * radius[0] + radius[1] * radius[1] + (radius[0] + radius[1]) * slant);
 }
 
-// Seen along v, at an angle to the axis of cosine c, discs are ellipses that are narrower by c along the axis.
+// Seen along v, at an angle of cosine c to the axis, discs are ellipses that are narrower by c along the axis.
 // Stretched back, they are circles, whose hull is two arcs and the tangents to both.
 double Outline::projected(const glm::dvec3& v) const {
   const double r = radius[0], s = radius[1];

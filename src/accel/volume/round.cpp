@@ -8,7 +8,7 @@
 namespace durero::accel {
 namespace {
 
-/// The ball of that radius about 0 and the ray q + t·v: the steps of trace/filter.hpp, whose allowances these are.
+/// Tests the ray q + t·v against the ball of that radius about 0, by the steps and allowances of trace/filter.hpp.
 Verdict round(const glm::dvec3& q, const glm::dvec3& v, double radius, double limit) {
   const double length_squared = glm::dot(v, v) * (1 + 0x1p-47 + 0x1p-50);
   const glm::dvec3 moment = glm::cross(q, v);
@@ -30,16 +30,16 @@ Verdict verdict(const surface::Ball& ball, const trace::Ray& ray, double limit) 
 Verdict verdict(const Ellipsoid& ellipsoid, const trace::Ray& ray, double limit) {
   const double longer = std::max(1.0, ellipsoid.lambda), ratio = longer / std::min(1.0, ellipsoid.lambda);
   const double far = longer * (norm_1(ray.p) + norm_1(ellipsoid.centre));
-  // 16u of the origin, as of a ball, is part of the allowance.
+  // The allowance includes 16u of the origin, as a ball's does.
   const double radius = ellipsoid.rho + 0x1p-45 * ratio * (ellipsoid.rho + far) + 0x1p-48 * far;
   return round(stretched(ellipsoid, ray.p - ellipsoid.centre), stretched(ellipsoid, ray.v), radius, limit);
 }
 
 // Of a cylinder of radius r and half height h the least ellipsoid has the radius r·√(3/2) across its axis and h·√3
-// along it: λ = (r/h)/√2. A point of a disc about c, with s = (c − centre)·d and e what is left across the axis, is at
-// most √((|e| + r)² + λ²s²) from the centre where the axis is stretched; between the discs it is nearer. Each step errs
-// by less than 2⁻⁴⁰ of its result, but for c, s and e: less than 2⁻⁴⁷ of the size, and Λ times that where it is
-// stretched.
+// along it: λ = (r/h)/√2. A point of a disc about c, with s = (c − centre)·d and e the part of c − centre across the
+// axis, is at most √((|e| + r)² + λ²s²) from the centre where the axis is stretched; points between the discs are
+// nearer. Each step errs by less than 2⁻⁴⁰ of its result, but for c, s and e: less than 2⁻⁴⁷ of the size, and Λ times
+// that where it is stretched.
 Ellipsoid ellipsoid_around(const Outline& outline) {
   Ellipsoid result{outline.centre[0], outline.axis, 1, outline.radius[0]};
   if (outline.ball) return result;

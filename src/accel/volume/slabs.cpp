@@ -29,7 +29,7 @@ double magnitude(const glm::dvec3& a, const glm::dvec3& b) {
 
 Stretch common(const Stretch& a, const Stretch& b) { return {std::max(a.entry, b.entry), std::min(a.exit, b.exit)}; }
 
-/// Without the components that are next to 0: which direction it is exactly does not matter.
+/// The vector without the components that are next to 0. Its exact direction does not matter.
 glm::dvec3 plain(glm::dvec3 n) {
   for (int i = 0; i < 3; ++i)
     if (std::abs(n[i]) < 0x1p-60) n[i] = 0;
@@ -80,7 +80,7 @@ OrientedBox oriented_box_around(const Outline& outline) {
   const glm::dvec3 d = outline.axis;
   const glm::dvec3 edge = outline.count == 3 ? outline.centre[1] - outline.centre[0] : glm::dvec3(0);
   const double length = glm::length(edge);
-  // The axis of space that is farthest from it, where no edge lies across it.
+  // The axis of space that is farthest from the axis, where no edge lies across it.
   const glm::dvec3 other = std::abs(d.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   glm::dvec3 across = glm::cross(d, other);
   if (length > 0x1p-100 && std::abs(glm::dot(edge / length, d)) < 0.5) across = edge / length;

@@ -60,7 +60,7 @@ HalfSpaces half_spaces(const Slabs& slabs) {
   return all;
 }
 
-/// The part of a flat polygon that lies in a half space.
+/// The part of a flat polygon that lies in a half-space.
 std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const HalfSpace& by) {
   std::vector<glm::dvec3> result;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -73,7 +73,7 @@ std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const Ha
   return result;
 }
 
-/// Σ weight(n)·area over the faces of a polyhedron that half spaces, of unit normals, bound.
+/// Σ weight(n)·area over the faces of the polyhedron of some half-spaces with unit normals.
 template <class Weight>
 double over_faces(const HalfSpaces& all, Weight weight) {
   double far = 0, sum = 0;
@@ -116,7 +116,7 @@ struct Projected {
   glm::dvec3 v;
 
   double operator()(const surface::Ball& ball) const { return pi * ball.radius * ball.radius; }
-  /// The shadow of {|M·x| ≤ 1} along a unit vector is π·|M·v|/det M.
+  /// The area of the projection of {|M·x| ≤ 1} along a unit vector is π·|M·v|/det M.
   double operator()(const Ellipsoid& e) const {
     return pi * e.rho * e.rho * glm::length(v + (e.lambda - 1) * glm::dot(v, e.axis) * e.axis) / e.lambda;
   }
@@ -148,8 +148,8 @@ constexpr std::array all_kinds = {
     Kind{"slabs-13", 49, slabs_of<13>},
 };
 
-/// The kind of the least T, where share(kind) of the rays meet the volume. Where a test alone costs more than that, its
-/// share is not asked for: it takes long to tell for many slabs.
+/// The kind of the least T, where share(kind) of the rays meet its volume. A share is not computed where the test alone
+/// costs more than the least T, because it takes long for many slabs.
 template <class Share>
 const Kind& cheapest_by(Share share) {
   const Kind* best = all_kinds.data();

@@ -1,6 +1,5 @@
 #pragma once
-/// Any bounding volume: one of the kinds, or several composed by intersection or union; how well it fits, and what it
-/// costs.
+/// A bounding volume of any kind, or several composed by intersection or union, with its fit and its cost.
 
 #include <glm/vec3.hpp>
 #include <string_view>
@@ -15,62 +14,64 @@
 
 namespace durero::accel {
 
-/// One of the kinds.
+/// A simple volume: one of the kinds.
 using Simple = std::variant<surface::Ball, surface::Box, OrientedBox, Ellipsoid, Slabs>;
 
-/// A ray as volumes are asked about it: what is computed once, whatever their number.
+/// A ray, prepared once for tests against any number of volumes.
 struct Asked {
-  /// Of an ordinary ray, for slabs across the first k of the common directions.
+  /// Prepares a ray for boxes, and for slabs across the first k of the common directions. Precondition: it is ordinary.
   Asked(const trace::Ray& of, std::size_t k) : ray(of), beam(of), projections(of, k) {}
 
-  const trace::Ray& ray;    ///< which must outlive it
+  const trace::Ray& ray;    ///< the ray, which must outlive it
   Beam beam;                ///< for boxes
   Projections projections;  ///< for slabs
 };
 
-/// What a test tells. Never that a volume is missed in which the ray has a point at some 0 < t ≤ limit.
+/// Tests a ray against a volume. The result is never `missed` where the ray has a point of the volume at some 0 < t ≤
+/// limit, nor `beyond`.
 Verdict verdict(const Simple& volume, const Asked& asked, double limit);
 
-/// Volumes that together bound an element: by their intersection, where each contains it, or by their union, where
-/// it has no point outside of all.
+/// A composed volume, which bounds an element by the intersection of its parts, where each contains the element, or by
+/// their union, where they contain it together.
 struct Volume {
-  enum class Rule : std::uint8_t { intersection, union_of };  ///< all must be met, or any
-  std::vector<Simple> parts;                                  ///< in the order of their tests; not none
-  Rule rule = Rule::intersection;                             ///< of one part either
+  enum class Rule : std::uint8_t { intersection, union_of };  ///< all parts must be met, or any
+  std::vector<Simple> parts;                                  ///< in the order of their tests; at least one
+  Rule rule = Rule::intersection;                             ///< either for one part
 };
 
-/// The same: an intersection stops at the first part that is not met, a union at the first that is. Each test of a part
-/// is counted as one of a volume.
+/// Tests a ray against a composed volume. An intersection stops at the first part that is not met, a union at the first
+/// that is. Each part's test is counted as that of a volume.
 Verdict verdict(const Volume& volume, const Asked& asked, double limit, Work& work);
 
-/// @{ Of a simple volume, rounded: its surface, and the area of its orthogonal projection along a unit vector.
+/// @{ The surface of a simple volume, and the area of its orthogonal projection along a unit vector; rounded.
 double surface_of(const Simple& volume);
 double projected(const Simple& volume, const glm::dvec3& v);
 /// @}
 
-/// The void area: of the projection of the volume, along a unit vector, what the hull of the element does not cover.
+/// The void area along a unit vector: the area of the volume's projection that the hull of the element does not cover.
 double void_area(const Simple& volume, const Outline& outline, const glm::dvec3& v);
-/// Its mean over all directions, by Cauchy a quarter of the difference of the surfaces.
+/// The mean void area over all directions: by Cauchy a quarter of the difference of the surfaces.
 double mean_fit(const Simple& volume, const Outline& outline);
 
 /// A kind of volume that every element can have.
 struct Kind {
-  std::string_view name;  ///< as figures have it
-  double B;               ///< what a test costs, in nanoseconds on the machine of docs/acceleration.md
-  Simple (*around)(scene::ShapeView element, const Outline& outline);  ///< the volume around an element
+  std::string_view name;  ///< as figures print it
+  double B;               ///< the cost of a test, in nanoseconds on the machine of docs/acceleration.md
+  Simple (*around)(scene::ShapeView element, const Outline& outline);  ///< makes the volume around an element
 };
-/// How many there are.
+/// The number of kinds.
 inline constexpr std::size_t kind_count = 7;
-/// All of them: ball, box, oriented-box, ellipsoid, and three, seven and thirteen slabs.
+/// The kinds: ball, box, oriented-box, ellipsoid, and three, seven and thirteen slabs.
 std::span<const Kind, kind_count> kinds();
-/// What a test of an element costs, as B.
+/// The cost of a test of an element, in the unit of Kind::B.
 inline constexpr double I = 51;
 
-/// The kind of the least T = n·B + m·I, where of n rays a share m/n meets each volume. Shares and kinds in order.
+/// The kind of the least T = n·B + m·I, where a share m/n of n rays meets each kind's volume. `shares` are in the order
+/// of kinds().
 const Kind& cheapest(std::span<const double> shares);
-/// For isotropic rays that cross a convex region of that surface.
+/// The cheapest kind for isotropic rays that cross a convex region of that surface.
 const Kind& cheapest(scene::ShapeView element, double surface_of_region);
-/// For rays along a unit vector, within an area across it.
+/// The cheapest kind for rays along a unit vector, through an area across it.
 const Kind& cheapest(scene::ShapeView element, const glm::dvec3& v, double area);
 
 }  // namespace durero::accel
