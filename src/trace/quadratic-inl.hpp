@@ -8,8 +8,8 @@
 /// for any d, unit or not, and D = B² − AC = F·H (Lagrange's identity): a difference of two distances, not of squares.
 ///
 /// Bounds. Let V ≥ |v|; E ≥ |q| + r for sphere and cylinder, E ≥ |q| + altura for a cone; κ = 1, for a cone 1 + k².
-/// As |d|² is within 2⁻⁵⁰ of 1, no part across or along the axis exceeds its whole by more than that. To first order
-/// in ε, adding for each operation its rounding and what its operands bring:
+/// Since |d|² is within 2⁻⁵⁰ of 1, no part across or along the axis exceeds its whole by more than that. To first order
+/// in ε, adding for each operation its rounding and the errors of its operands:
 ///   q: ε|q|    s0: 4ε|q|    s1: 3εV    a: 8εV    b: 10ε|q|    g: 5εE
 ///   A:  2|a|·8εV + 4εV²                              and for k²s1²:  8εk²V²         in all ≤ 25εκV²
 ///   B:  |q|·8εV + V·10ε|q| + 4εV|q|                  and for k²g·s1: 14εk²VE        in all ≤ 25εκVE
@@ -20,13 +20,13 @@
 /// as 38k + 26 ≤ 40(1 + k²) for every k. Every coefficient below is 64 in place of these, which more than pays for the
 /// terms of second order and for the roundings of the bounds themselves (each below 2⁻⁴⁵ of a bound).
 ///
-/// Why the 64 are left so wide. Measured over every family (tests/conform/bounds_test.cpp) an error of binary64 takes
-/// up to 1/27 of its bound on generic rays, and up to 1/8 on the worst rays that were found: the bounds add up
-/// roundings that all go one way, and lengths by the sum of their components. Of double-double it is 1/750 and 1/150,
-/// as its operations are taken to err by 16u² where they mostly err by less than one. A narrower bound would change no
-/// answer, only spare the next step some rays, and of four million ordinary ones none comes there (tests/bench, steps);
-/// and it is these 64 that are proved (proofs/Flotante.v, proofs/Cylinder.v, proofs/Conical.v), of what this header and
-/// those of shape/ compute (proofs/Formas.v).
+/// The 64 stay wide on purpose. Measured over every family (tests/conform/bounds_test.cpp) an error of binary64 takes
+/// up to 1/27 of its bound on generic rays, and up to 1/8 on the worst rays that were found, because the bounds add up
+/// roundings that all go one way, and measure lengths by the sum of their components. An error of double-double takes
+/// up to 1/750 and 1/150, because its operations are taken to err by 16u², and mostly err by less than one. A narrower
+/// bound would change no answer; it would only spare the next step some rays, and of four million ordinary rays none
+/// needs that step (tests/bench, steps). These 64 are also the bounds that are proved (proofs/Flotante.v,
+/// proofs/Cylinder.v, proofs/Conical.v) for the code of this header and of shape/ (proofs/Formas.v).
 ///
 /// Range. Every number of the element and of the ray is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰ (`ordinary`), so no value
 /// exceeds 2⁹⁰⁰ and none overflows. An operation that underflows adds at most 2⁻¹⁰⁷⁴, and later factors make that less

@@ -67,7 +67,7 @@ class WideLeaves {
       const auto [first, last] = ends(leaf);
       __builtin_prefetch(first);
       __builtin_prefetch(last);
-      asm volatile("" : : "r"(first));  // as of trace::ask_for
+      asm volatile("" : : "r"(first));  // for GCC, see trace::ask_for
     }
 
    private:

@@ -17,20 +17,20 @@ namespace durero::trace {
 
 using scene::Origin;
 
-/// A ray's first point on an element, by the first step that can tell: a parameter t in [low, high].
+/// A ray's first point on an element, by the first step that can decide it: a parameter t in [low, high].
 struct Meeting {
   /// A ray has no point on the element, a first one, or points as near to its origin as one likes.
   enum class Kind : std::uint8_t { none, point, no_minimum };
   Kind kind = Kind::none;                                ///< the numbers belong to a point
-  Step step = Step::triage;                              ///< the step that could tell
+  Step step = Step::triage;                              ///< the step that decided
   double low = 0, high = 0;                              ///< bounds of the parameter
   Finding finding{};                                     ///< the finding of triage or stable
-  std::shared_ptr<const surface::exact::Parameter> t{};  ///< the exact parameter, if the exact step told
+  std::shared_ptr<const surface::exact::Parameter> t{};  ///< the exact parameter, where the exact step decided
 };
 
 /// An element that the ray meets, and where.
 struct Candidate {
-  scene::ElementRef e;  ///< what is met
+  scene::ElementRef e;  ///< the element
   Meeting at;           ///< the ray's first point on it
 };
 

@@ -105,8 +105,7 @@ class SegmentBatch {
     }
   }
 
-  /// Whether `own` is one of several elements that the ray starts on. Precondition: it is not the one that the ray was
-  /// told.
+  /// Whether `own` is one of several elements that the ray starts on. Precondition: it is not ray.start().
   bool starts_on_it_too(std::uint32_t number, scene::ElementRef own) const {
     return some_start_untold_ && Origin(queries_[number].en).contains(source_.element(own));
   }
@@ -204,7 +203,7 @@ class SegmentBatch {
   Picked<bool> occluded_;
   std::vector<std::uint8_t> open_;  // the ray is not known to be occluded
   std::vector<Ray> rays_;
-  bool some_start_ = false, some_start_untold_ = false;  // some ray was told its start; some ray starts untold
+  bool some_start_ = false, some_start_untold_ = false;  // some ray starts on ray.start(); some ray starts without it
   Queues starts_{}, queues_{};                           // of the elements that rays start on; of candidates
   Findings findings_{};
   ColumnFindings of_columns_{};

@@ -1,10 +1,10 @@
-/// A disc in closed form: the plane's quadratic along a ray and its potencia, and whether the line crosses the plane
-/// within the disc. With the letters of quadratic-inl.hpp the crossing is at t = −s0/s1, so
+/// A disc in closed form: the quadratic along a ray and the potencia of its plane, and the margin by which the line
+/// crosses the plane within the disc. With the letters of quadratic-inl.hpp the crossing is at t = −s0/s1, and
 ///   margin = r|s1| − |s1·q − s0·v|
-/// is |s1| times how far within the rim it lies, for any d.
+/// is |s1| times the distance by which the crossing lies within the rim, for any d.
 ///
-/// Bounds. s0 errs by 4ε|q| and s1 by 3εV, so s1·q by 4ε and s0·v by 5ε of V|q|, their difference by 11ε and its
-/// length, of at most V|q|, by 15ε; r|s1| errs by 4εrV, and one more rounding makes in all less than 16ε(r + |q|)V, to
+/// Bounds. s0 errs by 4ε|q| and s1 by 3εV; s1·q errs by 4ε and s0·v by 5ε of V|q|, their difference by 11ε and its
+/// length, of at most V|q|, by 15ε; r|s1| errs by 4εrV. With one more rounding the sum is less than 16ε(r + |q|)V, to
 /// first order. Twice as much pays for the rest.
 
 #if defined(DURERO_TRACE_SHAPE_DISC_INL_HPP_) == defined(HWY_TARGET_TOGGLE)

@@ -1,10 +1,10 @@
-/// A plane in closed form: its quadratic along a ray, of which A is 0, and its potencia in some hundred bits. With the
+/// A plane in closed form: its quadratic along a ray, whose A is 0, and its potencia in some hundred bits. With the
 /// letters of quadratic-inl.hpp,
 ///   A = 0    B = s1/2    C = s0, and F and H are not used.
 ///
-/// Bounds. s0 errs by 4ε|q| and s1 by 3εV, to first order; twice as much pays for the rest. Of the power, the lower
-/// parts are at most 3u·W in the coordinates and 10u·W in all, each through at most 12 roundings: 120u²·W, of the
-/// 2048u²·W that power_error is.
+/// Bounds. s0 errs by 4ε|q| and s1 by 3εV, to first order; twice as much pays for the rest. The lower parts of the
+/// power are at most 3u·W in the coordinates and 10u·W in all, each through at most 12 roundings: 120u²·W, of the
+/// 2048u²·W that power_error allows.
 
 #if defined(DURERO_TRACE_SHAPE_PLANE_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_SHAPE_PLANE_INL_HPP_

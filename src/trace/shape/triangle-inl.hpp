@@ -1,21 +1,22 @@
-/// A triangle in closed form: its quadratic along a ray, of which A is 0, on which side of each edge the line crosses
-/// its plane, and its potencia in some hundred bits. With e1 = b − a, e2 = c − a and q = p − a,
+/// A triangle in closed form: its quadratic along a ray, whose A is 0; the side of each edge on which the line crosses
+/// the plane; and its potencia in some hundred bits. With e1 = b − a, e2 = c − a and q = p − a,
 ///   A = 0    B = −det/2    C = e2·(q × e1)    det = e1·(v × e2)
-/// and q·(v × e2), v·(q × e1) and what is left of det have the signs, times that of det, of the lados of ca, ab and bc
-/// where the line crosses the plane (Möller and Trumbore, 1997): margin is the least of them.
+/// where q·(v × e2), v·(q × e1) and the rest of det have the signs, times that of det, of the lados of ca, ab and bc
+/// where the line crosses the plane (Möller and Trumbore, 1997). margin is the least of them.
 ///
 /// Bounds, to first order in ε, with L1 ≥ |e1| and L2 ≥ |e2|. Each edge errs by ε of itself, and so does q. A component
 /// of v × e2 errs by 3ε of the sum of the sizes of its products, of q × e1 by 4ε; the sizes of the products of a whole
-/// triple product add up to less than the product of three extents. A triple product adds three roundings, so
+/// triple product add up to less than the product of three extents. A triple product adds three roundings, which gives
 ///   det       (3 + 1 + 3)ε·V·L1·L2         C         (4 + 1 + 3)ε·|q|·L1·L2
 ///   q·(v × e2)  (3 + 1 + 3)ε·V·|q|·L2      v·(q × e1)  (4 + 3)ε·V·|q|·L1
 ///   the rest  the sum of the three, and 2ε of it: 9εV(L1·L2 + |q|(L1 + L2))
 /// where V, |q|, L1 and L2 are extents, the sums of the components' sizes. Twice as much pays for the rest.
 ///
-/// Of the power, with W the extent of q: the differences of the vertices are exact as sums of two. A product of such
-/// has a lower part of at most 3u of itself that errs by 13u², and so that of the normal's component 7u and 40u² of the
-/// sizes of its products; the product with q's, whose lower part is 3u·W and errs by 8u²·W, 11u and 113u², and their
-/// sum less than 450u²·W·L1·L2, of the 2048u² that power_error is.
+/// The potencia's bound, with W the extent of q: the differences of the vertices are exact as sums of two. A product of
+/// such sums has a lower part of at most 3u of itself that errs by 13u². The lower part of the normal's component is
+/// then at most 7u, and errs by 40u², of the sizes of its products; of the product with q, whose lower part is 3u·W and
+/// errs by 8u²·W, it is 11u and errs by 113u². Their sum errs by less than 450u²·W·L1·L2, of the 2048u² that
+/// power_error allows.
 
 #if defined(DURERO_TRACE_SHAPE_TRIANGLE_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_SHAPE_TRIANGLE_INL_HPP_

@@ -11,12 +11,12 @@
 ///   |ρ·a + k·s1·b|: (1 + 7k)·εVE + (1 + k)·8εVE + (1 + k)εVE; 4εkVE + 10εkVE + εkVE; the sum and its root 5(1 + 2k)εVE
 ///                                                                                             in all ≤ (15 + 41k)εVE
 ///   F, H: that, 25εVE for |b × a| and one more rounding of at most 2(1 + 2k)εVE                in all ≤ (42 + 45k)εVE
-/// and (42 + 45k) ≤ 64(1 + k²) for every k: at k = 45/128, where the difference is least, it is 57.8 against 71.9. So
-/// the 64 units of the other shapes do. (proofs/Conical.v counts 36 units for |b × a|, and keeps what h and r bring to
-/// ρ apart from |q|: of F and H it then needs 53.25εκVE.) Of the power, with M = W + altura + r, the lower parts of s
-/// are 10u·W, those of altura − s 11u·M and those of the radius there, which is at most (1 + k)M, (1 + 13k)u·M: twice
-/// their product is at most 42u·κM², and with those of the rest, 2·10u·M² and the remainders of squares and sums, below
-/// the 100u·κM² that power-inl.hpp counts.
+/// where (42 + 45k) ≤ 64(1 + k²) for every k: at k = 45/128, where the difference is least, it is 57.8 against 71.9.
+/// The 64 units of the other shapes therefore suffice. (proofs/Conical.v counts 36 units for |b × a|, and keeps the
+/// parts that h and r bring to ρ apart from |q|: for F and H it then needs 53.25εκVE.) In the power, with M = W +
+/// altura + r, the lower parts of s are 10u·W, those of altura − s 11u·M and those of the radius there, which is at
+/// most (1 + k)M, (1 + 13k)u·M: twice their product is at most 42u·κM². With the rest, 2·10u·M² and the remainders of
+/// squares and sums, they stay below the 100u·κM² that power-inl.hpp counts.
 
 #if defined(DURERO_TRACE_SHAPE_TRUNCATED_CONE_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_SHAPE_TRUNCATED_CONE_INL_HPP_
