@@ -11,8 +11,8 @@ namespace {
 
 using surface::Box;
 
-// The slack exceeds the error of each number here, which is made by less than 2⁸ roundings of sums of terms no greater
-// than the size that it is compared with, from axes of unit length within 2⁻⁵⁰.
+// The slack, 2⁻⁴⁰ of the size that a number is compared with, exceeds the error of the number, which is made by less
+// than 2⁸ roundings of sums of terms no greater than that size, from axes of unit length within 2⁻⁵⁰.
 constexpr double slack = 0x1p-40;
 
 double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }

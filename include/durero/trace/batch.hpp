@@ -1,8 +1,8 @@
 #pragma once
 /// Batched closest-hit search: the first hits of a block of rays, with eight pairs of a ray and an element tested side
 /// by side in lanes. Some rays are left to be answered one by one, from the beginning: rays with numbers out of the
-/// ordinary, with a start on several elements, with an undecided element, or with two elements whose points are not
-/// told apart.
+/// ordinary, with more starts than the kernel handles, with an undecided element, or with two elements whose points are
+/// not told apart; and all rays, where the source has extraordinary elements.
 
 #include <array>
 #include <bit>

@@ -163,9 +163,9 @@ std::uint64_t starting_on(const RayColumns& rays, std::uint64_t which, scene::El
 /// The triage's findings for rays in columns, by groups of eight.
 using ColumnFindings = std::array<Findings, RayColumns::size / Packet::size>;
 
-/// triage of one element for the rays in `which`, in the lanes that a packet of them would fill. Groups of eight
-/// without a ray of `which` keep their findings; the findings of other rays mean nothing. Precondition: no ray starts
-/// on the element.
+/// triage of one element for the rays in `which`, whose findings stand in the lanes of their places. Groups of eight
+/// without a ray of `which` keep their findings; the findings of other rays, and of rays that start on the element,
+/// mean nothing.
 void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings);
 
 /// triage of eight pairs whose rays start on their elements. A plane, disc or triangle is never hit.

@@ -61,10 +61,10 @@ std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene:
 
 /// @{ Prefetches bytes that will be needed soon.
 inline void ask_for(std::span<const std::byte> bytes) {
-  constexpr std::size_t line = 64;  // of a cache line, or a multiple of it
+  constexpr std::size_t line = 64;  // the bytes of a cache line, or a multiple
   for (std::size_t at = 0; at < bytes.size(); at += line) __builtin_prefetch(&bytes[at]);
   if (!bytes.empty()) __builtin_prefetch(&bytes.back());
-  asm volatile("" : : "r"(bytes.data()));  // GCC drops calls of a function without effects; this is one
+  asm volatile("" : : "r"(bytes.data()));  // an effect, without which GCC drops all calls
 }
 template <class T>
 void ask_for(const T& object) {

@@ -154,9 +154,9 @@ class SegmentBatch {
     decide(queue);
   }
 
-  /// Tests an element for the rays in `which`, in groups of eight, without the rays that start on it. The answer has a
-  /// bit for each ray that it occludes. A ray that starts on several elements is checked only after the triage, as most
-  /// rays miss.
+  /// Tests an element for the rays in `which`, in groups of eight, without the rays whose start() it is. The answer has
+  /// a bit for each ray that is occluded now. A ray that starts on several elements is checked only where the triage
+  /// finds a hit or doubt, because most rays miss.
   std::uint64_t test_columns(const RayColumns& rays, std::span<const std::uint32_t> numbers, std::uint64_t which,
                              scene::ElementRef own) {
     if (some_start_) which &= ~starting_on(rays, which, own);
