@@ -1,6 +1,6 @@
 #pragma once
 /// Statistical antialiasing (Lee, Redner and Uselton, 1985) sends rays through a pixel until they tell its mean well
-/// enough. The tests of the estimate are derived in docs/rendering.md.
+/// enough. The tests of the estimate are derived in docs/rendering-reference.md.
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@ Both draw one ray a pixel through its centre and go through the curve of sRGB. W
 - a pixel whose ray comes near an edge, in sight, in a mirror or in glass, or whose shadow ray does: POV-Ray's rays have other
   last digits, start off their surface by a distance of its own, and miss what is nearer than that;
 - where a relief turns a slope away from whoever looks, at outlines, and where it has steps: what is drawn then is told in
-  docs/rendering.md, which has traced the pixels of demo/gallery/everything.json one by one;
+  docs/rendering-reference.md, which has traced the pixels of demo/gallery/everything.json one by one;
 - a byte by one, where a component lies near the middle of two.
 So the share of the pixels with a component that is off by more than OFF steps of 255 must be below FEW, and all others
 are alike (of a text of its own below FEW_READ); where they stand is said, and with a third argument drawn there, as a grey

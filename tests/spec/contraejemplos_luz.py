@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Counterexamples to the lectures on realism and ray tracing, in exact rational arithmetic. docs/rendering.md cites them.
+"""Counterexamples to the lectures on realism and ray tracing, in exact rational arithmetic. docs/rendering-reference.md cites
+them.
 
 Each shows what the printed words allow or forbid; where the reading matters, that it does not.
 """
@@ -165,8 +166,8 @@ class Errata(unittest.TestCase):
         self.assertNotEqual(one[mirrored(left, UP)], other[mirrored(left, UP)])
 
     def test_each_has_its_place(self):
-        """docs/rendering.md has a row of each, and no test is without one."""
-        text = (SPEC.parent / "docs" / "rendering.md").read_text(encoding="utf-8")
+        """docs/rendering-reference.md has a row of each, and no test is without one."""
+        text = (SPEC.parent / "docs" / "rendering-reference.md").read_text(encoding="utf-8")
         for k in range(1, 14):
             self.assertIn(f"| ER{k} |", text)
             self.assertTrue(any(name.startswith(f"test_ER{k:02}_") for name in dir(self)), k)

@@ -45,7 +45,7 @@ double half_width_factor(double confidence, std::uint32_t looks, std::uint32_t b
 
 /// The part of the width that so many points of a pixel must keep to: 1 from 128 on, before that √(points/128). The
 /// more points a pixel has, the more of them a further step takes for the error that it takes away; in this proportion
-/// the squared error left of all pixels is least for their number (docs/rendering.md).
+/// the squared error left of all pixels is least for their number (docs/rendering-reference.md).
 double part_of_width(std::uint32_t points);
 
 }  // namespace durero::render
