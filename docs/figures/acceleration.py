@@ -1,6 +1,6 @@
 """acceleration.py measure DURERO ACCEL_TESTS SPD | draw | check DURERO
 
-The figures of docs/acceleration.md, of what is counted: the same on every machine.
+The figures of docs/acceleration-reference.md, of what is counted: the same on every machine.
 
   measure  counts, by `durero stats --format json --no-times` and a test of the grid, and writes acceleration.json; SPD is
            the folder of the Standard Procedural Databases (balls.nff, …)

@@ -1,6 +1,6 @@
 // What the text on acceleration (Ramos, Tema VI) claims of the time that a picture takes: the share of it that goes
 // into intersections (A §1.1), and what a hierarchy, an item buffer and adaptive depth make of it (A §1.5). Measured by
-// the processor's time on one thread; docs/acceleration.md has what is printed here.
+// the processor's time on one thread; docs/acceleration-reference.md has what is printed here.
 #include <tbb/global_control.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Counterexamples to the text on acceleration (Ramos, Tema VI), in exact rational arithmetic. docs/acceleration.md cites
+"""Counterexamples to the text on acceleration (Ramos, Tema VI), in exact rational arithmetic.
+docs/acceleration-reference.md cites
 them.
 
 Each shows what the printed words allow or forbid; where the reading matters, that it does not.
@@ -136,8 +137,8 @@ class Errata(unittest.TestCase):
         self.assertEqual(1984, 1981 + 4 - 1)
 
     def test_each_has_its_place(self):
-        """docs/acceleration.md has a row of each, and no test is without one."""
-        text = (ROOT / "docs" / "acceleration.md").read_text(encoding="utf-8")
+        """docs/acceleration-reference.md has a row of each, and no test is without one."""
+        text = (ROOT / "docs" / "acceleration-reference.md").read_text(encoding="utf-8")
         for k in range(1, 13):
             self.assertIn(f"| EA{k} |", text)
             self.assertTrue(any(name.startswith(f"test_EA{k:02}_") for name in dir(self)), k)

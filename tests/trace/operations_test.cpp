@@ -1,5 +1,5 @@
 // How many operations an intersection takes (A §1.1): of each shape on a miss and on a hit, by a number type that
-// counts what the tracer's own templates ask of it. docs/acceleration.md has the table.
+// counts what the tracer's own templates ask of it. docs/acceleration-reference.md has the table.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -123,7 +123,7 @@ Counts counts(const Row<Shape>& row) {
 }  // namespace
 
 TEST_CASE("a miss takes fewer operations than a hit, and than where nothing ends early: the table of the manual") {
-  std::ifstream file(source_dir() + "/docs/acceleration.md");
+  std::ifstream file(source_dir() + "/docs/acceleration-reference.md");
   std::stringstream text;
   text << file.rdbuf();
   const std::string manual = text.str();
@@ -131,7 +131,7 @@ TEST_CASE("a miss takes fewer operations than a hit, and than where nothing ends
     const Counts of = counts(row);
     const std::string line = fmt::format("| `{}` | {} | {} | {} | {} | {} |", Shape::word, of.textbook_miss.text(),
                                          of.textbook_hit.text(), of.miss.text(), of.hit.text(), of.lanes.text());
-    INFO("expected in docs/acceleration.md: " << line);
+    INFO("expected in docs/acceleration-reference.md: " << line);
     CHECK(manual.find(line) != std::string::npos);
     CHECK(of.miss.all() <= of.hit.all());
     if (!steps::is_linear(Shape::tipo)) {

@@ -13,7 +13,7 @@
 
 namespace durero::accel {
 
-/// A volume and its expected cost for a ray, in nanoseconds on the machine of docs/acceleration.md.
+/// A volume and its expected cost for a ray, in nanoseconds on the machine of docs/acceleration-reference.md.
 struct Choice {
   Volume volume;  ///< of one part or more
   double tests;   ///< n·B

@@ -56,7 +56,7 @@ double mean_fit(const Simple& volume, const Outline& outline);
 /// A kind of volume that every element can have.
 struct Kind {
   std::string_view name;  ///< as figures print it
-  double B;               ///< the cost of a test, in nanoseconds on the machine of docs/acceleration.md
+  double B;               ///< the cost of a test, in nanoseconds on the machine of docs/acceleration-reference.md
   Simple (*around)(scene::ShapeView element, const Outline& outline);  ///< makes the volume around an element
 };
 /// The number of kinds.
