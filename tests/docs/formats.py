@@ -1,5 +1,5 @@
-"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md, docs/formats/ and docs/spec-tool.md are what the program takes,
-prints and refuses. A comment before a block or a table says what it is:
+"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md, docs/formats/, docs/spec-tool.md and docs/scenes.md are what
+the program takes, prints and refuses. A comment before a block or a table says what it is:
 
   <!-- file NAME -->               the block is that file, for what follows on the page
   <!-- run STATUS -->              each line of the block is a command that ends so
@@ -22,8 +22,9 @@ import sys
 import tempfile
 
 durero, root, writes = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.argv[2])), "--write" in sys.argv
-PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/conform.md", "docs/formats/others.md",
-         "docs/spec-tool.md"]
+PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/edits.md", "docs/formats/rays.md",
+         "docs/formats/results.md", "docs/formats/conform.md", "docs/formats/others.md",
+         "docs/spec-tool.md", "docs/scenes.md"]
 PART = re.compile(r"((?:<!-- words [^\n]* -->\n)*)<!-- (file|run|prints|refused|errors|defects|words)( [^\n]*)? -->\n"
                   r"(```\w*\n(.*?)```\n|((?:\|[^\n]*\n)+))", re.S)
 NO_WORD = "zqxj"
