@@ -1,13 +1,15 @@
 #!/bin/sh
 # readme.sh DURERO ROOT: runs every command of README. `./x COMMAND` stands for the built program, as ./x passes it on;
 # `./x demo` is docs/demo, `./x test` is the run that this belongs to, and the lines of plain CMake are those that ./x
-# itself runs. A block of commands followed by a block of text is refused (status 1) and prints that text.
+# itself runs. A block of commands followed by a block of text is refused (status 1) and prints that text; the
+# tracer of systems/examples is found wrong.
 set -eu
 durero=$1 root=$2
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 awk '/^```/ { if (inside) { inside = 0; print "" } else { inside = 1; print "#" substr($0, 4) } next } inside' \
   "$root/README.md" >"$tmp/blocks"
 cp -R "$root/demo" "$tmp/demo"
+mkdir "$tmp/systems" && cp -R "$root/systems/examples" "$tmp/systems/examples"
 cd "$tmp"
 ran=0 bad=0
 fail() { echo "README.md: $1"; bad=$((bad + 1)); }
@@ -38,7 +40,11 @@ while IFS= read -r line; do
     'cmake --preset release') grep -q 'cmake --preset "$preset"' "$root/x" || fail "$command is not run" ;;
     'cmake --build --preset release') grep -q 'cmake --build --preset "$preset"' "$root/x" || fail "$command is not run" ;;
     './x '*) last=$command
-      case $command in *'e?=apple'*) ;; *) run "$command" 0 ;; esac ;;
+      case $command in
+        *'e?=apple'*) ;;
+        *systems/examples/sphere.py*) run "$command" 1 ;;  # some of its hits are wrong
+        *) run "$command" 0 ;;
+      esac ;;
     *) fail "a command that nothing runs: $command" ;;
   esac
 done <blocks
