@@ -9,10 +9,10 @@ namespace {
 
 namespace r = recipes;
 
-// Issues are those of the projects named. The parameters' ranges are set by where systems fail: each was drawn once from
-// far beyond its range, ten systems answered 1,024 rays of it, and the range holds the stretches in which some of them
-// are gross while others are right. It ends where a program in plain binary64 arithmetic, which is right elsewhere, is
-// gross as well (axis_parallel), or where the rays are no longer of the family's kind.
+// Issues are those of the projects named. The parameters' ranges are set by where systems fail: each was drawn once
+// from far beyond its range, ten systems answered 1,024 rays of it, and the range holds the stretches in which some of
+// them are gross while others are right. It ends where a program in plain binary64 arithmetic, which is right
+// elsewhere, is gross as well (axis_parallel), or where the rays are no longer of the family's kind.
 constexpr FamilyRow table[] = {
     {{"generic", "random scenes and rays of moderate scale", "the ordinary case", {"elements", 1, 8}},
      {0.9, 0.12},
