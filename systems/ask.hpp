@@ -1,5 +1,5 @@
 // What the C++ programs beside this file share: questions are read, answers written, unit vectors and frames made. The
-// protocol is described in include/durero/conform/question.hpp.
+// protocol is described in include/durero/conform/ask/question.hpp.
 #pragma once
 #include <array>
 #include <cmath>

@@ -6,10 +6,10 @@
 
 #include "bindings.hpp"
 #include "durero/engine/prepared.hpp"
-#include "durero/io/groups_file.hpp"
+#include "durero/io/json/groups_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
-#include "durero/render/tone.hpp"
 #include "durero/scene/addition.hpp"
 #include "errors.hpp"
 #include "state.hpp"

@@ -11,10 +11,10 @@
 
 #include "c/handles.hpp"
 #include "durero/engine/prepared.hpp"
-#include "durero/io/groups_file.hpp"
-#include "durero/io/operations_file.hpp"
+#include "durero/io/json/groups_file.hpp"
+#include "durero/io/json/operations_file.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/io/picture_file.hpp"
+#include "durero/io/pictures/picture_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"

@@ -9,7 +9,7 @@
 #include "colour.hpp"
 #include "commands.hpp"
 #include "description.hpp"
-#include "durero/io/scene_check.hpp"
+#include "durero/io/json/scene_check.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/written/engine.hpp"
 #include "numbers.hpp"

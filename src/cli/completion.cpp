@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "durero/conform/system_file.hpp"
+#include "durero/conform/ask/system_file.hpp"
 #include "durero/io/standard_output.hpp"
 
 namespace durero::cli {

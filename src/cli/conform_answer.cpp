@@ -7,7 +7,7 @@
 #include "commands.hpp"
 #include "conform.hpp"
 #include "description.hpp"
-#include "durero/conform/question.hpp"
+#include "durero/conform/ask/question.hpp"
 #include "durero/io/standard_output.hpp"
 #include "engines.hpp"
 

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "durero/conform/campaign.hpp"
-#include "durero/conform/system_file.hpp"
+#include "durero/conform/ask/system_file.hpp"
+#include "durero/conform/campaign/campaign.hpp"
 
 namespace durero::cli {
 

@@ -3,7 +3,7 @@
 
 #include "conform.hpp"
 #include "description.hpp"
-#include "durero/conform/comparison.hpp"
+#include "durero/conform/report/comparison.hpp"
 #include "durero/io/standard_output.hpp"
 
 namespace durero::cli {

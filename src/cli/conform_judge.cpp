@@ -4,10 +4,10 @@
 
 #include "conform.hpp"
 #include "description.hpp"
-#include "durero/conform/claims_file.hpp"
-#include "durero/conform/report.hpp"
-#include "durero/conform/suite_file.hpp"
-#include "durero/conform/system_file.hpp"
+#include "durero/conform/ask/claims_file.hpp"
+#include "durero/conform/ask/system_file.hpp"
+#include "durero/conform/families/suite_file.hpp"
+#include "durero/conform/report/report.hpp"
 #include "durero/io/standard_output.hpp"
 #include "progress.hpp"
 

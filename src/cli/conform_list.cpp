@@ -3,8 +3,8 @@
 
 #include "conform.hpp"
 #include "description.hpp"
-#include "durero/conform/families.hpp"
-#include "durero/io/json_writer.hpp"
+#include "durero/conform/families/families.hpp"
+#include "durero/io/json/json_writer.hpp"
 #include "durero/io/standard_output.hpp"
 
 namespace durero::cli {

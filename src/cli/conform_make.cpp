@@ -8,7 +8,7 @@
 #include "conform.hpp"
 #include "conform_suite.hpp"
 #include "description.hpp"
-#include "durero/conform/suite_file.hpp"
+#include "durero/conform/families/suite_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "interrupted.hpp"
 #include "progress.hpp"

@@ -11,7 +11,7 @@
 #include "conform.hpp"
 #include "conform_campaign.hpp"
 #include "description.hpp"
-#include "durero/conform/campaign_report.hpp"
+#include "durero/conform/campaign/campaign_report.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "progress.hpp"

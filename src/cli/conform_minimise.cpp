@@ -8,7 +8,7 @@
 #include "conform_suite.hpp"
 #include "conform_system.hpp"
 #include "description.hpp"
-#include "durero/conform/least_findings.hpp"
+#include "durero/conform/report/least_findings.hpp"
 #include "durero/io/standard_output.hpp"
 #include "interrupted.hpp"
 #include "progress.hpp"

@@ -6,8 +6,8 @@
 
 #include "conform.hpp"
 #include "description.hpp"
-#include "durero/conform/setup.hpp"
-#include "durero/conform/system_file.hpp"
+#include "durero/conform/ask/setup.hpp"
+#include "durero/conform/ask/system_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "interrupted.hpp"
 #include "progress.hpp"

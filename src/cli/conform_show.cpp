@@ -4,7 +4,7 @@
 #include "conform.hpp"
 #include "conform_suite.hpp"
 #include "description.hpp"
-#include "durero/conform/explanation.hpp"
+#include "durero/conform/report/explanation.hpp"
 #include "durero/io/standard_output.hpp"
 
 namespace durero::cli {

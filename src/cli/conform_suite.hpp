@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "durero/conform/suite.hpp"
+#include "durero/conform/families/suite.hpp"
 
 namespace durero::cli {
 

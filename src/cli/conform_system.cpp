@@ -10,8 +10,8 @@
 
 #include "completion.hpp"
 #include "conform.hpp"
-#include "durero/conform/campaign.hpp"
-#include "durero/conform/setup.hpp"
+#include "durero/conform/ask/setup.hpp"
+#include "durero/conform/campaign/campaign.hpp"
 #include "durero/io/file_name.hpp"
 
 namespace durero::cli {

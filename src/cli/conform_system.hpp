@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "durero/conform/runner.hpp"
-#include "durero/conform/system_file.hpp"
+#include "durero/conform/ask/runner.hpp"
+#include "durero/conform/ask/system_file.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {

@@ -12,7 +12,7 @@
 #include "description.hpp"
 #include "durero/io/file_name.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/render/environment_map.hpp"
+#include "durero/render/light/environment_map.hpp"
 #include "engines.hpp"
 
 namespace durero::cli {

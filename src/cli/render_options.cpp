@@ -10,8 +10,8 @@
 
 #include "commands.hpp"
 #include "durero/io/file_name.hpp"
-#include "durero/render/sampling.hpp"
-#include "durero/render/whitted.hpp"
+#include "durero/render/light/whitted.hpp"
+#include "durero/render/sample/sampling.hpp"
 #include "durero/text/shown.hpp"
 #include "engines.hpp"
 #include "numbers.hpp"

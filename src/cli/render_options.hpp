@@ -8,9 +8,9 @@
 
 #include "durero/engine/engine.hpp"
 #include "durero/io/file_name.hpp"
-#include "durero/render/image.hpp"
+#include "durero/render/output/image.hpp"
+#include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
-#include "durero/render/tone.hpp"
 #include "durero/scene/stage.hpp"
 
 namespace durero::cli {

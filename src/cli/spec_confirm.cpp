@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "durero/io/hits_file.hpp"
-#include "durero/io/json_writer.hpp"
-#include "durero/io/rays_file.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/json_writer.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/rays/hits_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/confirmation.hpp"
 #include "progress.hpp"

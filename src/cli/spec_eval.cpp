@@ -9,7 +9,7 @@
 #include <new>
 #include <optional>
 
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/model/escena.hpp"
 #include "durero/number/memory.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "durero/engine/bounds.hpp"
-#include "durero/io/json_writer.hpp"
+#include "durero/io/json/json_writer.hpp"
 
 namespace durero::cli {
 

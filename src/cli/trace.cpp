@@ -8,8 +8,8 @@
 
 #include "commands.hpp"
 #include "description.hpp"
-#include "durero/io/hits_file.hpp"
-#include "durero/io/rays_file.hpp"
+#include "durero/io/rays/hits_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
 #include "engines.hpp"
 #include "progress.hpp"
 

@@ -21,7 +21,7 @@
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/conform/format_versions.hpp"
-#include "durero/io/json_writer.hpp"
+#include "durero/io/json/json_writer.hpp"
 #include "durero/io/standard_output.hpp"
 
 #ifndef __has_feature

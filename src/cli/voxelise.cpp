@@ -9,8 +9,8 @@
 #include "durero/accel/mosaic.hpp"
 #include "durero/conform/format_versions.hpp"
 #include "durero/io/file_name.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/io/output_file.hpp"
-#include "durero/io/scene_file.hpp"
 #include "durero/text/shown.hpp"
 #include "progress.hpp"
 

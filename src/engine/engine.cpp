@@ -12,7 +12,7 @@
 #include "durero/accel/linear.hpp"
 #include "durero/accel/octree.hpp"
 #include "durero/accel/volumes.hpp"
-#include "durero/accel/wide_bvh.hpp"
+#include "durero/accel/wide/wide_bvh.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/surface/normal.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// The engine `fast` answers rays in batches over the wide hierarchy.
 
-#include "durero/accel/wide_bvh.hpp"
+#include "durero/accel/wide/wide_bvh.hpp"
 #include "durero/engine/engine.hpp"
 #include "durero/trace/first_element.hpp"
 #include "durero/trace/segments.hpp"

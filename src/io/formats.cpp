@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include "durero/io/file_name.hpp"
-#include "durero/io/groups_file.hpp"
-#include "durero/io/nff.hpp"
-#include "durero/io/obj.hpp"
-#include "durero/io/ply.hpp"
-#include "durero/io/pov.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/groups_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/mesh/obj.hpp"
+#include "durero/io/mesh/ply.hpp"
+#include "durero/io/nff/nff.hpp"
+#include "durero/io/pov/pov.hpp"
 
 namespace durero::io {
 namespace {

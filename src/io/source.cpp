@@ -11,7 +11,7 @@
 #include "descriptor.hpp"
 #include "durero/io/input.hpp"
 #include "durero/io/lines.hpp"
-#include "durero/io/npy.hpp"
+#include "durero/io/rays/npy.hpp"
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/utf8.hpp"

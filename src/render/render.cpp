@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "by_rows.hpp"
 #include "durero/contract/contract.hpp"
-#include "row.hpp"
-#include "statistical.hpp"
-#include "tiles.hpp"
-#include "view.hpp"
+#include "render/sample/by_rows.hpp"
+#include "render/sample/row.hpp"
+#include "render/sample/statistical.hpp"
+#include "render/sample/tiles.hpp"
+#include "render/sample/view.hpp"
 
 namespace durero::render {
 namespace {

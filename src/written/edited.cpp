@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "durero/io/groups_file.hpp"
+#include "durero/io/json/groups_file.hpp"
 #include "durero/scene/addition.hpp"
 
 namespace durero::written {

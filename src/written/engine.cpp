@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
 
 namespace durero::written {

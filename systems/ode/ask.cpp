@@ -1,5 +1,5 @@
 // Asks ODE: dCollide of a ray with each geometry, of which the least depth is nearest.
-#include "../ask.hpp"
+#include "systems/ask.hpp"
 
 #include <ode/ode.h>
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "durero/accel/wide_bvh.hpp"
+#include "durero/accel/wide/wide_bvh.hpp"
 #include "durero/trace/first_element.hpp"
 #include "durero/trace/segments.hpp"
 #include "support/catch.hpp"

@@ -8,7 +8,7 @@
 
 #include "conform/faults/tracer.hpp"
 #include "conform/perturbed.hpp"
-#include "durero/conform/judge.hpp"
+#include "durero/conform/judge/judge.hpp"
 
 using namespace durero;
 

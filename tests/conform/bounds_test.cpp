@@ -7,8 +7,8 @@
 
 #include "bounds_measured.hpp"
 #include "bounds_widths.hpp"
-#include "conform/drawn_ray.hpp"
-#include "durero/conform/families.hpp"
+#include "conform/families/drawn_ray.hpp"
+#include "durero/conform/families/families.hpp"
 #include "durero/scene/addition.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"

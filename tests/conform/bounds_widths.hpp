@@ -5,7 +5,7 @@
 #include <span>
 
 #include "bounds_table.hpp"
-#include "conform/framed_shape.hpp"
+#include "conform/families/framed_shape.hpp"
 #include "support/catch.hpp"
 
 namespace durero::test {

@@ -14,9 +14,9 @@
 #include <map>
 #include <sstream>
 
-#include "durero/io/hits_file.hpp"
-#include "durero/io/rays_file.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/rays/hits_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "hits.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "durero/conform/families.hpp"
+#include "durero/conform/families/families.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/analytic.hpp"
 #include "hits.hpp"

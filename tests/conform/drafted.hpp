@@ -1,8 +1,8 @@
 #pragma once
 /// Questions of one ray, written by hand.
 
-#include "conform/draft.hpp"
-#include "durero/conform/tally.hpp"
+#include "conform/judge/draft.hpp"
+#include "durero/conform/report/tally.hpp"
 
 namespace durero::test {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "durero/conform/families.hpp"
+#include "durero/conform/families/families.hpp"
 #include "durero/scene/hit.hpp"
 
 namespace durero::test {

@@ -1,7 +1,7 @@
 #pragma once
 /// Small answered cases, and systems that answer them: right ones and wrong ones.
 
-#include "durero/conform/tally.hpp"
+#include "durero/conform/report/tally.hpp"
 #include "durero/scene/attributes.hpp"
 
 namespace durero::test {

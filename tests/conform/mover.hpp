@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "durero/conform/profile.hpp"
+#include "durero/conform/ask/profile.hpp"
 #include "durero/conform/random.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/attributes.hpp"

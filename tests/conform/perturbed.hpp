@@ -7,9 +7,9 @@
 #include <map>
 #include <optional>
 
-#include "durero/conform/claim.hpp"
-#include "durero/conform/profile.hpp"
-#include "durero/conform/suite.hpp"
+#include "durero/conform/ask/claim.hpp"
+#include "durero/conform/ask/profile.hpp"
+#include "durero/conform/families/suite.hpp"
 #include "durero/surface/exact.hpp"
 #include "mover.hpp"
 

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "durero/conform/claim.hpp"
-#include "durero/conform/suite.hpp"
+#include "durero/conform/ask/claim.hpp"
+#include "durero/conform/families/suite.hpp"
 #include "durero/scene/any_shape.hpp"
 #include "durero/surface/exact.hpp"
 #include "mover.hpp"

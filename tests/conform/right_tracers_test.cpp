@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "durero/conform/judge.hpp"
+#include "durero/conform/judge/judge.hpp"
 #include "hits.hpp"
 #include "right_trace.hpp"
 #include "support/catch.hpp"

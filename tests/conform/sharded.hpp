@@ -4,7 +4,7 @@
 #include <string>
 
 #include "conform/judged.hpp"
-#include "durero/conform/shard.hpp"
+#include "durero/conform/campaign/shard.hpp"
 
 namespace durero::test {
 

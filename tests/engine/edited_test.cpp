@@ -6,7 +6,7 @@
 #include "durero/accel/bvh.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/engine/engine.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "durero/conform/families.hpp"
+#include "durero/conform/families/families.hpp"
 #include "durero/engine/engine.hpp"
 #include "durero/scene/camera.hpp"
 #include "support/catch.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "durero/accel/structure.hpp"
-#include "durero/accel/wide_bvh.hpp"
+#include "durero/accel/wide/wide_bvh.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/ray.hpp"
 #include "engine/fast.hpp"

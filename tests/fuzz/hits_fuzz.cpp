@@ -1,5 +1,5 @@
 // Hit files: what was read is written so that it reads back.
-#include "durero/io/hits_file.hpp"
+#include "durero/io/rays/hits_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "fuzz/fuzz.hpp"
 

@@ -1,6 +1,6 @@
 // NFF files: what was imported is a scene that can be written and read, and be exported again.
-#include "durero/io/nff.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/nff/nff.hpp"
 #include "fuzz/fuzz.hpp"
 
 using namespace durero;

@@ -1,6 +1,6 @@
 // OBJ meshes: what was imported is a scene that can be written and read.
-#include "durero/io/obj.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/mesh/obj.hpp"
 #include "fuzz/fuzz.hpp"
 
 using namespace durero;

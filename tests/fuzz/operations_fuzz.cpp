@@ -1,6 +1,6 @@
 // Scripts of operations: each is answered, under every contract.
 #include "durero/contract/contract.hpp"
-#include "durero/io/operations_file.hpp"
+#include "durero/io/json/operations_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/written/edited.hpp"
 #include "fuzz/fuzz.hpp"

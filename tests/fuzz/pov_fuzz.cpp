@@ -1,6 +1,6 @@
 // POV-Ray's language: what was imported is a scene, with groups, that can be written and read.
-#include "durero/io/groups_file.hpp"
-#include "durero/io/pov.hpp"
+#include "durero/io/json/groups_file.hpp"
+#include "durero/io/pov/pov.hpp"
 #include "fuzz/fuzz.hpp"
 
 using namespace durero;

@@ -1,5 +1,5 @@
 // Ray files, as text and as .npy: what was read is written so that it reads back.
-#include "durero/io/rays_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "fuzz/fuzz.hpp"
 

@@ -1,5 +1,5 @@
 // Scene files: the canonical text of what was read is a fixed point.
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "fuzz/fuzz.hpp"
 
 using namespace durero;

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "durero/io/nff.hpp"
-#include "durero/io/operations_file.hpp"
-#include "durero/io/ply.hpp"
-#include "durero/io/rays_file.hpp"
+#include "durero/io/json/operations_file.hpp"
+#include "durero/io/mesh/ply.hpp"
+#include "durero/io/nff/nff.hpp"
+#include "durero/io/rays/rays_file.hpp"
 #include "durero/io/source.hpp"
 #include "malformed.hpp"
 #include "support/catch.hpp"

@@ -31,7 +31,7 @@ echo '#include "durero/io/scene.hpp"' >>include/durero/number/rational.hpp
 sees layers "number including io"
 echo '#include "durero/trace/analytic.hpp"' >>src/oracle/sampled.cpp
 sees layers "oracle including trace"
-echo '#include "durero/render/image.hpp"' >>src/io/json.cpp
+echo '#include "durero/render/output/image.hpp"' >>src/io/json/json.cpp
 sees layers "io including render"
 echo '#include "trace/steps.hpp"' >>src/engine/engine.cpp
 sees layers "engine including an internal header of trace"
@@ -123,7 +123,7 @@ sed -i 's/^build_packages="/&libhdf5-dev /' x
 sees packages "a package whose licence nobody names"
 sed -i 's/ libgmp-dev,//' debian/control
 sees packages "a package that the build needs and Debian's does not install"
-sed -i 's/^#include <CGAL\/Polygon_2_algorithms.h>/#include <CGAL\/Nef_polyhedron_3.h>/' src/io/triangulation.cpp
+sed -i 's/^#include <CGAL\/Polygon_2_algorithms.h>/#include <CGAL\/Nef_polyhedron_3.h>/' src/io/mesh/triangulation.cpp
 sees packages "a header of CGAL whose licence nobody names"
 sed -i 's/^durero (0\./durero (9./' debian/changelog
 sees versions "a Debian package of another version"

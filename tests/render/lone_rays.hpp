@@ -8,7 +8,7 @@
 
 #include "durero/engine/engine.hpp"
 #include "durero/model/operaciones.hpp"
-#include "durero/render/whitted.hpp"
+#include "durero/render/light/whitted.hpp"
 #include "durero/scene/scene.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"

@@ -4,8 +4,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "durero/io/nff.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/nff/nff.hpp"
 #include "durero/model/operaciones.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"

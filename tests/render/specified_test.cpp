@@ -10,8 +10,8 @@
 #include "durero/model/luz.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/calculator.hpp"
-#include "durero/render/directions.hpp"
-#include "durero/render/whitted.hpp"
+#include "durero/render/light/directions.hpp"
+#include "durero/render/light/whitted.hpp"
 #include "durero/scene/camera.hpp"
 #include "support/catch.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "durero/io/groups_file.hpp"
+#include "durero/io/json/groups_file.hpp"
 #include "support/catch.hpp"
 #include "support/folder.hpp"
 #include "support/tree.hpp"

@@ -1,7 +1,7 @@
 #include "durero/written/engine.hpp"
 
-#include "durero/conform/families.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/conform/families/families.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/tree.hpp"

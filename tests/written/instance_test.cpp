@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "durero/conform/families.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/conform/families/families.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/written/engine.hpp"

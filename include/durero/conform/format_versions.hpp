@@ -1,10 +1,10 @@
 #pragma once
 /// The formats of JSON that this layer reads and writes, each in its version. docs/formats.md has them all.
 
-#include "durero/conform/suite_file.hpp"
-#include "durero/io/format_version.hpp"
-#include "durero/io/scene_check.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/conform/families/suite_file.hpp"
+#include "durero/io/json/format_version.hpp"
+#include "durero/io/json/scene_check.hpp"
+#include "durero/io/json/scene_file.hpp"
 
 namespace durero::conform {
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "durero/engine/engine.hpp"
-#include "durero/render/picture.hpp"
-#include "durero/render/sampling.hpp"
+#include "durero/render/output/picture.hpp"
+#include "durero/render/sample/sampling.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/scene.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "durero/io/operations_file.hpp"
+#include "durero/io/json/operations_file.hpp"
 #include "durero/scene/grouped_scene.hpp"
 #include "durero/written/engine.hpp"
 

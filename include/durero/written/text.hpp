@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "durero/io/written_elements.hpp"
+#include "durero/io/json/written_elements.hpp"
 #include "durero/written/surface.hpp"
 
 namespace durero::written {

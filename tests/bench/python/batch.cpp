@@ -5,8 +5,8 @@
 #include <string>
 
 #include "durero/engine/engine.hpp"
-#include "durero/io/rays_file.hpp"
-#include "durero/io/scene_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
 
 using namespace durero;
 

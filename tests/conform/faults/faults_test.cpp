@@ -10,7 +10,7 @@
 #include "conform/faults/tracer.hpp"
 #include "conform/hits.hpp"
 #include "conform/perturbed.hpp"
-#include "durero/conform/judge.hpp"
+#include "durero/conform/judge/judge.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

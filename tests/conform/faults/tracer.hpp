@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "conform/faults/fault.hpp"
-#include "durero/conform/claim.hpp"
+#include "durero/conform/ask/claim.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::test {

@@ -1,0 +1,100 @@
+#pragma once
+/// Interleaved traversal of the wide hierarchy by single rays. In each turn the rays that have reached a node open it
+/// side by side (wide_walker.hpp), and the prefetches of one ray complete while the others go on.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "durero/accel/wide/wide_leaves.hpp"
+#include "durero/accel/wide/wide_walker.hpp"
+
+namespace durero::accel {
+
+/// A traversal of several rays in turns; limit(number) and take(number, element) are those of PairCandidates::pairs.
+template <class Limit, class Take>
+class WideTurns {
+ public:
+  /// The traversal keeps references to its arguments, which must outlive it. Precondition: there is a node.
+  WideTurns(std::span<const WideNode> nodes, const WideLeaves& leaves, std::span<const trace::Ray> rays, Limit& limit,
+            Take& take)
+      : nodes_(nodes), rows_(leaves.rows()), rays_(rays), limit_(limit), take_(take) {}
+
+  /// Traverses the tree with the rays of these numbers.
+  void walk(std::span<const std::uint32_t> numbers) {
+    coming_ = numbers;
+    std::vector<Walking> walking;
+    walking.reserve(std::min(numbers.size(), at_a_time));
+    std::array<Walking*, at_a_time> active{};
+    std::size_t count = 0;
+    for (; count < at_a_time && !coming_.empty(); ++count) {
+      const std::uint32_t number = next_number();
+      active[count] = &walking.emplace_back(rays_[number], number);
+    }
+    while (count > 0) {
+      std::array<WideWalker*, at_a_time> at_nodes{};
+      std::size_t nodes = 0;
+      for (std::size_t i = 0; i < count;) {
+        Walking& one = *active[i];
+        if (goes_on(one)) {
+          if (!one.arrived) at_nodes[nodes++] = &one.walker;
+          ++i;
+        } else {
+          active[i] = active[--count];
+        }
+      }
+      open(nodes_.data(), std::span(at_nodes).first(nodes));
+    }
+  }
+
+ private:
+  static constexpr std::size_t at_a_time = 24;  // rays in flight
+
+  /// A ray's traversal, and the ray's number.
+  struct Walking {
+    Walking(const trace::Ray& ray, std::uint32_t number_of_it) : walker(ray), number(number_of_it) {}
+    WideWalker walker;
+    std::uint32_t number;
+    bool arrived = false;  // at an element, whose row was prefetched
+  };
+
+  /// Takes the next ray that has not started.
+  std::uint32_t next_number() {
+    const std::uint32_t number = coming_.front();
+    coming_ = coming_.subspan(1);
+    return number;
+  }
+
+  /// Tests the element that the traversal has reached, and goes on to the next node or element, which it prefetches
+  /// before the other rays' turns. A traversal that ends restarts with another ray; false where none is left.
+  bool goes_on(Walking& one) {
+    if (one.arrived) take_(one.number, one.walker.element);
+    one.arrived = false;
+    for (;;) {
+      switch (one.walker.next(limit_(one.number))) {
+        case WideWalker::Next::element:
+          rows_.ask_for(one.walker.element);
+          return one.arrived = true;
+        case WideWalker::Next::node:
+          trace::ask_for(nodes_[one.walker.node]);
+          return true;
+        case WideWalker::Next::end:
+          if (coming_.empty()) return false;
+          one.number = next_number();
+          one.walker.restart(rays_[one.number]);
+      }
+    }
+  }
+
+  std::span<const WideNode> nodes_;
+  WideLeaves::Rows rows_;
+  std::span<const trace::Ray> rays_;
+  Limit& limit_;
+  Take& take_;
+  std::span<const std::uint32_t> coming_;  // rays that have not started
+};
+
+}  // namespace durero::accel

@@ -1,0 +1,80 @@
+#pragma once
+/// A question is text that asks a system about a scene and rays, in lines that some twenty lines of any language read
+/// and answer.
+///
+///   scene generic/0003
+///   esfera e0 CX CY CZ R
+///   cilindro e1 CX CY CZ DX DY DZ R H
+///   cono e2 CX CY CZ DX DY DZ K H
+///   tronco e3 CX CY CZ DX DY DZ R K H
+///   plano e4 CX CY CZ DX DY DZ
+///   disco e5 CX CY CZ DX DY DZ R
+///   triangulo e6 AX AY AZ BX BY BZ CX CY CZ
+///   rays 64
+///   PX PY PZ VX VY VZ           for each ray
+///
+/// An element is its word in files, its name, its points and vectors, then its lengths. A number is the shortest
+/// decimal that reads back. The system writes `system NAME VERSION`, then a line for each ray, in order:
+///
+///   miss
+///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
+///   hit ELEMENT T X Y Z
+///   refused WHY
+///
+/// The system flushes its lines at least after each scene. A question to a system of solids leaves out the discs that
+/// close an element: the element is understood as a solid.
+
+#include <cstdio>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "durero/conform/ask/claim.hpp"
+#include "durero/conform/families/suite.hpp"
+
+namespace durero::conform {
+
+/// The question about these rays of the case, given by their numbers.
+std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::size_t> rays);
+
+/// The name and version in a line `system NAME VERSION`, or nothing where the line is malformed.
+std::optional<std::string> read_system_line(std::string_view line);
+
+/// The claim in a line of a system without its end. A malformed line, or an answer about an element that the question
+/// does not name, gives an unanswered claim; Claim::why says what is wrong.
+Claim read_answer(std::string_view line, const SuiteCase& of, Caps caps);
+
+/// The line that gives this claim, without its end. Outcomes that no system writes (crashed, hung, not asked) have
+/// lines of their own, which read_claim reads.
+std::string claim_text(const Claim& claim, const scene::Scene& scene);
+/// The claim that claim_text() wrote. Throws std::invalid_argument on any other text.
+Claim read_claim(std::string_view text, const scene::Scene& scene);
+
+/// A question as a system reads it.
+struct Question {
+  std::string scene_name;            ///< such as generic/0003
+  scene::Scene scene;                ///< the elements, in the order of their lines
+  std::vector<scene::Query> rays{};  ///< in order; they start on no elements
+};
+
+/// A reader of questions, one by one.
+class QuestionReader {
+ public:
+  /// A reader of the file. Preconditions: it is open for reading and outlives the reader.
+  explicit QuestionReader(std::FILE& from) : from_(&from) {}
+
+  /// The next question; nothing at the end. Throws io::InputError, whose place counts lines from the first question.
+  std::optional<Question> next();
+
+ private:
+  std::optional<std::string> next_line();
+  std::string required_line(std::string_view what);
+  std::size_t read_elements(scene::Scene& scene);  // the number of rays that follows them
+
+  std::FILE* from_;
+  std::size_t lines_ = 0;
+};
+
+}  // namespace durero::conform

@@ -1,0 +1,55 @@
+#pragma once
+/// A suite is a set of cases of every family, the same from the same options on any machine. A case is one scene and
+/// its rays; it has a random stream of its own, so that any ray can be made alone.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "durero/conform/ask/profile.hpp"
+#include "durero/conform/families/families.hpp"
+#include "durero/conform/judge/truth.hpp"
+
+namespace durero::conform {
+
+/// The options of a suite.
+struct SuiteOptions {
+  std::vector<const Family*> families{};  ///< none: all
+  std::uint64_t seed = 1;                 ///< the seed of all random streams: another seed, other cases
+  std::size_t rays = 1024;                ///< the number of rays of each family
+  std::vector<model::Tipo> tipos{};       ///< the types of elements; none: all
+  Caps caps = Caps::open;                 ///< solid: discs close the cylinders, cones and truncated cones
+  Format numbers = Format::binary32;      ///< the format of scenes and rays, except discs that close solids
+};
+
+/// The number of rays of a case, of which the last of a family may have fewer. It is small, for radii and poses differ
+/// between cases alone.
+inline constexpr std::size_t rays_of_a_case = 16;
+
+/// A scene with its rays and its place in the suite, and the exact answers once answer() has found them.
+struct SuiteCase {
+  const Family* family = nullptr;  ///< one of families()
+  std::uint64_t number = 0;        ///< its number among the cases of its family, from 0
+  int parameter = 0;               ///< the parameter of the family, as drawn
+  Case the_case;                   ///< the scene and its rays, which in a suite start on no elements
+  std::vector<Solid> solids{};     ///< with Caps::solid, the elements that discs close
+  std::vector<Truth> truths{};     ///< the truths of the rays, in their order
+
+  std::string name() const;  ///< FAMILY/0000
+};
+
+/// The families of the options, all where they name none, in the order of families().
+std::vector<const Family*> chosen_families(const SuiteOptions& options);
+
+/// The number of cases of a family under the options: 0 where none of its scenes has elements of options.tipos alone.
+std::size_t cases(const SuiteOptions& options, const Family& family);
+
+/// A case of the suite, without its truths. No ray of it names elements that its origin lies on, for no system is told
+/// of them; where an origin lies on one exactly, the answer is that of t > 0. Precondition: number < cases(options,
+/// family).
+SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number);
+
+/// Answers the rays of the case exactly: each truth is that of truth().
+void answer(SuiteCase& of);
+
+}  // namespace durero::conform

@@ -1,0 +1,64 @@
+#pragma once
+/// Operations as text, and their answers as JSON lines.
+///
+///   Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1        one a line; the ? is optional; # starts a comment
+///   {"op":"Agregar_Esfera","e":"s1","centro":[0,0,5],"radio":1}
+///
+///   group g?=pair elementos?=s1,s2 groups?=others        an edit of the groups
+///   ungroup g?=pair
+///
+///   close e?=c1 base?=b1 top?=t1                         discs close an element; without names c1:base and c1:top
+///
+///   Agregar_Toro e?=ring centro?=(0,0,0) mayor?=2 menor?=1   of a type that a Z text declares: its word with a capital
+///   Eliminar_Toro e?=ring
+///
+/// The additions also take `material`, a name among the scene's materials, which the new element gets. Numbers are
+/// decimal or, as text, C's hexadecimal. What an operation refuses (radius 0, a name that is taken) is no error of the
+/// text: it is answered. An error is what no operation could be made of.
+
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "durero/io/json/written_elements.hpp"
+#include "durero/io/source.hpp"
+#include "durero/scene/closing.hpp"
+#include "durero/scene/edit.hpp"
+#include "durero/scene/groups.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// One line of a script: the edit that it asks for.
+struct Step {
+  std::size_t line;  ///< from 1
+  /// A material is a place in the stage that the script was read with.
+  std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit> edit;
+};
+
+/// What an edit answers. Of a type that a Z text declares, what does not hold is a predicate of that text.
+struct EditAnswer {
+  std::string r;            ///< r!, or a word
+  std::string violated{};   ///< the label of what does not hold; empty where the edit is done
+  std::string predicate{};  ///< that
+  /// Of a removal, the group that the element left; of an addition, the one that an element of its name left before,
+  /// and that the new one is not in. Empty where there is none.
+  std::string left_group{};
+  /// Whether the edit is done.
+  bool ok() const noexcept { return violated.empty(); }
+};
+/// @{ What those answers say.
+EditAnswer edit_answer(const model::Answer& answer);
+EditAnswer edit_answer(const scene::Outcome& answer);
+/// @}
+
+/// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError. Of a WrittenEdit
+/// there is none where there are no types.
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types = {});
+
+/// `{"line":1,"ok":true,"r":"esfera_agregada"}`, perhaps with a left_group, or with what was violated; without line
+/// end.
+std::string answer_text(std::size_t line, const EditAnswer& answer);
+
+}  // namespace durero::io

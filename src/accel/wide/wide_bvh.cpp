@@ -1,0 +1,181 @@
+#include "durero/accel/wide/wide_bvh.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+#include "accel/wide/wide_split.hpp"
+#include "durero/surface/surfaces.hpp"
+
+namespace durero::accel {
+namespace {
+
+using ChildKind = WideChild::Kind;
+using wide::Box32;
+using wide::Item;
+using wide::Part;
+
+/// The greatest binary32 number not above x, and the least not below it. The nearest number is stepped by its bits,
+/// which count away from 0 within a sign. The step has no branch, which would be mispredicted every other time.
+float below(double x) {
+  const auto nearest = static_cast<float>(x);
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  const std::int32_t step = bits < 0 ? 1 : -1;
+  return std::bit_cast<float>(bits + (static_cast<double>(nearest) > x ? step : 0));
+}
+float above(double x) { return -below(-x); }
+
+/// A box of binary32 that holds every point of a box of binary64.
+Box32 outwards(const surface::Box& box) {
+  return {{below(box.low.x), below(box.low.y), below(box.low.z)},
+          {above(box.high.x), above(box.high.y), above(box.high.z)}};
+}
+
+/// The last level that splits by surface area. Deeper nodes split evenly, so that 2³² items take eleven levels more.
+constexpr std::size_t last_level_by_area = most_levels - 12;
+/// The greatest part that one thread builds alone.
+constexpr std::size_t alone = 4096;
+
+/// A tree in one of two forms: all nodes, each before its children, whose indices count from the tree's first node; or,
+/// of a large tree, the root alone and the trees below it, in the order of its children.
+struct Tree {
+  std::vector<WideNode> nodes;
+  std::vector<Tree> below;
+
+  std::size_t size() const {
+    return std::accumulate(below.begin(), below.end(), nodes.size(),
+                           [](std::size_t sum, const Tree& tree) { return sum + tree.size(); });
+  }
+};
+
+/// The node of some parts. A part of several items becomes a child of kind node, whose index is set later.
+WideNode node_of(const wide::Parts& parts) {
+  WideNode node;
+  for (std::size_t plane = 0; plane < 6; ++plane) node.planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
+  for (std::size_t at = 0; at < parts.size(); ++at) {
+    const Part& part = parts[at];
+    for (std::size_t i = 0; i < 3; ++i) {
+      node.planes[i][at] = part.box.low[i];
+      node.planes[i + 3][at] = part.box.high[i];
+    }
+    const scene::ElementRef e = part.items[0].e;
+    node.children[at] =
+        part.is_item() ? WideChild{e.index, e.tipo, ChildKind::element} : WideChild{0, {}, ChildKind::node};
+  }
+  return node;
+}
+
+/// Appends the nodes of the tree over a part: its root, then all below.
+void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
+  const wide::Parts parts = parts_of(whole, level > last_level_by_area);
+  const std::size_t own = nodes.size();
+  nodes.push_back(node_of(parts));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].is_item()) continue;
+    nodes[own].children[i].index = static_cast<std::uint32_t>(nodes.size());
+    build(nodes, parts[i], level + 1);
+  }
+}
+
+/// The tree over a part. The parts of a large node are built in parallel.
+Tree built(const Part& whole, std::size_t level) {
+  Tree tree;
+  if (whole.size() <= alone) {
+    tree.nodes.reserve(whole.size() / 4);
+    build(tree.nodes, whole, level);
+    return tree;
+  }
+  wide::Parts parts = parts_of(whole, level > last_level_by_area);
+  tree.nodes.push_back(node_of(parts));
+  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return part.is_item(); }), parts.end());
+  tree.below.resize(parts.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(),
+                            [&](std::size_t i) { tree.below[i] = built(parts[i], level + 1); });
+  return tree;
+}
+
+void append(LargeVector<WideNode>& nodes, const Tree& tree) {
+  const auto before = static_cast<std::uint32_t>(nodes.size());
+  nodes.insert(nodes.end(), tree.nodes.begin(), tree.nodes.end());
+  for (WideNode& node : std::span(nodes).subspan(before))
+    for (WideChild& child : node.children)
+      if (child.kind == ChildKind::node) child.index += before;
+  auto below = tree.below.begin();
+  for (std::size_t at = 0; below != tree.below.end(); ++at) {
+    WideChild& child = nodes[before].children[at];
+    if (child.kind != ChildKind::node) continue;
+    child.index = static_cast<std::uint32_t>(nodes.size());
+    append(nodes, *below++);
+  }
+}
+
+/// The distance in nodes at which elements are prefetched, because they lie anywhere in the scene's tables.
+constexpr std::size_t nodes_ahead = 4;
+
+void ask_for_elements(const scene::Scene& scene, const WideNode& node) {
+  for (const WideChild& child : node.children)
+    if (child.kind == ChildKind::element)
+      trace::ask_for(
+          scene.visit(child.element(), [](const auto& shape) { return std::as_bytes(std::span(&shape, 1)); }));
+}
+
+std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
+  std::size_t deepest = 0;
+  for (const WideChild& child : nodes[at].children)
+    if (child.kind == ChildKind::node) deepest = std::max(deepest, depth(nodes, child.index));
+  return deepest + 1;
+}
+
+}  // namespace
+
+WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
+  LargeVector<Item> items;
+  items.reserve(scene.size());
+  scene.for_each([&](scene::ElementRef e, const auto& shape) {
+    if (!trace::ordinary(shape)) return extraordinary_.push_back(e);
+    const Box32 box = outwards(surface::box(shape));
+    if (!box.finite()) return unbounded_.push_back(e);
+    items.push_back({box, e});
+  });
+  if (!items.empty()) {
+    LargeVector<Item> room(items.size());
+    const Part all = wide::part_of(items, room);
+    const double extent = std::max({all.box.width(0), all.box.width(1), all.box.width(2)});
+    spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
+    const Tree tree = built(all, 0);
+    nodes_.reserve(tree.size());
+    append(nodes_, tree);
+  }
+  leaves_.reserve(scene);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (i + nodes_ahead < nodes_.size()) ask_for_elements(scene, nodes_[i + nodes_ahead]);
+    for (WideChild& child : nodes_[i].children)
+      if (child.kind == ChildKind::element) child.index = leaves_.push_back(scene, child.element()).index;
+  }
+  for (const scene::ElementRef e : unbounded_) every_rays_leaves_.push_back(leaves_.push_back(scene, e));
+  if (nodes_.size() == 1)
+    for (const WideChild& child : nodes_[0].children)
+      if (child.kind == ChildKind::element) every_rays_leaves_.push_back(child.element());
+}
+
+Size WideBvh::size() const {
+  Size size;
+  for (const WideNode& node : nodes_)
+    for (const WideChild& child : node.children) size.cells += child.kind == ChildKind::element;
+  size.elements = size.references = size.cells;
+  size.apart = unbounded_.size() + extraordinary_.size();
+  size.nodes = nodes_.size();
+  size.depth = nodes_.empty() ? 0 : depth(nodes_, 0);
+  size.bytes =
+      sizeof *this + nodes_.capacity() * sizeof(WideNode) +
+      (unbounded_.capacity() + every_rays_leaves_.capacity() + extraordinary_.capacity()) * sizeof(scene::ElementRef);
+  size.bytes += leaves_.bytes();
+  return size;
+}
+
+}  // namespace durero::accel

@@ -1,0 +1,67 @@
+#pragma once
+/// Splits the elements among the children of a wide node.
+
+#include <algorithm>
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <cmath>
+#include <span>
+
+#include "durero/accel/wide/wide_node.hpp"
+
+namespace durero::accel::wide {
+
+using Corner = std::array<float, 3>;
+
+/// A box of binary32. The empty box has low above high, and is neutral to join.
+struct Box32 {
+  Corner low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+
+  void join(const Box32& other) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], other.low[i]);
+      high[i] = std::max(high[i], other.high[i]);
+    }
+  }
+  /// Half the surface area, or 0 for the empty box. It is computed in binary64, which does not overflow.
+  double area() const {
+    const double x = width(0), y = width(1), z = width(2);
+    return x < 0 ? 0 : x * y + y * z + z * x;
+  }
+  double width(std::size_t axis) const { return static_cast<double>(high[axis]) - static_cast<double>(low[axis]); }
+  bool finite() const {
+    return std::ranges::all_of(low, [](float x) { return std::isfinite(x); }) &&
+           std::ranges::all_of(high, [](float x) { return std::isfinite(x); });
+  }
+};
+
+/// An element and its box, which the builder sorts.
+struct Item {
+  Box32 box;
+  scene::ElementRef e;
+};
+using Items = std::span<Item>;
+
+/// A subtree's items, as much room to partition them into, and their box.
+struct Part {
+  Items items, room;
+  Box32 box;
+  Box32 middles;  ///< the box of the centres of the items' boxes
+  double area = box.area();
+
+  std::size_t size() const { return items.size(); }
+  bool is_item() const { return items.size() == 1; }
+};
+
+/// Bounds some items. Precondition: `room` has as many places as `items`, and does not overlap them.
+Part part_of(Items items, Items room);
+
+/// The children of a node, as parts.
+using Parts = boost::container::static_vector<Part, WideNode::width>;
+
+/// Splits a part into at most eight parts, none empty, for the children of a node. The part of greatest surface is
+/// split again and again, or of most items where `evenly`, until no part has more items than a node holds; then parts
+/// are dissolved into single items where these fit.
+Parts parts_of(const Part& whole, bool evenly);
+
+}  // namespace durero::accel::wide

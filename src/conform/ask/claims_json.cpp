@@ -1,0 +1,73 @@
+#include "conform/ask/claim_rows.hpp"
+#include "durero/io/json/json.hpp"
+#include "durero/io/lines.hpp"
+
+namespace durero::conform {
+namespace {
+
+using io::json::Reader;
+
+enum Key : std::size_t { in_case, ray, outcome, element, t, point, why };
+constexpr std::string_view keys[] = {"case", "ray", "outcome", "element", "t", "point", "why"};
+constexpr std::size_t required = 3;
+
+/// The contents of a line: its claim, and the texts whose meaning depends on the case.
+struct Row {
+  std::string_view case_name, element_name;
+  std::size_t case_at = 0, ray_at = 0, element_at = 0;
+  double ray = 0;
+  Claim claim;
+};
+
+void read_part(Reader& in, Key key, const io::Source& source, Row& row) {
+  const std::size_t at = in.offset();
+  switch (key) {
+    case in_case:
+      row.case_at = at;
+      row.case_name = in.string("case");
+      return;
+    case ray:
+      row.ray_at = at;
+      row.ray = in.number("ray");
+      return;
+    case outcome:
+      row.claim.outcome = read_outcome(source, at, in.string("outcome"));
+      return;
+    case element:
+      row.element_at = at;
+      row.element_name = in.string("element");
+      return;
+    case t:
+      row.claim.t = in.extended_number("t");
+      return;
+    case point:
+      row.claim.punto = in.triple("point", [&] { return in.extended_number("point"); });
+      return;
+    case why:
+      row.claim.why = in.string("why");
+  }
+}
+
+void read_row(const io::json::Document& document, std::size_t at, ClaimRows& rows) {
+  Reader in(document);
+  Row row;
+  in.object("a claim", keys, required,
+            [&](std::size_t key) { read_part(in, static_cast<Key>(key), rows.source(), row); });
+  check_claim(rows.source(), at, row.claim);
+  const std::size_t number = rows.case_of(row.case_at, row.case_name);
+  if (row.element_at != 0) row.claim.element = rows.element_of(row.element_at, number, row.element_name);
+  rows.claim_on(row.ray_at, number, row.ray) = row.claim;
+}
+
+}  // namespace
+
+void read_claims_json(ClaimRows& rows) {
+  const std::string_view text = rows.source().text();
+  io::Lines lines(text);
+  while (const auto line = lines.next()) {
+    if (text.substr(line->begin, line->end - line->begin).find_first_not_of(" \t") == std::string_view::npos) continue;
+    read_row(io::json::Document(rows.source(), line->begin, line->end), line->begin, rows);
+  }
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,142 @@
+#include "conform/ask/profile_reader.hpp"
+
+#include "durero/io/json/whole_number.hpp"
+#include "durero/scene/shapes.hpp"
+
+namespace durero::conform {
+namespace {
+
+using io::json::Reader;
+
+enum Key : std::size_t {
+  format,
+  tipos,
+  caps,
+  measure,
+  directions,
+  inside,
+  names_elements,
+  thickness,
+  least_t,
+  greatest_t,
+  least_size,
+  greatest_size,
+  greatest_coordinate,
+  watertight
+};
+constexpr std::string_view keys[] = {"format",
+                                     "tipos",
+                                     "caps",
+                                     "measure",
+                                     "directions",
+                                     "inside",
+                                     "names_elements",
+                                     "thickness",
+                                     "least_t",
+                                     "greatest_t",
+                                     "least_size",
+                                     "greatest_size",
+                                     "greatest_coordinate",
+                                     "watertight"};
+constexpr std::size_t required = 7;
+
+constexpr auto shape_words = [] {
+  std::array<std::string_view, model::tipo_count> words{};
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { words[scene::place_of<Shape>] = Shape::word; });
+  return words;
+}();
+
+/// A number that is not negative.
+void read_bound(Reader& in, std::string_view what, double& bound) {
+  const std::size_t at = in.offset();
+  bound = in.number(what);
+  if (bound < 0) in.fail(at, fmt::format("{} is {}", what, bound), "expected a number that is not negative");
+}
+
+void read_member(Reader& in, Key key, Profile& profile) {
+  const std::string_view what = keys[key];
+  switch (key) {
+    case format:
+      profile.format = read_word<Format>(in, what, format_words);
+      return;
+    case tipos:
+      return read_tipos(in, what, profile.tipos);
+    case caps:
+      profile.caps = read_word<Caps>(in, what, caps_words);
+      return;
+    case measure:
+      profile.measure = read_word<Measure>(in, what, measure_words);
+      return;
+    case directions:
+      profile.directions = read_word<Directions>(in, what, directions_words);
+      return;
+    case inside:
+      profile.inside = read_word<Inside>(in, what, inside_words);
+      return;
+    case names_elements:
+      profile.names_elements = in.boolean(what);
+      return;
+    case thickness:
+      return read_bound(in, what, profile.thickness);
+    case least_t:
+      return read_bound(in, what, profile.least_t);
+    case greatest_t:
+      return read_bound(in, what, profile.greatest_t);
+    case least_size:
+      return read_bound(in, what, profile.least_size);
+    case greatest_size:
+      return read_bound(in, what, profile.greatest_size);
+    case greatest_coordinate:
+      return read_bound(in, what, profile.greatest_coordinate);
+    case watertight:
+      profile.watertight = in.boolean(what);
+      return;
+  }
+}
+
+Source read_source_of_claim(Reader& in) {
+  constexpr std::string_view source_keys[] = {"claim", "sentence", "place"};
+  Source source;
+  in.object("a source", source_keys, 3, [&](std::size_t key) {
+    const std::size_t at = in.offset();
+    const std::string_view value = in.string(source_keys[key]);
+    if (value.empty()) in.fail(at, fmt::format("{} is empty", source_keys[key]), "expected some text");
+    if (key == 0 && std::ranges::find(keys, value) == std::end(keys))
+      in.fail(at, fmt::format("claim is {}", text::shown(value)),
+              fmt::format("expected one of {}", fmt::join(keys, ", ")));
+    (key == 0 ? source.claim : key == 1 ? source.sentence : source.place) = value;
+  });
+  return source;
+}
+
+}  // namespace
+
+void read_profile_members(Reader& in, Profile& profile) {
+  in.object("a profile", keys, required, [&](std::size_t key) { read_member(in, static_cast<Key>(key), profile); });
+}
+
+std::vector<Source> read_sources(Reader& in) {
+  std::vector<Source> sources;
+  in.array("sources", [&] { sources.push_back(read_source_of_claim(in)); });
+  return sources;
+}
+
+void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& read) {
+  const std::size_t at = in.offset();
+  in.array(what, [&] { read.push_back(read_word<model::Tipo>(in, "a tipo", shape_words)); });
+  if (read.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
+}
+
+std::uint64_t read_whole(Reader& in, std::string_view what) {
+  return static_cast<std::uint64_t>(
+      io::json::whole_number(in, what, 0, io::json::most_whole, "a whole number up to 2^53"));
+}
+
+void read_exactly(Reader& in, std::string_view what, std::string_view expected) {
+  const std::size_t at = in.offset();
+  const std::string_view value = in.string(what);
+  if (value != expected)
+    in.fail(at, fmt::format("{} is {}", what, text::shown(value)), fmt::format("expected \"{}\"", expected));
+}
+
+}  // namespace durero::conform

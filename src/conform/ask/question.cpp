@@ -1,0 +1,74 @@
+#include "durero/conform/ask/question.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "conform/ask/answer_line.hpp"
+#include "conform/ask/words.hpp"
+#include "conform/families/solids.hpp"
+#include "durero/io/number_text.hpp"
+#include "durero/scene/attributes.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::conform {
+namespace {
+
+void append(std::string& line, double number) {
+  line += ' ';
+  io::append_number(line, number);
+}
+void append(std::string& line, const glm::dvec3& v) {
+  for (const double number : {v.x, v.y, v.z}) append(line, number);
+}
+void append(std::string& line, const scene::Corners& corners) {
+  for (const glm::dvec3& corner : corners) append(line, corner);
+}
+
+/// Whether the question leaves the element out.
+bool is_left_out(const SuiteCase& of, Caps caps, scene::ElementRef element) {
+  return caps == Caps::solid && solid_closed_by(of.solids, element) != nullptr;
+}
+
+template <class Shape>
+std::string element_line(const model::Elemento& name, const Shape& shape) {
+  std::string line = fmt::format("{} {}", Shape::word, name.name());
+  for (const bool are_lengths : {false, true}) {
+    scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+      if (std::is_same_v<typename Row::Stored, double> == are_lengths) append(line, shape.*attribute.field);
+    });
+  }
+  return line + '\n';
+}
+
+}  // namespace
+
+std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::size_t> rays) {
+  std::string text = fmt::format("scene {}\n", of.name());
+  const scene::Scene& scene = of.the_case.scene;
+  scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    if (!is_left_out(of, caps, element)) text += element_line(scene.name(element), shape);
+  });
+  text += fmt::format("rays {}\n", rays.size());
+  for (const std::size_t ray : rays) {
+    const model::Rayo& rayo = of.the_case.rays[ray].rayo;
+    std::string line;
+    append(line, rayo.p().xyz());
+    append(line, rayo.v().xyz());
+    text.append(line, 1).append("\n");
+  }
+  return text;
+}
+
+std::optional<std::string> read_system_line(std::string_view line) {
+  const std::vector<std::string_view> words = words_of(line);
+  if (words.size() < 2 || words.front() != "system") return std::nullopt;
+  return text::escaped(fmt::format("{}", fmt::join(std::span(words).subspan(1), " ")));
+}
+
+Claim read_answer(std::string_view line, const SuiteCase& of, Caps caps) {
+  Claim claim = read_answer_line(line, of.the_case.scene);
+  if (!claim.element || !is_left_out(of, caps, *claim.element)) return claim;
+  return malformed(line, "the question has no such element");
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,155 @@
+// Reads questions, as a system does.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "conform/ask/words.hpp"
+#include "durero/conform/ask/question.hpp"
+#include "durero/io/lines.hpp"
+#include "durero/io/number_text.hpp"
+#include "durero/io/source.hpp"
+#include "durero/scene/attributes.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::conform {
+namespace {
+
+/// A line of a question, which must outlive it, and its words.
+struct QuestionLine {
+  QuestionLine(std::size_t its_number, const std::string& its_text)
+      : number(its_number), text(its_text), words(words_of(its_text)) {}
+
+  std::size_t number;
+  std::string_view text;
+  std::vector<std::string_view> words;
+
+  /// Throws io::InputError at the word of that number, or behind the last.
+  [[noreturn]] void fail(std::size_t word, const std::string& wrong, const std::string& expected,
+                         const contract::clause* broken = nullptr) const {
+    const std::size_t at =
+        word < words.size() ? static_cast<std::size_t>(words[word].data() - text.data()) : text.size();
+    throw io::InputError("question", {number, at + 1}, wrong, expected, broken);
+  }
+  /// Throws io::InputError at a word that breaks a clause of the Z text.
+  [[noreturn]] void fail(std::size_t word, const std::string& wrong, const contract::clause& broken) const {
+    fail(word, wrong, fmt::format("expected {} ({})", broken.predicate, broken.label), &broken);
+  }
+
+  double number_at(std::size_t word) const {
+    if (word >= words.size()) fail(word, "the line ends", "expected a number");
+    const std::optional<double> value = io::read_finite(words[word]);
+    if (!value) fail(word, text::shown(words[word]), "expected a finite number");
+    return *value;
+  }
+};
+
+/// A cursor over the numbers of a line.
+class Numbers {
+ public:
+  Numbers(const QuestionLine& line, std::size_t first_word) : line_(&line), next_(first_word) {}
+
+  void read(double& value) { value = line_->number_at(next_++); }
+  void read(glm::dvec3& v) {
+    for (int i = 0; i < 3; ++i) read(v[i]);
+  }
+  void read(scene::Corners& corners) {
+    for (glm::dvec3& corner : corners) read(corner);
+  }
+  void end() const {
+    if (next_ < line_->words.size())
+      line_->fail(next_, text::shown(line_->words[next_]), "expected the end of the line");
+  }
+
+ private:
+  const QuestionLine* line_;
+  std::size_t next_;
+};
+
+template <class Shape>
+model::Answer add(const QuestionLine& line, scene::Scene& scene) {
+  if (line.words.size() < 2 || !model::Elemento::is_name(line.words[1])) line.fail(1, "no name", "expected a name");
+  Shape shape{};
+  Numbers numbers(line, 2);
+  for (const bool are_lengths : {false, true}) {
+    scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+      if (std::is_same_v<typename Row::Stored, double> == are_lengths) numbers.read(shape.*attribute.field);
+    });
+  }
+  numbers.end();
+  return scene.add(model::Elemento(std::string(line.words[1])), shape);
+}
+
+void read_element(const QuestionLine& line, scene::Scene& scene) {
+  std::optional<model::Answer> answer;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    if (line.words.front() == Shape::word) answer = add<Shape>(line, scene);
+  });
+  if (!answer) line.fail(0, text::shown(line.words.front()), "expected an element, or rays and their number");
+  if (!answer->ok()) line.fail(0, std::string(model::name(answer->r)), *answer->violated);
+}
+
+scene::Query read_ray(const QuestionLine& line) {
+  glm::dvec3 p, v;
+  Numbers numbers(line, 0);
+  numbers.read(p);
+  numbers.read(v);
+  numbers.end();
+  if (v == glm::dvec3(0)) line.fail(3, "v is (0, 0, 0)", model::Rayo_inv_1);
+  return {{model::Punto(p), model::Vector(v)}};
+}
+
+std::size_t read_count(const QuestionLine& line) {
+  std::size_t count = 0;
+  const std::string_view digits = line.words.size() == 2 ? line.words[1] : "";
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size())
+    line.fail(1, "rays without their number", "expected rays N");
+  return count;
+}
+
+}  // namespace
+
+std::optional<std::string> QuestionReader::next_line() {
+  std::string line;
+  int c = std::getc(from_);
+  if (c == EOF) return std::nullopt;
+  for (; c != EOF && c != '\n'; c = std::getc(from_)) {
+    line += static_cast<char>(c);
+    if (line.size() > io::longest_line) io::refuse_long_line({"question", std::move(line), lines_}, 0);
+  }
+  ++lines_;
+  return line;
+}
+
+std::optional<Question> QuestionReader::next() {
+  const std::optional<std::string> head = next_line();
+  if (!head) return std::nullopt;
+  const QuestionLine first(lines_, *head);
+  if (first.words.size() != 2 || first.words[0] != "scene")
+    first.fail(0, text::shown(*head), "expected scene and its name");
+  Question question{std::string(first.words[1]), {}, {}};
+  for (std::size_t left = read_elements(question.scene); left > 0; --left) {
+    const std::string text = required_line("a ray");
+    question.rays.push_back(read_ray({lines_, text}));
+  }
+  return question;
+}
+
+std::string QuestionReader::required_line(std::string_view what) {
+  std::optional<std::string> line = next_line();
+  if (!line) throw io::InputError("question", {lines_ + 1, 1}, "the question ends", fmt::format("expected {}", what));
+  return *line;
+}
+
+std::size_t QuestionReader::read_elements(scene::Scene& scene) {
+  for (;;) {
+    const std::string text = required_line("an element, or rays and their number");
+    const QuestionLine line(lines_, text);
+    if (line.words.empty()) line.fail(0, "the line is empty", "expected an element, or rays and their number");
+    if (line.words.front() == "rays") return read_count(line);
+    read_element(line, scene);
+  }
+}
+
+}  // namespace durero::conform

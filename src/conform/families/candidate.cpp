@@ -1,0 +1,79 @@
+#include "conform/families/candidate.hpp"
+
+#include <cmath>
+
+#include "durero/surface/surfaces.hpp"
+
+namespace durero::conform {
+namespace {
+
+template <class Shape>
+Dyadic size(const Shape& shape) {
+  Dyadic radius;
+  if constexpr (requires { shape.radio; }) radius = shape.radio;
+  if constexpr (requires { shape.proporcion; }) radius = radius + Dyadic(shape.proporcion) * Dyadic(shape.altura);
+  if constexpr (requires { shape.vertices; }) radius = surface::ball(shape).radius;
+  return radius;
+}
+
+Dyadic squared_normal(const scene::Corners& vertices) {
+  const ExactVector n = cross(difference(vertices[1], vertices[0]), difference(vertices[2], vertices[0]));
+  return dot(n, n);
+}
+
+/// The centre of a shape, or the first vertex of a triangle.
+template <class Shape>
+const glm::dvec3& centre(const Shape& shape) {
+  if constexpr (requires { shape.centro; })
+    return shape.centro;
+  else
+    return shape.vertices[0];
+}
+
+}  // namespace
+
+ExactVector exact(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+ExactVector difference(const glm::dvec3& a, const glm::dvec3& b) {
+  return {Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.z) - Dyadic(b.z)};
+}
+Dyadic dot(const ExactVector& a, const ExactVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+ExactVector cross(const ExactVector& a, const ExactVector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Dyadic squared_length(const glm::dvec3& v) { return dot(exact(v), exact(v)); }
+Dyadic magnitude(const Dyadic& x) { return number::sign(x) < 0 ? -x : x; }
+
+bool negligible(const Dyadic& part, const Dyadic& whole) {
+  return number::shifted(magnitude(part), 20) <= magnitude(whole);
+}
+
+int Candidate::sign_beyond(const Parameter& t) const { return number::sign(number::linear(f.s0 - *f.altura, f.s1, t)); }
+
+bool Candidate::is_at_end(const Parameter& t) const {
+  return is_axial() && (number::sign(number::linear(f.s0, f.s1, t)) == 0 || sign_beyond(t) == 0);
+}
+
+bool Candidate::starts_between_ends() const { return !is_axial() || (number::sign(f.s0) >= 0 && f.s0 <= *f.altura); }
+
+Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
+  return q.scene.visit(e, [&]<class Shape>(const Shape& shape) {
+    Candidate c{e, surface::exact::coefficients(shape, q.query.rayo, on), centre(shape), size(shape)};
+    if constexpr (requires { shape.vector; }) c.vector = shape.vector;
+    if constexpr (requires { shape.altura; }) c.altura = shape.altura;
+    if constexpr (requires { shape.vertices; }) c.normal = squared_normal(shape.vertices);
+    return c;
+  });
+}
+
+Candidate candidate(const AnsweredQuery& q, scene::ElementRef e) {
+  return candidate(q, e, scene::Origin(q.query.en).contains(e));
+}
+
+bool is_inside(const Candidate& c) { return !c.is_flat() && number::sign(c.f.C) < 0 && c.starts_between_ends(); }
+
+bool travels_at_least(const AnsweredQuery& q, const Dyadic& distance) {
+  if (!std::isfinite(q.hit.t)) return true;
+  return square(Dyadic(q.hit.t)) * squared_length(q.query.rayo.v().xyz()) >= square(distance);
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,55 @@
+#pragma once
+/// The table of the families has one row for each: its published description and its recipe.
+
+#include <optional>
+#include <span>
+
+#include "conform/families/members.hpp"
+#include "conform/families/recipes.hpp"
+#include "durero/conform/families/families.hpp"
+
+namespace durero::conform {
+
+/// The least shares of a family's rays that are members, and exact ones; both hold for each seed of 20 scenes of 100
+/// rays.
+struct Floors {
+  double members, exact;
+};
+
+/// The functions that make a scene, and then each ray for it.
+struct Recipe {
+  recipes::FramedShapes (*scene)(Draws&, int parameter);
+  DrawnRay (*ray)(Draws&, int parameter, recipes::Given shapes);
+};
+
+/// The conditions that make a ray a member, and an exact one.
+struct Questions {
+  bool (*is_member)(const AnsweredQuery&);
+  bool (*is_exact)(const AnsweredQuery&);
+};
+
+struct Limits {
+  int least, greatest;
+};
+
+/// The exceptions for binary32 numbers: a parameter that fits the format, and other floors.
+struct OfBinary32 {
+  std::optional<Limits> parameter{};
+  std::optional<Floors> floors{};
+};
+
+struct FamilyRow {
+  Family family;
+  Floors floors;
+  Recipe recipe;
+  Questions questions;
+  OfBinary32 of_binary32{};
+};
+
+/// Every family, in the order in which they are published.
+std::span<const FamilyRow> family_table();
+
+/// The row of a family. Throws std::invalid_argument where the family is none of families().
+const FamilyRow& row_of(const Family& family);
+
+}  // namespace durero::conform

@@ -1,0 +1,52 @@
+#include "durero/conform/families/suite.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "conform/families/scattered.hpp"
+
+namespace durero::conform {
+namespace {
+
+/// The seed of a case; generate() derives a stream for each family from it.
+std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
+
+CaseOptions of_cases(const SuiteOptions& options) {
+  return {.numbers = options.numbers, .tipos = options.tipos, .caps = options.caps};
+}
+
+std::size_t blocks(std::size_t rays) { return (rays + rays_of_a_case - 1) / rays_of_a_case; }
+
+}  // namespace
+
+std::string SuiteCase::name() const { return fmt::format("{}/{:04}", family->name, number); }
+
+std::vector<const Family*> chosen_families(const SuiteOptions& options) {
+  std::vector<const Family*> chosen;
+  for (const Family& family : families()) {
+    const auto& asked = options.families;
+    if (asked.empty() || std::find(asked.begin(), asked.end(), &family) != asked.end()) chosen.push_back(&family);
+  }
+  return chosen;
+}
+
+std::size_t cases(const SuiteOptions& options, const Family& family) {
+  const bool has_scenes = generate(family, seed_of_case(options.seed, 0), 0, of_cases(options)).has_value();
+  return has_scenes ? blocks(options.rays) : 0;
+}
+
+SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number) {
+  const std::size_t rays = std::min(rays_of_a_case, options.rays - number * rays_of_a_case);
+  DrawnCase drawn = generate(family, seed_of_case(options.seed, number), rays, of_cases(options)).value();
+  for (scene::Query& ray : drawn.the_case.rays) ray.en.clear();
+  return {&family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids)};
+}
+
+void answer(SuiteCase& of) {
+  const auto& [scene, rays] = of.the_case;
+  of.truths.clear();
+  for (const scene::Query& ray : rays) of.truths.push_back(truth(scene, ray));
+}
+
+}  // namespace durero::conform

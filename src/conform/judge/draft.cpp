@@ -1,0 +1,120 @@
+#include "conform/judge/draft.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conform/families/solids.hpp"
+#include "conform/judge/allowance.hpp"
+#include "durero/number/quotient.hpp"
+#include "durero/scene/attributes.hpp"
+#include "durero/surface/surfaces.hpp"
+
+namespace durero::conform {
+namespace {
+
+/// The disc at an end of an element, with its numbers rounded to binary64, as those of a suite are; nothing at an apex.
+template <surface::Axial Shape>
+std::optional<scene::Disc> closing_disc(const Shape& wall, bool at_base) {
+  scene::Disc disc{wall.centro, number::round_to_binary64(radius_at_centre(wall)), wall.vector};
+  if (at_base) return disc;
+  disc.centro += wall.altura * wall.vector;
+  disc.radio = 0;
+  if constexpr (scene::has_attribute<Shape, &scene::AnyEscena::mi_radio>()) disc.radio = wall.radio;
+  return disc.radio > 0 ? std::optional(disc) : std::nullopt;
+}
+
+/// Adds the discs that close an element with an axis. Returns whether the model takes them.
+bool close(SuiteCase& of, const Draft::Element& element) {
+  scene::Scene& scene = of.the_case.scene;
+  Solid solid{*scene.find(element.name), {}};
+  const auto add_disc = [&]<class Shape>(const Shape& wall) {
+    if constexpr (surface::Axial<Shape>) {
+      for (const bool at_base : {true, false}) {
+        const std::optional<scene::Disc> disc = closing_disc(wall, at_base);
+        const std::string name = element.name + (at_base ? ".base" : ".top");
+        if (disc && !scene.add(model::Elemento(name), *disc).ok()) return false;
+        if (disc) solid.discs.push_back(*scene.find(name));
+      }
+    }
+    return true;
+  };
+  if (!std::visit(add_disc, element.shape)) return false;
+  if (!solid.discs.empty()) of.solids.push_back(std::move(solid));
+  return true;
+}
+
+bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+}  // namespace
+
+Draft::Draft(const SuiteCase& of)
+    : p(of.the_case.rays[0].rayo.p().xyz()), v(of.the_case.rays[0].rayo.v().xyz()), are_closed(!of.solids.empty()) {
+  const scene::Scene& scene = of.the_case.scene;
+  scene.for_each([&](scene::ElementRef e, const auto& shape) {
+    if (solid_closed_by(of.solids, e) == nullptr) elements.push_back({std::string(scene.name(e).name()), shape});
+  });
+  for (const scene::ElementRef e : of.the_case.rays[0].en) on.emplace_back(scene.name(e).name());
+}
+
+std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
+  if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
+  SuiteCase of{.family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}};
+  for (const Element& element : elements) {
+    const auto add = [&](const auto& shape) { return of.the_case.scene.add(model::Elemento(element.name), shape); };
+    if (!std::visit(add, element.shape).ok()) return std::nullopt;
+  }
+  for (const Element& element : elements) {
+    if (are_closed && !close(of, element)) return std::nullopt;
+  }
+  scene::Query ray{{model::Punto(p), model::Vector(v)}, {}};
+  for (const std::string& name : on) {
+    if (const auto e = of.the_case.scene.find(name)) ray.en.push_back(*e);
+  }
+  std::ranges::sort(ray.en);
+  of.the_case.rays.push_back(std::move(ray));
+  answer(of);
+  return of;
+}
+
+Places places(scene::AnyShape& any) {
+  Places all;
+  const auto add = [&]<class Shape>(Shape& shape) {
+    scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+      auto& stored = shape.*attribute.field;
+      if constexpr (std::is_same_v<typename Row::Stored, scene::Corners>) {
+        for (glm::dvec3& corner : stored) all.points.push_back(&corner);
+      } else if constexpr (std::is_same_v<typename Row::Input, model::Punto>) {
+        all.points.push_back(&stored);
+      } else if constexpr (std::is_same_v<typename Row::Input, model::Vector>) {
+        all.axes.push_back(&stored);
+      } else {
+        const bool is_ratio = attribute.component == &scene::AnyEscena::mi_proporcion;
+        (is_ratio ? all.ratios : all.lengths).push_back(&stored);
+      }
+    });
+  };
+  std::visit(add, any);
+  return all;
+}
+
+void scale(Draft& draft, int k) {
+  const double factor = std::ldexp(1, k);
+  draft.p *= factor;
+  draft.v *= factor;
+  for (Draft::Element& element : draft.elements) {
+    const Places of = places(element.shape);
+    for (glm::dvec3* point : of.points) *point *= factor;
+    for (double* length : of.lengths) *length *= factor;
+  }
+}
+
+double size_of(const Draft& draft) {
+  scene::AnyShape first = draft.elements.front().shape;
+  const Places of = places(first);
+  if (!of.lengths.empty()) return *of.lengths.front();
+  double size = 0;
+  for (const glm::dvec3* point : of.points) size = std::max(size, largest(*point));
+  return size > 0 ? size : 1;
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,46 @@
+#pragma once
+/// A draft is a case of one ray whose numbers can be changed at will; minimise.cpp tries its changes on it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "durero/conform/families/suite.hpp"
+#include "durero/scene/any_shape.hpp"
+
+namespace durero::conform {
+
+struct Draft {
+  struct Element {
+    std::string name;
+    scene::AnyShape shape;
+  };
+  std::vector<Element> elements;
+  glm::dvec3 p{}, v{};
+  std::vector<std::string> on;  ///< the names of the elements that the ray starts on
+  bool are_closed = false;      ///< discs close the elements that have ends
+
+  /// A draft of a case with one ray. Discs that close solids are left out; they follow from their walls.
+  explicit Draft(const SuiteCase& of);
+
+  /// The answered case that the draft describes, with the family and the number of `like`; nothing where the model
+  /// refuses an element or the ray.
+  std::optional<SuiteCase> built(const SuiteCase& like) const;
+};
+
+/// The numbers of a shape that a change may touch. Each attribute is of one of these kinds.
+struct Places {
+  std::vector<glm::dvec3*> points;  ///< the centre, or the vertices
+  std::vector<glm::dvec3*> axes;    ///< the unit vector
+  std::vector<double*> lengths;
+  std::vector<double*> ratios;
+};
+Places places(scene::AnyShape& shape);
+
+/// Scales the scene, the origin and v by 2^k: the crossings stay at the same t.
+void scale(Draft& draft, int k);
+/// The size of the draft: the first length of its first element; without one, the largest coordinate of the element's
+/// points, or 1 where that is 0. Precondition: there is an element.
+double size_of(const Draft& draft);
+
+}  // namespace durero::conform

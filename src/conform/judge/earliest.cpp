@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "conform/judge/shell.hpp"
+#include "conform/judge/zones.hpp"
+
+namespace durero::conform {
+namespace {
+
+using surface::Quadratic;
+using surface::exact::order;
+using surface::exact::Parameter;
+using Along = Shell<Linear<Dyadic>>;
+
+/// The shell of an element along the whole ray, with its ends moved outwards; nothing where the allowance is no small
+/// part of the element. With m the largest length and coordinate of element and origin, each coordinate of a point of
+/// the moved element is at most 3m + (7 + 2k)·δ: m + δ for the centre, m + 4δ along the axis, m + (2 + 2k)·δ across it,
+/// and less for the other types. For a disc that closes a solid its wall counts in m, and the last two are m + 4δ and
+/// m + (2 + k + g)·δ. So t·v is at most 4m + (8 + 2k)·δ there, and M at most 5m where (8 + 2k)·δ ≤ m.
+template <class Shape>
+std::optional<Along> shell_along(const Shape& shape, const model::Rayo& rayo, const Precision& precision) {
+  const Dyadic m = magnitude(shape, rayo, {});
+  const Allowance allowed(precision, Dyadic(5) * m, rayo);
+  if (allowed.times(Dyadic(8) + Dyadic(2) * Dyadic(proportion(shape))) > m) return std::nullopt;
+  return shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::outwards);
+}
+
+/// The shell of a plane, which a ray may meet at any distance. M is at most m + t·L there, with L the largest
+/// coordinate of v, and the walls move apart with t accordingly.
+std::optional<Along> shell_along(const scene::Plane& e, const model::Rayo& rayo, const Precision& precision) {
+  const Allowance allowed(precision, magnitude(e, rayo, {}), rayo);
+  const Linear<Dyadic> value = potencia(e, surface::along<Dyadic>(rayo));
+  const Dyadic apart = allowed.times(plane_wall), more = plane_wall * allowed.u * Dyadic(largest(rayo.v().xyz()));
+  return Along{bound(Linear<Dyadic>{value.at_zero - apart, value.slope - more}),
+               bound(Linear<Dyadic>{value.at_zero + apart, value.slope + more})};
+}
+
+bool may_hold_at(const Along& shell, const Parameter& t) {
+  const bool is_filled = shell.filled || (shell.hollow && sign_at(*shell.hollow, t) <= 0);
+  return sign_at(shell.outer, t) <= 0 && (is_filled || sign_at(shell.inner, t) >= 0) &&
+         std::all_of(shell.bounds.begin(), shell.bounds.end(), [&](const auto& b) { return sign_at(b, t) >= 0; });
+}
+
+/// The parameters t ≥ 0, ascending, where a condition of the shell may begin to hold: the origin, and every root ahead.
+std::vector<Parameter> beginnings(const Along& shell) {
+  std::vector<Parameter> all{Parameter{}};
+  const auto take = [&](const Quadratic<Dyadic>& f) {
+    const surface::exact::Roots roots = surface::exact::roots({f.A, f.B, f.C});
+    for (const Parameter& t : roots.values()) {
+      if (number::sign(t) > 0) all.push_back(t);
+    }
+  };
+  take(shell.outer);
+  take(shell.inner);
+  if (shell.hollow) take(*shell.hollow);
+  for (const Quadratic<Dyadic>& bound : shell.bounds) take(bound);
+  std::sort(all.begin(), all.end(), [](const Parameter& a, const Parameter& b) { return order(a, b) < 0; });
+  return all;
+}
+
+}  // namespace
+
+/// The conditions of a shell are closed: where all of them hold for some t ≥ 0, the least such t is 0 or a root of one.
+std::optional<Parameter> earliest(const AskedElements& elements, scene::ElementRef element, const model::Rayo& rayo,
+                                  const Precision& precision) {
+  return elements.visit(element, [&](const auto& shape) -> std::optional<Parameter> {
+    const std::optional<Along> around = shell_along(shape, rayo, precision);
+    if (!around) return Parameter{};
+    const std::vector<Parameter> all = beginnings(*around);
+    const auto first =
+        std::find_if(all.begin(), all.end(), [&](const Parameter& t) { return may_hold_at(*around, t); });
+    return first == all.end() ? std::nullopt : std::optional(*first);
+  });
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,213 @@
+#include "durero/conform/judge/judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "conform/judge/allowance.hpp"
+#include "conform/judge/error_of.hpp"
+#include "conform/judge/limits.hpp"
+#include "conform/judge/robust.hpp"
+#include "conform/judge/trial.hpp"
+#include "durero/contract/contract.hpp"
+#include "durero/trace/search.hpp"
+
+namespace durero::conform {
+namespace {
+
+using scene::ElementRef;
+using Elements = std::vector<ElementRef>;
+
+/// Whether the claimed point lies so near the truth's that the hit is right; binary64 decides it. The points differ in
+/// each coordinate by at most 7ε·M, where M is the larger of |p| and |t!·v| only, and so no larger than the M of any
+/// element at its first crossing or behind. With the roundings of t!, of a length and here the claimed point is within
+/// √3·(7 + 1 + 1)/16·δ < δ of a point of the element, and may lie on it. The truth lies before the end of every zone of
+/// every element, and so no zone ends 2δ/|v| before the claim. A product that underflows is off by less than the share
+/// of δ for subnormals.
+bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
+  const scene::ElementSet& first = trial.truth.hit.elementos;
+  if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
+    return false;
+  const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
+  const double t = trial.truth.hit.t, M = std::max(largest(p), t * largest(v));
+  const double apart =
+      place.given ? std::abs(*place.given - t) * largest(v) : largest(*claim.punto - trial.truth.hit.punto);
+  return std::isfinite(M) && apart <= 7 * unit(trial.profile.format) * M;
+}
+
+/// The solids that the origin may lie inside.
+Elements solids_around_origin(const Trial& trial) {
+  Elements around;
+  trial.scene.for_each([&](ElementRef element, const auto&) {
+    if (trial.may_start_inside(element)) around.push_back(element);
+  });
+  return around;
+}
+
+/// Whether a ray from inside a solid may pass through its surface without a hit: the profile permits it, or the system
+/// answers the origin, and the origin is nearer than least_t.
+bool may_leave_unseen(const Profile& profile) {
+  return profile.inside == Inside::nothing || (profile.inside == Inside::origin && profile.least_t > 0);
+}
+
+/// The zones up to `limit` that a hit must not lie behind, and that make a miss wrong: all zones within the limits of
+/// the profile, and the zone of a closed mesh where the system claims to be watertight. Zones of solids that a ray from
+/// inside may leave unseen are left out.
+std::vector<Zone> walls(const Trial& trial, double limit) {
+  std::vector<Zone> all = zones(trial.elements(), trial.ray, trial.precision(), limit);
+  if (trial.profile.watertight) {
+    if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
+      all.push_back(*mesh);
+  }
+  std::erase_if(all, [&](const Zone& zone) { return !is_within_limits(trial, zone); });
+  if (!may_leave_unseen(trial.profile)) return all;
+  const Elements around = solids_around_origin(trial);
+  std::erase_if(all, [&](const Zone& zone) {
+    return std::find(around.begin(), around.end(), trial.body(zone.element)) != around.end();
+  });
+  return all;
+}
+
+Verdict of_miss(const Trial& trial) {
+  if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::exact;
+  return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
+}
+
+/// Whether the claimed hit may be the origin itself, inside a solid that the claim may name, of a system that answers
+/// the origin there.
+bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& place) {
+  if (trial.profile.inside != Inside::origin) return false;
+  const Elements around = solids_around_origin(trial);
+  return std::any_of(around.begin(), around.end(), [&](ElementRef element) {
+    return trial.names(claim, element) && may_be_origin(trial, element, place);
+  });
+}
+
+/// Whether the place may lie both on the element and on the ray.
+bool may_be_of(const Trial& trial, ElementRef element, const Place& place) {
+  return may_lie_on(trial.elements(), element, place, trial.ray.rayo, trial.precision()) &&
+         may_lie_on_ray(trial, element, place);
+}
+
+bool may_be_of_any(const Trial& trial, const Place& place) {
+  return trial.scene.any_of([&](ElementRef element, const auto&) { return may_be_of(trial, element, place); });
+}
+
+/// The zones that certainly end before the place, where the place lies on `element`.
+std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef element, std::vector<Zone> zones) {
+  const model::Rayo& rayo = trial.ray.rayo;
+  const Dyadic own = Dyadic(place.deviation) * delta(trial.elements(), element, place, rayo, trial.precision());
+  std::erase_if(zones, [&](const Zone& zone) { return !is_behind(place, own, zone, rayo); });
+  return zones;
+}
+
+/// The verdict on a place that may lie on `element`, which the claim may name, but lies behind at least one zone.
+Verdict of_passed(const Trial& trial, const Place& place, ElementRef element, const std::vector<Zone>& passed) {
+  const bool is_later = std::any_of(passed.begin(), passed.end(),
+                                    [&](const Zone& zone) { return trial.body(zone.element) == trial.body(element); });
+  if (!is_later) return Verdict::wrong_element;
+  return is_far(trial, place) ? Verdict::far_root : Verdict::off;
+}
+
+/// The verdict on a place that lies on no element which the claim may name.
+Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bool is_on_another) {
+  if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
+  if (is_on_another) return Verdict::wrong_element;
+  if (is_far(trial, place)) return Verdict::misplaced;
+  const scene::ElementSet& first = trial.truth.hit.elementos;
+  const bool is_of_first =
+      std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
+  return is_of_first ? Verdict::off : Verdict::wrong_element;
+}
+
+/// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
+/// where the place may lie on an element that the claim may name and no zone certainly ends before it.
+Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
+  if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
+  Elements at;
+  trial.scene.for_each([&](ElementRef element, const auto&) {
+    if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);
+  });
+  if (at.empty()) return of_beside(trial, claim, place, may_be_of_any(trial, place));
+  const std::vector<Zone> all = walls(trial, rounded_up(place.t));
+  std::optional<Verdict> off;
+  for (const ElementRef element : at) {
+    const std::vector<Zone> passed = passed_by(trial, place, element, all);
+    if (passed.empty()) return Verdict::right;
+    off = of_passed(trial, place, element, passed);
+  }
+  return *off;
+}
+
+/// Whether the ray of some data may meet the element with no zone of another body certainly before.
+bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone>& zones) {
+  const model::Rayo& rayo = trial.ray.rayo;
+  const auto t = earliest(trial.elements(), element, rayo, trial.precision());
+  return t && std::none_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+           return trial.body(zone.element) != trial.body(element) &&
+                  is_behind({.t = *t, .punto = {}, .way = {}}, {}, zone, rayo);
+         });
+}
+
+/// The verdict on a hit without a place, which is right where an element that it may name is first for some data.
+Verdict of_element(const Trial& trial, const Claim& claim) {
+  const scene::ElementSet& first = trial.truth.hit.elementos;
+  const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
+  if (std::any_of(first.begin(), first.end(), is_named)) return Verdict::right;
+  const Elements around = trial.profile.inside == Inside::origin ? solids_around_origin(trial) : Elements{};
+  if (std::any_of(around.begin(), around.end(), is_named)) return Verdict::right;
+  const std::vector<Zone> all = walls(trial, trace::no_limit);
+  const bool may_be = trial.scene.any_of(
+      [&](ElementRef element, const auto&) { return is_named(element) && may_be_first(trial, element, all); });
+  if (may_be) return Verdict::right;
+  return first.empty() ? Verdict::phantom : Verdict::wrong_element;
+}
+
+Judgement of_hit(const Trial& trial, const Claim& claim) {
+  if (!claim.t && !claim.punto) return {.verdict = of_element(trial, claim)};
+  if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
+  const std::optional<Place> where = place(trial, claim);
+  if (!where) return {.verdict = Verdict::non_finite};
+  const bool is_near = is_near_truth(trial, claim, *where);
+  return {.verdict = is_near ? Verdict::right : of_place(trial, claim, *where),
+          .ulps = ulps(trial, claim, *where),
+          .backward = is_near ? backward_error_near_truth(trial, claim, *where) : backward_error(trial, claim, *where)};
+}
+
+Judgement inside_profile(const Trial& trial, const Claim& claim) {
+  switch (claim.outcome) {
+    case Claim::Outcome::hit:
+      return of_hit(trial, claim);
+    case Claim::Outcome::miss:
+      return {.verdict = of_miss(trial)};
+    case Claim::Outcome::crashed:
+      return {.verdict = Verdict::crashed};
+    case Claim::Outcome::hung:
+      return {.verdict = Verdict::hung};
+    case Claim::Outcome::unanswered:
+      return {.clause = claim.why.empty() ? "no answer" : "no answer: " + claim.why};
+  }
+  contract::unreachable();
+}
+
+/// The verdict that the claim would get on a ray outside the profile. Limits are lifted where the exact first hit is
+/// beyond them, for within them the ray has no hit to be judged by.
+Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
+  const Trial trial(of, ray, profile);
+  if (!is_truth_beyond_limits(trial)) return inside_profile(trial, claim).verdict;
+  const Profile unlimited = without_limits(profile);
+  return inside_profile(Trial(of, ray, unlimited), claim).verdict;
+}
+
+}  // namespace
+
+Judgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
+  const Trial trial(of, ray, profile);
+  std::string clause = outside(of, ray, profile);
+  if (clause.empty()) return inside_profile(trial, claim);
+  Judgement skipped{.clause = std::move(clause)};
+  if (claim.outcome != Claim::Outcome::unanswered) skipped.otherwise = otherwise(of, ray, claim, profile);
+  return skipped;
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,67 @@
+#include "conform/judge/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "conform/judge/shell.hpp"
+#include "durero/surface/exact.hpp"
+
+namespace durero::conform {
+namespace {
+
+using surface::exact::Parameter;
+
+/// The sign of the comparison of a distance with a limit: −1, 0 or 1 where the distance of t is less than, equal to or
+/// more than the limit moved by `by`. Where the profile measures lengths, the distance is t·|v| and the limit is
+/// limit + by; otherwise they are t and limit + by/|v|. Where limit + by is negative, a length is more. Precondition:
+/// t ≥ 0.
+///
+/// Lengths are compared by their squares: (t·|v|)² is one number with the root of t. For the parameter,
+/// (limit·|v| + by)² would need a second root; the largest coordinate of v stands for |v| in by/|v|, whose magnitude is
+/// larger by that.
+int compared(const Trial& trial, const Parameter& t, double limit, const Dyadic& by) {
+  const glm::dvec3& v = trial.ray.rayo.v().xyz();
+  if (trial.profile.measure != Measure::length) {
+    const Dyadic longest(largest(v));
+    return sign_at({{}, number::shifted(longest, -1), -(Dyadic(limit) * longest + by)}, t);
+  }
+  const Dyadic length = Dyadic(limit) + by;
+  if (number::sign(length) < 0) return 1;
+  return sign_at({squared_length(Point<Dyadic>{v.x, v.y, v.z}), {}, -square(length)}, t);
+}
+
+}  // namespace
+
+bool is_truth_beyond_limits(const Trial& trial) {
+  if (!trial.has_hit()) return false;
+  const double number = number_of_truth(trial);
+  return number < trial.profile.least_t || number > trial.profile.greatest_t;
+}
+
+bool is_all_beyond_limits(const Trial& trial) {
+  const auto is_beyond = [&](const surface::exact::Crossing& crossing) {
+    const auto& [begin, end] = crossing.segment;
+    if (!begin || !end || *begin != *end) return false;
+    const auto& [least, greatest] = std::pair(trial.profile.least_t, trial.profile.greatest_t);
+    return compared(trial, *begin, least, {}) < 0 ||
+           (std::isfinite(greatest) && compared(trial, *begin, greatest, {}) > 0);
+  };
+  const auto crossings = surface::exact::all_hits(trial.scene, trial.ray.rayo, trial.ray.en);
+  return std::all_of(crossings.begin(), crossings.end(), is_beyond);
+}
+
+Profile without_limits(Profile profile) {
+  profile.least_t = 0;
+  profile.greatest_t = std::numeric_limits<double>::infinity();
+  return profile;
+}
+
+bool is_within_limits(const Trial& trial, const Zone& zone) {
+  const auto& [least, greatest] = std::pair(trial.profile.least_t, trial.profile.greatest_t);
+  const Dyadic apart = number::shifted(zone.delta, 1);
+  const bool is_behind_least = least == 0 || compared(trial, zone.begin, least, apart) >= 0;
+  return is_behind_least && (!std::isfinite(greatest) || compared(trial, zone.end, greatest, -apart) <= 0);
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,29 @@
+#pragma once
+/// The limits least_t and greatest_t of a profile, and the crossings of a ray that they leave.
+///
+/// A limit is compared with the number that the system computes, and so with the answer of moved data. The data given
+/// decide only which rays are judged at all: rays whose exact first hit is not beyond a limit.
+
+#include "conform/judge/trial.hpp"
+
+namespace durero::conform {
+
+/// Whether the number of the exact first hit is beyond a limit.
+bool is_truth_beyond_limits(const Trial& trial);
+
+/// Whether every crossing of the ray of the data given is beyond a limit: a miss is then an answer of these data too. A
+/// stretch inside a surface counts as within the limits.
+bool is_all_beyond_limits(const Trial& trial);
+
+/// The profile with its limits lifted.
+Profile without_limits(Profile profile);
+
+/// Whether no data put the crossing of the zone beyond a limit. A system may pass by any other crossing.
+///
+/// The ray of all data meets the zone's element at some begin ≤ t ≤ end, in the parameter of its own v. The distance
+/// t·|v| of those data is off by √3·δ, for v; it is rounded once to the system's format, and the limit as well, by
+/// √3/16·δ each where they are near one another, for δ is 16ε·M at least, and no coordinate of t·v is larger than M.
+/// Together this is less than 2δ, in t less than 2δ/|v|.
+bool is_within_limits(const Trial& trial, const Zone& zone);
+
+}  // namespace durero::conform

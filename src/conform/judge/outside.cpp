@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "conform/families/framed_shape.hpp"
+#include "conform/judge/allowance.hpp"
+#include "conform/judge/trial.hpp"
+#include "durero/conform/judge/judge.hpp"
+#include "durero/scene/attributes.hpp"
+
+namespace durero::conform {
+namespace {
+
+using scene::ElementRef;
+
+/// Whether x, a length or the largest coordinate of v or of a triangle, is a normal number of the format: a smaller one
+/// is no length any more. The coordinates of a point or a unit vector need only be not too large, for each may vanish
+/// beside the others.
+bool is_of(double x, Format format) {
+  return format == Format::binary64 || (std::abs(x) <= static_cast<double>(std::numeric_limits<float>::max()) &&
+                                        std::abs(x) >= static_cast<double>(std::numeric_limits<float>::min()));
+}
+bool is_of(const glm::dvec3& v, Format format) { return largest(v) < 1 || is_of(largest(v), format); }
+bool is_of(const scene::Corners& corners, Format format) { return is_of(largest(corners), format); }
+
+bool is_beyond(double x, double least_allowed, double greatest_allowed) {
+  return x < least_allowed || x > greatest_allowed;
+}
+
+std::string beyond(double x, std::string_view what, double least_allowed, double greatest_allowed) {
+  if (x < least_allowed) return fmt::format("{} at least {}", what, least_allowed);
+  if (x > greatest_allowed) return fmt::format("{} at most {}", what, greatest_allowed);
+  return {};
+}
+
+/// The clause of the profile that excludes an element by its type, the format of its numbers, its sizes or its
+/// coordinates; empty where none does.
+template <class Shape>
+std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape) {
+  const Profile& profile = trial.profile;
+  const model::Tipo tipo = trial.body(element).tipo;
+  if (std::find(profile.tipos.begin(), profile.tipos.end(), tipo) == profile.tipos.end())
+    return fmt::format("no {}", Shape::word);
+  if (profile.caps == Caps::solid && is_axial(tipo) && !trial.is_solid(trial.body(element)))
+    return fmt::format("no open {}", Shape::word);
+  std::string clause;
+  scene::for_each_attribute<Shape>([&](const auto& attribute) {
+    if (!clause.empty()) return;
+    const auto& value = shape.*attribute.field;
+    constexpr bool is_size = std::is_same_v<std::decay_t<decltype(value)>, double>;
+    const double least = is_size ? profile.least_size : 0;
+    const double greatest = is_size ? profile.greatest_size : profile.greatest_coordinate;
+    if (!is_of(value, profile.format)) {
+      clause = "numbers of binary32";
+    } else if (is_length(attribute.component) && is_beyond(largest(value), least, greatest)) {
+      clause = beyond(largest(value), is_size ? "a size" : "a coordinate", least, greatest);
+    }
+  });
+  return clause;
+}
+
+}  // namespace
+
+std::string outside(const SuiteCase& of, std::size_t number, const Profile& profile) {
+  const Trial trial(of, number, profile);
+  std::string clause;
+  trial.scene.any_of([&](ElementRef element, const auto& shape) {
+    clause = clause_of(trial, element, shape);
+    return !clause.empty();
+  });
+  if (!clause.empty()) return clause;
+  const model::Rayo& rayo = trial.ray.rayo;
+  if (!is_of(rayo.p().xyz(), profile.format) || !is_of(largest(rayo.v().xyz()), profile.format))
+    return "numbers of binary32";
+  clause = beyond(largest(rayo.p().xyz()), "a coordinate", 0, profile.greatest_coordinate);
+  if (!clause.empty()) return clause;
+  const auto may_start_inside = [&](ElementRef element, const auto&) { return trial.may_start_inside(element); };
+  if (profile.inside == Inside::undefined && trial.scene.any_of(may_start_inside)) return "a start inside";
+  if (!trial.has_hit()) return clause;
+  return beyond(number_of_truth(trial), "a distance", profile.least_t, profile.greatest_t);
+}
+
+}  // namespace durero::conform

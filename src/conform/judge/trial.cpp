@@ -1,0 +1,124 @@
+#include "conform/judge/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "conform/families/solids.hpp"
+#include "conform/judge/allowance.hpp"
+
+namespace durero::conform {
+namespace {
+
+using surface::Point;
+
+Dyadic dot(const Point<Dyadic>& a, const Point<Dyadic>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point<Dyadic> exact(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
+Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
+
+/// The parameter length/|v|, rounded once; a quotient beyond the range of binary64 becomes the largest finite number.
+/// times_length() is the way back, t·|v|, rounded once.
+double over_length(double length, const glm::dvec3& v) {
+  const Dyadic squared = surface::squared_length(exact(v));
+  if (squared == Dyadic(1)) return length;
+  const double t = number::round_to_binary64(number::DyadicSurd{.y = length, .delta = squared, .w = squared});
+  constexpr double most = std::numeric_limits<double>::max();
+  return std::clamp(t, -most, most);
+}
+double times_length(double t, const glm::dvec3& v) {
+  const Dyadic squared = surface::squared_length(exact(v));
+  if (squared == Dyadic(1) || !std::isfinite(t)) return t;
+  return number::round_to_binary64(number::DyadicSurd{.y = t, .delta = squared});
+}
+
+bool gives_point(const Trial& trial, const Claim& claim) { return trial.profile.measure == Measure::point || !claim.t; }
+
+Place place_at(const model::Rayo& rayo, double t, int deviation) {
+  const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
+  const auto coordinate = [&](double from, double step) { return Dyadic(from) + Dyadic(t) * Dyadic(step); };
+  return {{.x = t},
+          {coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)},
+          Dyadic(std::abs(t)) * Dyadic(largest(v)),
+          deviation,
+          t};
+}
+
+/// The place of a claimed point. Its t is that of the foot of the perpendicular from the point to the ray's line.
+Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
+  const Point<Dyadic> v = exact(rayo.v().xyz()), from_p = from(rayo.p().xyz(), exact(punto));
+  const Dyadic way = std::max({absolute(from_p.x), absolute(from_p.y), absolute(from_p.z)});
+  return {{.x = dot(from_p, v), .w = dot(v, v)}, exact(punto), way, 4, std::nullopt};
+}
+
+/// The square of 4δ, with δ of the element at the place.
+Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
+  return square(Dyadic(4) * delta(trial.elements(), element, place, trial.ray.rayo, trial.precision()));
+}
+
+}  // namespace
+
+scene::ElementRef Trial::body(scene::ElementRef element) const {
+  if (profile.caps == Caps::open) return element;
+  const Solid* solid = solid_closed_by(solids, element);
+  return solid == nullptr ? element : solid->wall;
+}
+
+bool Trial::is_solid(scene::ElementRef element) const {
+  if (element.tipo == model::Tipo::soy_esfera) return true;
+  return profile.caps == Caps::solid &&
+         std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.wall == element; });
+}
+
+bool Trial::may_start_inside(scene::ElementRef element) const {
+  const glm::dvec3& p = ray.rayo.p().xyz();
+  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
+  return is_solid(element) && may_lie_inside(elements(), element, origin, ray.rayo, precision());
+}
+
+double rounded(double x, Format format) {
+  return format == Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+double number_of_truth(const Trial& trial) {
+  const double t = trial.truth.hit.t;
+  return trial.profile.measure == Measure::length ? times_length(t, trial.ray.rayo.v().xyz()) : t;
+}
+
+bool is_the_truth(const Trial& trial, const Claim& claim) {
+  const auto& [scene, solids, ray, truth, profile] = trial;
+  const scene::ElementSet& first = truth.hit.elementos;
+  if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
+    return false;
+  if (gives_point(trial, claim)) {
+    const glm::dvec3& p = truth.hit.punto;
+    return claim.punto ==
+           glm::dvec3(rounded(p.x, profile.format), rounded(p.y, profile.format), rounded(p.z, profile.format));
+  }
+  return claim.t == rounded(number_of_truth(trial), profile.format);
+}
+
+std::optional<Place> place(const Trial& trial, const Claim& claim) {
+  const model::Rayo& rayo = trial.ray.rayo;
+  if (gives_point(trial, claim)) {
+    const glm::dvec3 p = claim.punto.value_or(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return std::nullopt;
+    return place_of(rayo, p);
+  }
+  if (!std::isfinite(*claim.t)) return std::nullopt;
+  const bool is_length = trial.profile.measure == Measure::length;
+  return is_length ? place_at(rayo, over_length(*claim.t, rayo.v().xyz()), 2) : place_at(rayo, *claim.t, 0);
+}
+
+bool may_lie_on_ray(const Trial& trial, scene::ElementRef element, const Place& place) {
+  const Point<Dyadic> v = exact(trial.ray.rayo.v().xyz()), q = from(trial.ray.rayo.p().xyz(), place.punto);
+  const Dyadic beside = squared_deviation(trial, element, place), x = dot(q, v), vv = dot(v, v);
+  const bool is_before = number::sign(x) < 0 && square(x) > beside * vv;
+  return !is_before && dot(q, q) * vv - square(x) <= beside * vv;
+}
+
+bool may_be_origin(const Trial& trial, scene::ElementRef element, const Place& place) {
+  const Point<Dyadic> q = from(trial.ray.rayo.p().xyz(), place.punto);
+  return dot(q, q) <= squared_deviation(trial, element, place);
+}
+
+}  // namespace durero::conform

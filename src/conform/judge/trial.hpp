@@ -1,0 +1,68 @@
+#pragma once
+/// A trial holds one ray of an answered case beside the profile of the system on trial; the functions below read a
+/// claim in its light.
+
+#include <optional>
+
+#include "conform/judge/zones.hpp"
+#include "durero/conform/ask/claim.hpp"
+#include "durero/conform/ask/profile.hpp"
+#include "durero/conform/families/suite.hpp"
+
+namespace durero::conform {
+
+struct Trial {
+  const scene::Scene& scene;
+  const std::vector<Solid>& solids;
+  const scene::Query& ray;
+  const Truth& truth;
+  const Profile& profile;
+
+  Trial(const SuiteCase& of, std::size_t number, const Profile& asked)
+      : scene(of.the_case.scene),
+        solids(of.solids),
+        ray(of.the_case.rays[number]),
+        truth(of.truths[number]),
+        profile(asked) {}
+
+  /// The format and the thickness of surfaces that the profile declares.
+  Precision precision() const { return {profile.format, profile.thickness}; }
+  /// The elements as the system is asked about them: with solids where its profile closes walls with discs.
+  AskedElements elements() const {
+    return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>()};
+  }
+  bool has_hit() const { return truth.hit.resultado == model::Resultado::hit; }
+  /// The element that stands for this one in the system: the wall, where the system has solids and the element is a
+  /// disc that closes one; otherwise the element itself.
+  scene::ElementRef body(scene::ElementRef element) const;
+  /// Whether the claim may be about the element: it names no element, or one of the same body.
+  bool names(const Claim& claim, scene::ElementRef element) const {
+    return !claim.element || body(*claim.element) == body(element);
+  }
+  /// Whether the element is a solid to the system, and so has an inside: a sphere, or a wall that discs close.
+  bool is_solid(scene::ElementRef element) const;
+  /// Whether the element is a solid, and the origin lies inside it for some data within the allowance.
+  bool may_start_inside(scene::ElementRef element) const;
+};
+
+/// The number of the format nearest to x, which is x itself in binary64.
+double rounded(double x, Format format);
+
+/// The true value of the number that the system calls distance: t! of Primera_Interseccion, or t!·|v| where the system
+/// measures lengths, rounded to binary64.
+double number_of_truth(const Trial& trial);
+
+/// Whether the hit may name an element of the truth and gives exactly the true number (number_of_truth(), or the
+/// point), rounded to the format.
+bool is_the_truth(const Trial& trial, const Claim& claim);
+
+/// The place that the claim gives by t, by a length or by a point; nothing where the number is missing or not finite.
+std::optional<Place> place(const Trial& trial, const Claim& claim);
+
+/// Whether the place lies on the ray of some data within the allowance. A point given by its coordinates may lie beside
+/// the ray by 2√3·δ and a rounding, less than 4δ, and a place may lie before the origin by as much.
+bool may_lie_on_ray(const Trial& trial, scene::ElementRef element, const Place& place);
+/// Whether the place may be the origin itself: it is within 4δ of p, with δ of the element.
+bool may_be_origin(const Trial& trial, scene::ElementRef element, const Place& place);
+
+}  // namespace durero::conform

@@ -1,0 +1,199 @@
+#include "durero/conform/judge/truth.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "conform/judge/robust.hpp"
+#include "durero/contract/contract.hpp"
+#include "durero/trace/search.hpp"
+
+namespace durero::conform {
+namespace {
+
+/// A place where the ray meets an element: a point, or an end of a stretch inside the surface. Without t it is t → 0⁺.
+struct ElementPlace {
+  std::optional<Parameter> t;
+  scene::ElementRef e;
+  Ambiguity weakness;
+};
+
+bool at_one_point(const ElementPlace& a, const ElementPlace& b) {
+  return a.t && b.t ? surface::exact::order(*a.t, *b.t) == 0 : a.t.has_value() == b.t.has_value();
+}
+
+bool earlier(const ElementPlace& a, const ElementPlace& b) {
+  if (!a.t || !b.t) return std::pair(a.t.has_value(), a.e) < std::pair(b.t.has_value(), b.e);
+  const auto by_t = surface::exact::order(*a.t, *b.t);
+  return by_t != 0 ? by_t < 0 : a.e < b.e;
+}
+
+/// The places of one element are added to the list; a stretch counts with both its ends.
+void add_places(std::vector<ElementPlace>& to, const Candidate& c) {
+  const surface::exact::Reach reach = surface::exact::reach(c.f);
+  for (const Parameter& t : reach.points()) to.push_back({t, c.e, weakness(c, t)});
+  if (!reach.segment) return;
+  to.push_back({reach.segment->begin, c.e, Ambiguity::in_surface});
+  if (reach.segment->end) to.push_back({reach.segment->end, c.e, Ambiguity::in_surface});
+}
+
+/// The limit beyond which nothing is permissible: the nearest crossing that no small change removes, rounded up;
+/// infinity without such a crossing.
+double limit_by(const std::vector<ElementPlace>& places) {
+  double limit = trace::no_limit;
+  for (const ElementPlace& place : places) {
+    if (place.t && place.weakness == Ambiguity::none) limit = std::min(limit, rounded_up(*place.t));
+  }
+  return limit;
+}
+
+/// The view along a ray: the elements that it may meet first, with bounds on the distance as far as the steps before
+/// the exact one tell. A meeting that they certify remains where the data change a little, and so all that lies behind
+/// the nearest such meeting is left out.
+class Sight {
+ public:
+  Sight(const scene::Scene& scene, const scene::Query& ray) : query_{scene, ray, {}} {
+    scene.for_each([&](scene::ElementRef e, const auto&) { look_at(e); });
+    std::vector<scene::ElementRef> again;
+    std::swap(again, unclear_);
+    for (const scene::ElementRef e : again) look_at(e);  // the lower limit may exclude it
+    leave_out_beyond_limit();
+  }
+  Sight(const Sight&) = delete;  // the search refers to members
+  Sight& operator=(const Sight&) = delete;
+
+  /// The exact hit, where these steps decide it; otherwise nothing.
+  std::optional<scene::Hit> clear_hit() const {
+    if (!unclear_.empty() || met_.size() > 1) return std::nullopt;
+    if (met_.empty()) return scene::Hit{};
+    const trace::Rounded rounded = search_.rounded_hit(met_.front().first, met_.front().second);
+    return scene::Hit{model::Resultado::hit, rounded.t, rounded.punto, {met_.front().first}};
+  }
+
+  /// The exact places, ascending, on the elements that are not excluded.
+  std::vector<ElementPlace> places() {
+    std::vector<ElementPlace> all;
+    for (const scene::ElementRef e : unclear_) add_places(all, candidate(query_, e));
+    limit_ = std::min(limit_, limit_by(all));
+    leave_out_beyond_limit();
+    for (const auto& [e, at] : met_) add_places(all, candidate(query_, e));
+    std::sort(all.begin(), all.end(), earlier);
+    return all;
+  }
+
+ private:
+  void look_at(scene::ElementRef e) {
+    std::optional<trace::Meeting> met = search_.certified_meeting(e, limit_);
+    if (!met) return unclear_.push_back(e);
+    if (met->kind == trace::Meeting::Kind::none) return;
+    limit_ = std::min(limit_, met->high);
+    met_.emplace_back(e, *std::move(met));
+  }
+  void leave_out_beyond_limit() {
+    std::erase_if(met_, [&](const auto& met) { return met.second.low > limit_; });
+  }
+
+  AnsweredQuery query_;
+  trace::Counts counts_{};
+  trace::Search search_{query_.scene, query_.query.rayo, query_.query.en, counts_};
+  double limit_ = trace::no_limit;
+  std::vector<std::pair<scene::ElementRef, trace::Meeting>> met_{};
+  std::vector<scene::ElementRef> unclear_{};
+};
+
+/// A meeting is the set of places where the ray meets elements at one point.
+using Meeting = std::span<const ElementPlace>;
+
+/// The first meeting, which is removed from the front of the places. Precondition: there are some.
+Meeting take_meeting(std::span<const ElementPlace>& left) {
+  const auto beyond = std::find_if(left.begin(), left.end(),
+                                   [&](const ElementPlace& place) { return !at_one_point(place, left.front()); });
+  const Meeting meeting = left.first(static_cast<std::size_t>(beyond - left.begin()));
+  left = left.subspan(meeting.size());
+  return meeting;
+}
+
+bool is_robust(Meeting meeting) {
+  return std::any_of(meeting.begin(), meeting.end(), [](const auto& p) { return p.weakness == Ambiguity::none; });
+}
+
+/// The ambiguity of a meeting: the first in this order that one of its crossings has. Several crossings without any are
+/// a tie.
+Ambiguity ambiguity(Meeting meeting) {
+  using enum Ambiguity;
+  for (const Ambiguity weak : {in_surface, apex, edge, rim, tangent}) {
+    if (std::any_of(meeting.begin(), meeting.end(), [&](const ElementPlace& p) { return p.weakness == weak; }))
+      return weak;
+  }
+  return meeting.size() > 1 ? tie : none;
+}
+
+/// The hit at a meeting, with all its elements; a stretch from t → 0⁺ begins at the origin.
+scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
+  const std::optional<Parameter>& t = meeting.front().t;
+  scene::Hit hit{model::Resultado::hit, 0, rayo.p().xyz()};
+  if (t) hit = surface::exact::rounded_hit(rayo, *t, {});
+  for (const ElementPlace& place : meeting) hit.elementos.push_back(place.e);
+  return hit;
+}
+
+/// The exact answer for the first meeting; a stretch from t → 0⁺ has no nearest point.
+scene::Hit answer_at(const scene::Hit& first, Meeting meeting) {
+  if (meeting.front().t) return first;
+  return {.resultado = model::Resultado::no_minimum, .elementos = first.elementos};
+}
+
+void add_each_alone(std::vector<scene::Hit>& to, scene::Hit hit) {
+  if (hit.elementos.size() == 1) return;
+  const scene::ElementSet all = hit.elementos;
+  for (const scene::ElementRef e : all) {
+    hit.elementos = {e};
+    to.push_back(hit);
+  }
+}
+
+}  // namespace
+
+std::string_view name(Ambiguity ambiguity) {
+  switch (ambiguity) {
+    case Ambiguity::none:
+      return "none";
+    case Ambiguity::tangent:
+      return "tangent";
+    case Ambiguity::rim:
+      return "rim";
+    case Ambiguity::edge:
+      return "edge";
+    case Ambiguity::apex:
+      return "apex";
+    case Ambiguity::tie:
+      return "tie";
+    case Ambiguity::in_surface:
+      return "in_surface";
+  }
+  contract::unreachable();
+}
+
+Truth truth(const scene::Scene& scene, const scene::Query& ray) {
+  Sight sight(scene, ray);
+  if (const auto hit = sight.clear_hit()) return {*hit};
+  const std::vector<ElementPlace> all = sight.places();
+  if (all.empty()) return {};
+  std::span<const ElementPlace> left = all;
+  Meeting meeting = take_meeting(left);
+  const scene::Hit first = hit_at(ray.rayo, meeting);
+  Truth found{answer_at(first, meeting), ambiguity(meeting)};
+  if (!meeting.front().t) found.permissible.push_back(first);
+  add_each_alone(found.permissible, first);
+  while (!is_robust(meeting)) {
+    if (left.empty()) {
+      found.permissible.emplace_back();
+      break;
+    }
+    meeting = take_meeting(left);
+    found.permissible.push_back(hit_at(ray.rayo, meeting));
+    add_each_alone(found.permissible, found.permissible.back());
+  }
+  return found;
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,140 @@
+#include "conform/judge/zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "conform/judge/shell.hpp"
+#include "durero/trace/search.hpp"
+
+namespace durero::conform {
+namespace {
+
+using number::shifted;
+using number::sign;
+using surface::Quadratic;
+using surface::exact::Coefficients;
+using surface::exact::order;
+using surface::exact::Parameter;
+
+/// Whether t lies between the moved ends of the element, where its walls are far apart.
+bool holds_at(const Shell<Linear<Dyadic>>& shell, const Parameter& t) {
+  return std::all_of(shell.bounds.begin(), shell.bounds.end(),
+                     [&](const auto& bound) { return sign_at(bound, t) >= 0; }) &&
+         (!shell.hollow || sign_at(*shell.hollow, t) >= 0);
+}
+
+/// A crossing of the ray with a wall of a shell.
+struct Wall {
+  Parameter t;
+  bool is_outer;
+};
+
+/// The walls of a shell on both sides of an exact crossing: the last before it, and the first after it.
+struct Walls {
+  std::optional<Wall> before, after;
+
+  void take(const Quadratic<Dyadic>& wall, bool is_outer, const Parameter& crossing) {
+    const surface::exact::Roots roots = surface::exact::roots({wall.A, wall.B, wall.C});
+    for (const Parameter& t : roots.values()) {
+      if (order(t, crossing) < 0) {
+        if (!before || order(before->t, t) < 0) before = Wall{t, is_outer};
+      } else if (!after || order(t, after->t) < 0) {
+        after = Wall{t, is_outer};
+      }
+    }
+  }
+  /// Whether the ray goes from one wall to the other.
+  bool are_crossed() const { return before && after && before->is_outer != after->is_outer; }
+};
+
+/// Whether the zone holds a crossing also for an origin on the element. The equation without its constant,
+/// t·(A·t + 2B) = 0, then changes sign between the ends of the zone, or is 0 at one.
+bool is_crossed_from_it(const Coefficients& f, const Zone& zone) {
+  const auto sign_of = [&](const Parameter& t) {
+    return number::sign(t) * number::sign(number::linear(shifted(f.B, 1), f.A, t));
+  };
+  return sign_of(zone.begin) * sign_of(zone.end) <= 0;
+}
+
+/// The zone around an exact crossing, where the rays of all data cross there; nothing where the shell does not prove
+/// it.
+template <class Shape>
+std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, const model::Rayo& rayo,
+                                const Parameter& crossing, const Precision& precision) {
+  const double t = number::round_to_binary64(crossing);
+  if (!std::isfinite(t)) return std::nullopt;
+  // The end of the zone lies behind the crossing: M has room for a 64th more, and holds for no zone beyond that.
+  const Dyadic longest(largest(rayo.v().xyz()));
+  const Dyadic M = magnitude(shape, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
+  const Allowance allowed(precision, M, rayo);
+  const Shell<Linear<Dyadic>> around = shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::inwards);
+  if (around.filled) return std::nullopt;
+  Walls walls;
+  walls.take(around.outer, true, crossing);
+  walls.take(around.inner, false, crossing);
+  if (!walls.are_crossed()) return std::nullopt;
+  Zone zone{element, walls.before->t, walls.after->t, allowed.delta};
+  const bool is_ahead = number::sign(zone.begin) > 0;
+  const bool is_in_reach = order(number::linear(0, longest, zone.end), Parameter{.x = M}) <= 0;
+  if (!is_ahead || !is_in_reach || !holds_at(around, zone.begin) || !holds_at(around, zone.end)) return std::nullopt;
+  return zone;
+}
+
+/// The shell of the element at the place, with its ends moved outwards.
+template <class Shape>
+Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo& rayo, const Precision& precision) {
+  return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), Ends::outwards);
+}
+
+}  // namespace
+
+std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, const Precision& precision,
+                        double limit) {
+  std::vector<Zone> all;
+  trace::Counts counts;
+  const scene::Scene& scene = elements.scene();
+  const trace::Search search(scene, ray.rayo, ray.en, counts);
+  scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
+    if (met && met->kind == trace::Meeting::Kind::none) return;
+    const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
+    const bool starts_on_it = scene::Origin(ray.en).contains(element);
+    const surface::exact::Roots crossings = surface::exact::roots(f);
+    for (const Parameter& t : crossings.values()) {
+      if (number::sign(t) <= 0) continue;
+      const std::optional<Zone> zone = elements.visit(
+          element, [&](const auto& asked) { return zone_around(element, asked, ray.rayo, t, precision); });
+      if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
+    }
+  });
+  return all;
+}
+
+Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+             const Precision& precision) {
+  return elements.visit(
+      element, [&](const auto& shape) { return Allowance(precision, magnitude(shape, rayo, place.way), rayo).delta; });
+}
+
+bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
+  const Dyadic longest(largest(rayo.v().xyz()));
+  const auto& [x, y, radicand, w] = place.t;
+  // t − (own + 2δ)/longest as one quotient; longest is at most |v|.
+  const Parameter least{x * longest - (own + shifted(zone.delta, 1)) * w, y * longest, radicand, w * longest};
+  return order(zone.end, least) < 0;
+}
+
+bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
+                const Precision& precision) {
+  return elements.visit(element, [&](const auto& shape) { return may_hold(shell_at(shape, place, rayo, precision)); });
+}
+
+bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const Place& place,
+                    const model::Rayo& rayo, const Precision& precision) {
+  return elements.visit(element,
+                        [&](const auto& shape) { return may_hold_inside(shell_at(shape, place, rayo, precision)); });
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,161 @@
+#include "durero/conform/report/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "conform/ask/profile_reader.hpp"
+#include "conform/report/report_parts.hpp"
+#include "durero/conform/format_versions.hpp"
+#include "durero/io/json/json.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::conform {
+namespace {
+
+using io::json::Reader;
+
+void read_counts(Reader& in, VerdictCounts& counts) {
+  std::array<std::string_view, verdict_count> keys;
+  for (const Verdict verdict : verdicts) keys[static_cast<std::size_t>(verdict)] = name(verdict);
+  in.object("verdicts", keys, keys.size(), [&](std::size_t key) { counts[key] = read_whole(in, keys[key]); });
+}
+
+/// Calls member(name) for the members that are among the names, and passes the others.
+template <class Member>
+void some_members(Reader& in, std::string_view what, std::initializer_list<std::string_view> names, Member member) {
+  in.members(what, [&](const io::json::Key& key) {
+    if (std::ranges::find(names, key.name) == names.end()) return in.skip();
+    member(key.name);
+  });
+}
+
+Summary::OfFamily read_family(Reader& in) {
+  Summary::OfFamily read;
+  some_members(in, "a family", {"family", "verdicts"}, [&](std::string_view key) {
+    if (key == "family") read.family = in.string(key);
+    if (key == "verdicts") read_counts(in, read.counts);
+  });
+  return read;
+}
+
+void read_suite(Reader& in, Summary& read) {
+  some_members(in, "suite", {"version", "seed", "rays", "numbers"}, [&](std::string_view key) {
+    if (key == "version") read.suite_version = read_whole(in, key);
+    if (key == "seed") read.seed = read_whole(in, key);
+    if (key == "rays") read.rays = read_whole(in, key);
+    if (key == "numbers") read.numbers = in.string(key);
+  });
+}
+
+void read_member(Reader& in, std::string_view key, Summary& read) {
+  if (key == "format" || key == "version") in.skip();  // read before all others
+  if (key == "system") read.system = in.string(key);
+  if (key == "title") read.title = in.string(key);
+  if (key == "system_version") read.version = in.string(key);
+  if (key == "suite") read_suite(in, read);
+  if (key == "verdicts") read_counts(in, read.counts);
+  if (key == "families") in.array(key, [&] { read.families.push_back(read_family(in)); });
+}
+
+template <class Holds>
+std::uint64_t sum_where(const VerdictCounts& counts, Holds holds) {
+  std::uint64_t sum = 0;
+  for (const Verdict verdict : verdicts) sum += holds(verdict) ? counts[static_cast<std::size_t>(verdict)] : 0;
+  return sum;
+}
+
+std::uint64_t of(const VerdictCounts& counts, Verdict verdict) { return counts[static_cast<std::size_t>(verdict)]; }
+std::uint64_t gross(const VerdictCounts& counts) { return sum_where(counts, is_gross); }
+std::uint64_t judged(const VerdictCounts& counts) {
+  return sum_where(counts, [](Verdict verdict) { return verdict != Verdict::skipped; });
+}
+
+void sort_and_check(std::vector<Summary>& systems) {
+  for (const Summary& system : systems) {
+    const Summary& first = systems.front();
+    if (std::tie(system.suite_version, system.seed, system.rays, system.numbers) !=
+        std::tie(first.suite_version, first.seed, first.rays, first.numbers))
+      throw std::invalid_argument(fmt::format("{} and {} were asked other rays; expected reports of one suite",
+                                              text::shown(first.system), text::shown(system.system)));
+  }
+  std::ranges::stable_sort(systems, std::greater<>(), [](const Summary& system) {
+    return std::pair{gross(system.counts), of(system.counts, Verdict::off)};
+  });
+}
+
+/// `tiny 34 %, inside 2 %`: of the judged rays, the most first.
+std::string failing_families(const Summary& system) {
+  std::vector<std::pair<double, std::string_view>> shares;
+  for (const Summary::OfFamily& family : system.families) {
+    if (gross(family.counts) > 0)
+      shares.emplace_back(double(gross(family.counts)) / double(judged(family.counts)), family.family);
+  }
+  std::ranges::stable_sort(shares, std::greater<>(), [](const auto& share) { return share.first; });
+  std::string text;
+  for (const auto& [share, family] : shares) {
+    const double percent = 100 * share;
+    const int digits = percent < 99 ? 2 : 3;  // of two, 99.6 would be 1e+02
+    text += fmt::format("{}{} {:.{}g} %", text.empty() ? "" : ", ", family, percent, digits);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string title_of(const Summary& system) {
+  return system.version.empty() ? system.title : fmt::format("{} ({})", system.title, system.version);
+}
+
+}  // namespace
+
+Summary read_summary(const io::Source& source) {
+  const io::json::Document document(source);
+  Reader in(document);
+  require_version(in, report_format);
+  Summary read;
+  std::vector<std::string> seen;
+  const std::initializer_list<std::string_view> names = {"format",         "version", "system",   "title",
+                                                         "system_version", "suite",   "verdicts", "families"};
+  some_members(in, "a report", names, [&](std::string_view key) {
+    seen.emplace_back(key);
+    read_member(in, key, read);
+  });
+  for (const std::string_view name : names) {
+    if (std::ranges::find(seen, name) == seen.end())
+      source.fail(0, fmt::format("a report without {}", name), "expected what durero conform run --report writes");
+  }
+  return read;
+}
+
+std::string comparison_text(std::vector<Summary> systems) {
+  sort_and_check(systems);
+  std::size_t width = 6;
+  for (const Summary& system : systems) width = std::max(width, title_of(system).size());
+  std::string text = fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "system", width, "judged", "skipped",
+                                 "exact", "right", "off", "gross");
+  for (const Summary& system : systems) {
+    const VerdictCounts& counts = system.counts;
+    text += fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", title_of(system), width, judged(counts),
+                        of(counts, Verdict::skipped), of(counts, Verdict::exact), of(counts, Verdict::right),
+                        of(counts, Verdict::off), gross(counts));
+  }
+  for (const Summary& system : systems)
+    text += fmt::format("{}: gross in {}\n", system.system, failing_families(system));
+  return text;
+}
+
+std::string comparison_markdown(std::vector<Summary> systems) {
+  sort_and_check(systems);
+  std::string text =
+      "| system | judged | skipped | exact | right | off | gross | families with gross failures |\n"
+      "| --- | --: | --: | --: | --: | --: | --: | --- |\n";
+  for (const Summary& system : systems) {
+    const VerdictCounts& counts = system.counts;
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", title_of(system), judged(counts),
+                        of(counts, Verdict::skipped), of(counts, Verdict::exact), of(counts, Verdict::right),
+                        of(counts, Verdict::off), gross(counts), failing_families(system));
+  }
+  return text;
+}
+
+}  // namespace durero::conform

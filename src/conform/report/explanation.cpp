@@ -1,0 +1,76 @@
+#include "durero/conform/report/explanation.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "durero/conform/ask/question.hpp"
+#include "durero/number/decimal.hpp"
+#include "durero/surface/exact.hpp"
+
+namespace durero::conform {
+namespace {
+
+using number::Surd;
+
+std::string parameter_lines(std::string_view what, const surface::exact::Parameter& t) {
+  const Surd value(t);
+  return fmt::format("  {} = {}\n    = {}\n", what, number::decimal_text(value, shown_digits), surd_text(value));
+}
+
+std::string crossing_text(const scene::Scene& scene, const surface::exact::Crossing& crossing) {
+  const auto& [begin, end] = crossing.segment;
+  const std::string title = fmt::format("{}:\n", scene.name(crossing.elemento).name());
+  if (begin && end && *begin == *end) return title + parameter_lines("t", *begin);
+  const std::string from = begin ? parameter_lines("in its surface from t", *begin) : "  in its surface from t → 0\n";
+  return title + from + (end ? parameter_lines("to t", *end) : "  without end\n");
+}
+
+/// The point p + t·v, a line for each coordinate.
+std::string point_text(const model::Rayo& rayo, const Surd& t) {
+  const glm::dvec3 p = rayo.p().xyz(), v = rayo.v().xyz();
+  std::string text = "the first point:\n";
+  for (int i = 0; i < 3; ++i)
+    text += fmt::format("  {} = {}\n", "xyz"[i], number::decimal_text(Surd(p[i]) + Surd(v[i]) * t, shown_digits));
+  return text;
+}
+
+std::string names(const scene::Scene& scene, const scene::ElementSet& elements) {
+  std::string text;
+  for (const scene::ElementRef e : elements) text.append(text.empty() ? "" : ", ").append(scene.name(e).name());
+  return text;
+}
+
+std::string answer_text(const scene::Scene& scene, const scene::Hit& hit) {
+  if (hit.resultado == model::Resultado::miss) return "a miss";
+  if (hit.resultado == model::Resultado::no_minimum) return names(scene, hit.elementos) + ", without a nearest point";
+  return fmt::format("{} at t = {}", names(scene, hit.elementos), hit.t);
+}
+
+}  // namespace
+
+std::string exact_answer(const SuiteCase& of, std::size_t ray) {
+  const scene::Scene& scene = of.the_case.scene;
+  const scene::Query& query = of.the_case.rays[ray];
+  const Truth& truth = of.truths[ray];
+  std::string text = fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
+  const auto crossings = surface::exact::all_hits(scene, query.rayo, query.en);
+  for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(scene, crossing);
+  if (truth.hit.resultado == model::Resultado::hit)
+    text += point_text(query.rayo, Surd(crossings.front().segment.begin.value()));
+  if (truth.ambiguity != Ambiguity::none) text += fmt::format("ambiguous: {}\n", name(truth.ambiguity));
+  for (const scene::Hit& hit : truth.permissible) text += fmt::format("as good: {}\n", answer_text(scene, hit));
+  return text;
+}
+
+std::string explanation(const SuiteCase& of, std::size_t ray) {
+  const scene::Query& query = of.the_case.rays[ray];
+  std::string text = fmt::format("{}, ray {}: {} ({}: {})\n", of.name(), ray, of.family->kind,
+                                 of.family->parameter.name, of.parameter);
+  const std::array<std::size_t, 1> only{ray};
+  text += question_text(of, Caps::open, only);
+  if (!query.en.empty()) text += fmt::format("it starts on {}\n", names(of.the_case.scene, query.en));
+  return text + exact_answer(of, ray);
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,143 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "conform/report/picture.hpp"
+#include "durero/oracle/parametrisation.hpp"
+
+namespace durero::conform {
+namespace {
+
+using scene::ElementRef;
+
+constexpr double scene_width = 420, scene_height = 320;
+
+struct Flat {
+  double x, y;
+};
+
+/// The oblique projection of a point from above, in which no coordinate axis shrinks to a point.
+Flat projected(const glm::dvec3& p) { return {0.8 * p.x - 0.6 * p.y, p.z * 0.9 + 0.26 * p.x + 0.35 * p.y}; }
+
+/// The frame of a drawing: a rectangle around the points to show.
+class Frame {
+ public:
+  void include(const glm::dvec3& p) {
+    const Flat at = projected(p);
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
+    low_ = {std::min(low_.x, at.x), std::min(low_.y, at.y)};
+    high_ = {std::max(high_.x, at.x), std::max(high_.y, at.y)};
+  }
+  double size() const { return std::max({high_.x - low_.x, high_.y - low_.y, std::numeric_limits<double>::min()}); }
+  /// A place on the picture; far outside it where the point is.
+  Flat place(const glm::dvec3& p) const {
+    const Flat at = projected(p);
+    const double scale = 0.8 * std::min(scene_width, scene_height) / size();
+    const auto clamped = [](double x) { return std::clamp(x, -10 * scene_width, 10 * scene_width); };
+    return {clamped(scene_width / 2 + (at.x - (low_.x + high_.x) / 2) * scale),
+            clamped(scene_height / 2 - (at.y - (low_.y + high_.y) / 2) * scale)};
+  }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Flat low_{infinity, infinity}, high_{-infinity, -infinity};
+};
+
+oracle::Parametrisation surface_of(const scene::Scene& scene, ElementRef e) {
+  return scene.visit(e, [](const auto& shape) { return oracle::Parametrisation(shape); });
+}
+
+/// A line of equal u or v of a surface, as points.
+template <class Point>
+std::string line_svg(const Frame& frame, Point point) {
+  constexpr int pieces = 48;
+  std::string points;
+  for (int i = 0; i <= pieces; ++i) {
+    const Flat at = frame.place(point(double(i) / pieces));
+    points += fmt::format("{:.1f},{:.1f} ", at.x, at.y);
+  }
+  points.pop_back();
+  return fmt::format("<polyline class=\"element\" points=\"{}\"/>\n", points);
+}
+
+std::string element_svg(const Frame& frame, const oracle::Parametrisation& surface) {
+  std::string svg;
+  for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0})
+    svg += line_svg(frame, [&](double v) { return surface.point(u, v); });
+  for (int i = 0; i < 8; ++i) svg += line_svg(frame, [&](double u) { return surface.point(u, i / 8.0); });
+  return svg;
+}
+
+/// The elements that a failing ray hits or is claimed to hit; all where there is none.
+std::vector<ElementRef> elements_shown(const JudgedCase& judged) {
+  std::vector<ElementRef> shown;
+  for (std::size_t ray = 0; ray < judged.claims.size(); ++ray) {
+    if (!is_failure(judged.judgements[ray].verdict)) continue;
+    const scene::ElementSet& hit = judged.of.truths[ray].hit.elementos;
+    shown.insert(shown.end(), hit.begin(), hit.end());
+    if (judged.claims[ray].element) shown.push_back(*judged.claims[ray].element);
+  }
+  if (shown.empty()) judged.of.the_case.scene.for_each([&](ElementRef e, const auto&) { shown.push_back(e); });
+  return shown;
+}
+
+Frame frame_of(const JudgedCase& judged) {
+  Frame frame;
+  for (const ElementRef e : elements_shown(judged)) {
+    const oracle::Parametrisation surface = surface_of(judged.of.the_case.scene, e);
+    if (surface.is_patch()) continue;
+    for (const double u : {0.0, 0.5, 1.0})
+      for (int i = 0; i < 8; ++i) frame.include(surface.point(u, i / 8.0));
+  }
+  for (std::size_t ray = 0; ray < judged.claims.size(); ++ray) {
+    const scene::Hit& hit = judged.of.truths[ray].hit;
+    if (is_failure(judged.judgements[ray].verdict) && hit.resultado == model::Resultado::hit) frame.include(hit.punto);
+  }
+  return frame;
+}
+
+/// The point at which a ray should hit; without a hit, the point where it passes nearest to the middle of the frame.
+glm::dvec3 shown_point(const scene::Query& ray, const scene::Hit& hit, const glm::dvec3& middle) {
+  if (hit.resultado == model::Resultado::hit) return hit.punto;
+  const glm::dvec3 p = ray.rayo.p().xyz(), v = glm::normalize(ray.rayo.v().xyz());
+  return p + std::max(0.0, glm::dot(middle - p, v)) * v;
+}
+
+std::string ray_svg(const Frame& frame, const scene::Query& ray, const glm::dvec3& point, Verdict verdict) {
+  std::string svg;
+  const Flat at = frame.place(point);
+  if (is_failure(verdict)) {
+    const glm::dvec3 p = ray.rayo.p().xyz(), way = point - p;
+    const double length = glm::length(way), shown = std::min(length, frame.size() / 3);
+    const Flat from = frame.place(length > 0 ? point - way * (shown / length) : p);
+    svg += fmt::format("<line class=\"ray\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n",
+                       from.x, from.y, at.x, at.y, colour(verdict));
+  }
+  return svg +
+         fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\" fill=\"{}\"/>\n", at.x, at.y, colour(verdict));
+}
+
+}  // namespace
+
+std::string scene_svg(const JudgedCase& judged) {
+  const scene::Scene& scene = judged.of.the_case.scene;
+  const Frame frame = frame_of(judged);
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", scene_width, scene_height);
+  scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
+  const std::vector<ElementRef> shown = elements_shown(judged);
+  const glm::dvec3 middle = surface_of(scene, shown.front()).center();
+  for (const bool failing : {false, true}) {  // failing rays are drawn over the others
+    for (std::size_t ray = 0; ray < judged.claims.size(); ++ray) {
+      const Verdict verdict = judged.judgements[ray].verdict;
+      if (is_failure(verdict) != failing || verdict == Verdict::skipped) continue;
+      const scene::Query& query = judged.of.the_case.rays[ray];
+      svg += ray_svg(frame, query, shown_point(query, judged.of.truths[ray].hit, middle), verdict);
+    }
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace durero::conform

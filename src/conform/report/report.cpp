@@ -1,0 +1,91 @@
+#include "durero/conform/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "conform/report/report_parts.hpp"
+#include "durero/io/number_text.hpp"
+#include "durero/io/output_file.hpp"
+#include "durero/io/source.hpp"
+
+namespace durero::conform {
+namespace {
+
+std::string point_text(const glm::dvec3& p) {
+  return fmt::format("({}, {}, {})", io::number_text(p.x), io::number_text(p.y), io::number_text(p.z));
+}
+
+std::string element_names(const scene::Hit& hit, const scene::Scene& scene) {
+  std::string names;
+  for (const scene::ElementRef e : hit.elementos) names.append(names.empty() ? "" : ", ").append(scene.name(e).name());
+  return names;
+}
+
+std::string hit_words(const scene::Hit& hit, const scene::Scene& scene) {
+  switch (hit.resultado) {
+    case model::Resultado::miss:
+      return "a miss";
+    case model::Resultado::no_minimum:
+      return fmt::format("in the surface of {} from the start: no nearest point", element_names(hit, scene));
+    case model::Resultado::hit:
+      return fmt::format("{} at t = {}, point {}", element_names(hit, scene), io::number_text(hit.t),
+                         point_text(hit.punto));
+  }
+  contract::unreachable();
+}
+
+}  // namespace
+
+std::vector<const FamilyTally*> failures_first(const Tally& tally) {
+  std::vector<const FamilyTally*> all;
+  for (const FamilyTally& family : tally.families()) all.push_back(&family);
+  std::ranges::stable_sort(all, std::greater<>(), [](const FamilyTally* family) {
+    return std::pair{family->gross(), family->failures()};
+  });
+  return all;
+}
+
+std::string replay_options(const SuiteOptions& options, const Finding& finding) {
+  std::string text = fmt::format("--case {} --ray {}", finding.of.name(), finding.ray);
+  const SuiteOptions usual;
+  if (options.seed != usual.seed) text += fmt::format(" --seed {}", options.seed);
+  if (!options.tipos.empty() && options.tipos.size() < scene::shape_count)
+    text += " --types " + type_words(options.tipos);
+  if (options.caps == Caps::solid) text += " --solids";
+  if (options.numbers == Format::binary64) text += " --numbers binary64";
+  return text;
+}
+
+std::string claim_words(const Finding& finding) {
+  const Claim& claim = finding.claim;
+  if (claim.outcome == Claim::Outcome::miss) return "a miss";
+  if (claim.outcome != Claim::Outcome::hit) return claim.why.empty() ? std::string(name(claim.outcome)) : claim.why;
+  std::string words = claim.element ? finding.of.the_case.scene.name(*claim.element).name() : "a hit";
+  if (claim.t) words += " at t = " + io::number_text(*claim.t);
+  if (claim.punto) words += (claim.t ? ", point " : " at ") + point_text(*claim.punto);
+  return words;
+}
+
+std::string truth_words(const Finding& finding) {
+  return hit_words(finding.of.truths[0].hit, finding.of.the_case.scene);
+}
+
+void require_room_for_reports(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw io::FileError(folder, "cannot be made: " + error.message(), "expected a folder to write into");
+  const io::OutputFile first(folder + "/report.json");  // is not written, and so not there
+}
+
+void write_reports(const std::string& folder, const Report& report) {
+  require_room_for_reports(folder);
+  io::write_file(folder + "/report.json", report_json(report));
+  io::write_file(folder + "/report.xml", report_junit(report));
+  io::write_file(folder + "/report.sarif", report_sarif(report));
+  io::write_file(folder + "/report.html", report_html(report));
+}
+
+}  // namespace durero::conform

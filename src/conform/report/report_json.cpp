@@ -1,0 +1,112 @@
+#include <array>
+#include <cmath>
+
+#include "conform/report/report_parts.hpp"
+#include "durero/conform/ask/question.hpp"
+#include "durero/conform/format_versions.hpp"
+#include "durero/conform/report/explanation.hpp"
+#include "durero/conform/report/least_findings.hpp"
+#include "durero/io/json/json_writer.hpp"
+
+namespace durero::conform {
+namespace {
+
+using io::json::Writer;
+
+void write_suite(Writer& out, const SuiteOptions& options) {
+  out.key("suite").begin_object().member("version", suite_version).member("seed", options.seed);
+  out.member("rays", std::uint64_t{options.rays});
+  out.member("numbers", word(options.numbers)).member("caps", word(options.caps));
+  out.member("tipos", type_words(options.tipos)).end_object();
+}
+
+void write_profile(Writer& out, const Profile& profile) {
+  out.key("profile").begin_object();
+  for (const ProfileLine& line : profile_lines(profile)) out.member(line.claim, line.value);
+  out.end_object().new_line().key("sources").begin_array();
+  for (const Source& source : profile.sources) {
+    out.new_line().begin_object().member("claim", source.claim).member("sentence", source.sentence);
+    out.member("place", source.place).end_object();
+  }
+  out.end_array();
+}
+
+template <class Count>
+void write_verdicts(Writer& out, Count count) {
+  out.key("verdicts").begin_object();
+  for (const Verdict verdict : verdicts) out.member(name(verdict), std::uint64_t{count(verdict)});
+  out.end_object();
+}
+
+void write_data(Writer& out, const Report& report, const ExplainingData& data) {
+  out.key("data").begin_object().member("epsilon", data.epsilon).member("M", data.M);
+  if (data.excluded) out.member("excluded", std::ldexp(1, *data.excluded));
+  out.member("most", std::ldexp(1, data.most));
+  if (data.nearest) {
+    constexpr std::array<std::size_t, 1> only{0};
+    out.member("off", data.nearest->off);
+    out.member("question", question_text(data.nearest->of, report.profile.caps, only));
+  }
+  out.end_object();
+}
+
+void write_least(Writer& out, const Report& report, const LeastFinding& least) {
+  const Finding& finding = least.finding;
+  const std::string question = question_of(finding, report.profile);
+  out.new_line().key("least").begin_object().member("question", question);
+  out.member("hexadecimal", in_hexadecimal(question)).member("exact", exact_answer(finding.of, 0));
+  out.member("expected", truth_words(finding)).member("got", claim_words(finding));
+  out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
+  if (least.data) write_data(out, report, *least.data);
+  out.end_object();
+}
+
+void write_finding(Writer& out, const Report& report, const Finding& finding) {
+  out.new_line().begin_object().member("verdict", name(finding.judgement.verdict));
+  out.member("case", finding.of.name()).member("ray", std::uint64_t{finding.ray});
+  out.member("expected", truth_words(finding)).member("got", claim_words(finding));
+  out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
+  out.member("question", question_of(finding, report.profile)).member("replay", replay(report, finding));
+  if (!report.asked.empty()) out.member("minimise", minimising(report, finding));
+  const auto least = report.least.find(FindingKey(finding));
+  if (least != report.least.end()) write_least(out, report, least->second);
+  out.end_object();
+}
+
+void write_family(Writer& out, const Report& report, const FamilyTally& family) {
+  out.new_line().begin_object().member("family", family.family->name);
+  write_verdicts(out, [&](Verdict verdict) { return family.of(verdict); });
+  out.key("skipped").begin_object();
+  for (const auto& [clause, count] : family.clauses) out.member(clause, count);
+  out.end_object().key("ulps").begin_array();
+  for (const std::uint64_t count : family.ulps) out.value(count);
+  out.end_array().key("cases").begin_array();
+  for (const Spread& spread : family.spreads) {
+    out.begin_array().value(double(spread.parameter)).value(spread.backward).value(name(spread.worst)).end_array();
+  }
+  out.end_array().key("findings").begin_array();
+  for (const Finding* finding : findings_of(family)) write_finding(out, report, *finding);
+  out.end_array().end_object();
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+  std::string text;
+  Writer out(text);
+  write_version(out.begin_object(), report_format);
+  out.new_line().member("system", report.profile.system).member("title", report.title);
+  out.member("system_version", report.version).new_line();
+  write_suite(out, report.options);
+  out.new_line();
+  write_profile(out, report.profile);
+  out.new_line();
+  write_verdicts(out, [&](Verdict verdict) { return report.tally.of(verdict); });
+  if (report.not_minimised > 0) out.member("not_minimised", std::uint64_t{report.not_minimised});
+  out.new_line().key("families").begin_array();
+  for (const FamilyTally* family : failures_first(report.tally)) write_family(out, report, *family);
+  out.end_array().end_object();
+  return text + "\n";
+}
+
+}  // namespace durero::conform

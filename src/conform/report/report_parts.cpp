@@ -1,0 +1,126 @@
+#include "conform/report/report_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "durero/conform/ask/question.hpp"
+#include "durero/conform/report/least_findings.hpp"
+#include "durero/io/number_text.hpp"
+
+namespace durero::conform {
+namespace {
+
+void add_limit(std::vector<ProfileLine>& lines, const char* claim, double limit, double none) {
+  if (limit != none) lines.push_back({claim, io::number_text(limit)});
+}
+
+}  // namespace
+
+std::string type_words(std::span<const model::Tipo> tipos) {
+  std::string words;
+  for (const model::Tipo tipo : tipos) {
+    words += words.empty() ? "" : ",";
+    words += scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return Shape::word; });
+  }
+  return words;
+}
+
+std::vector<ProfileLine> profile_lines(const Profile& profile) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<ProfileLine> lines = {{"format", std::string(word(profile.format))},
+                                    {"tipos", type_words(profile.tipos)},
+                                    {"caps", std::string(word(profile.caps))},
+                                    {"measure", std::string(word(profile.measure))},
+                                    {"directions", std::string(word(profile.directions))},
+                                    {"inside", std::string(word(profile.inside))},
+                                    {"names_elements", profile.names_elements ? "true" : "false"}};
+  if (profile.watertight) lines.push_back({"watertight", "true"});
+  add_limit(lines, "thickness", profile.thickness, 0);
+  add_limit(lines, "least_t", profile.least_t, 0);
+  add_limit(lines, "greatest_t", profile.greatest_t, infinity);
+  add_limit(lines, "least_size", profile.least_size, 0);
+  add_limit(lines, "greatest_size", profile.greatest_size, infinity);
+  add_limit(lines, "greatest_coordinate", profile.greatest_coordinate, infinity);
+  return lines;
+}
+
+std::string verdict_words(Verdict verdict) {
+  std::string words(name(verdict));
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::string question_of(const Finding& finding, const Profile& profile) {
+  constexpr std::array<std::size_t, 1> only{0};
+  return question_text(finding.of, profile.caps, only);
+}
+
+std::string sentence(const Finding& finding) {
+  return fmt::format("{}: expected {}; got {}", name(finding.judgement.verdict), truth_words(finding),
+                     claim_words(finding));
+}
+
+std::string replay(const Report& report, const Finding& finding) {
+  return "durero conform show " + replay_options(report.options, finding);
+}
+
+std::string minimising(const Report& report, const Finding& finding) {
+  if (report.asked.empty()) return "";
+  std::string call =
+      fmt::format("durero conform minimise {} --case {} --ray {}", report.asked, finding.of.name(), finding.ray);
+  const SuiteOptions usual;
+  if (report.options.seed != usual.seed) call += fmt::format(" --seed {}", report.options.seed);
+  return call;
+}
+
+std::string least_of(const Report& report, const Finding& finding) {
+  const auto least = report.least.find(FindingKey(finding));
+  return least == report.least.end() ? "" : least_text(least->second, report.profile);
+}
+
+std::string left_out_words(const Report& report) {
+  if (report.not_minimised == 0) return "";
+  return fmt::format("{} worst findings were not made small: their number or the time was over", report.not_minimised);
+}
+
+std::vector<const Finding*> findings_of(const FamilyTally& family) {
+  std::vector<const Finding*> findings;
+  for (const bool gross : {true, false}) {
+    for (const std::optional<Finding>& worst : family.worst) {
+      if (worst && is_gross(worst->judgement.verdict) == gross) findings.push_back(&*worst);
+    }
+  }
+  return findings;
+}
+
+std::string as_markup(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\n':
+      case '\t':
+        out += c;
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+    }
+  }
+  return out;
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,51 @@
+#pragma once
+/// The parts that the formats of a report share.
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "durero/conform/report/report.hpp"
+
+namespace durero::conform {
+
+/// Every verdict, in the order of the columns.
+inline constexpr Verdict verdicts[verdict_count] = {Verdict::exact,    Verdict::right,     Verdict::off,
+                                                    Verdict::phantom,  Verdict::missed,    Verdict::wrong_element,
+                                                    Verdict::far_root, Verdict::misplaced, Verdict::non_finite,
+                                                    Verdict::crashed,  Verdict::hung,      Verdict::skipped};
+
+/// The words of types in files, with commas between them.
+std::string type_words(std::span<const model::Tipo> tipos);
+
+/// A claim of the profile for the reader of a report: `directions: any`.
+struct ProfileLine {
+  std::string claim, value;
+};
+std::vector<ProfileLine> profile_lines(const Profile& profile);
+
+/// The verdict in words, such as "far root" for far_root.
+std::string verdict_words(Verdict verdict);
+
+/// The question of the finding's ray, as a system would read it.
+std::string question_of(const Finding& finding, const Profile& profile);
+
+/// `missed: expected e0 at t = 4, …; got a miss`
+std::string sentence(const Finding& finding);
+/// The call that shows the ray and its exact answer.
+std::string replay(const Report& report, const Finding& finding);
+/// The call that reduces the failure to its smallest case; empty where the system was not asked by this program.
+std::string minimising(const Report& report, const Finding& finding);
+
+/// The reduced finding in full; empty where it was not reduced.
+std::string least_of(const Report& report, const Finding& finding);
+/// "3 worst findings were not made small"; empty where none was left out.
+std::string left_out_words(const Report& report);
+
+/// The worst findings of a family, gross ones first.
+std::vector<const Finding*> findings_of(const FamilyTally& family);
+
+/// A text as XML and HTML take it, in elements and in attributes; a byte that neither allows is `?`.
+std::string as_markup(std::string_view text);
+
+}  // namespace durero::conform

@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "conform/report/report_parts.hpp"
+
+namespace durero::conform {
+namespace {
+
+/// The verdicts with a column: exact, right and off always, any other where a ray has it.
+std::vector<Verdict> columns_of(const Tally& tally) {
+  std::vector<Verdict> columns;
+  for (const Verdict verdict : verdicts) {
+    const bool always = verdict == Verdict::exact || verdict == Verdict::right || verdict == Verdict::off;
+    if (always || tally.of(verdict) > 0) columns.push_back(verdict);
+  }
+  return columns;
+}
+
+constexpr int family_width = 20, column_width = 15;
+
+template <class Count>
+std::string row(std::string_view title, std::span<const Verdict> columns, Count count) {
+  std::string line = fmt::format("{:<{}}", title, family_width);
+  for (const Verdict verdict : columns) line += fmt::format("{:>{}}", count(verdict), column_width);
+  return line + "\n";
+}
+
+std::string findings_text(const Report& report, const FamilyTally& family) {
+  std::string text;
+  for (const Finding* finding : findings_of(family)) {
+    text += fmt::format("\n{} {}\n", family.family->name, sentence(*finding));
+    if (finding->judgement.backward > 0)
+      text += fmt::format("  backward error 2^{:.1f} of its unit\n", std::log2(finding->judgement.backward));
+    text += fmt::format("  {}\n", replay(report, *finding));
+    if (!report.asked.empty()) text += fmt::format("  {}\n", minimising(report, *finding));
+    std::istringstream least(least_of(report, *finding));
+    for (std::string line; std::getline(least, line);) text += fmt::format("    {}\n", line);
+  }
+  return text;
+}
+
+std::string skipped_text(const Tally& tally) {
+  std::map<std::string, std::uint64_t> clauses;
+  for (const FamilyTally& family : tally.families()) {
+    for (const auto& [clause, count] : family.clauses) clauses[clause] += count;
+  }
+  std::string text;
+  for (const auto& [clause, count] : clauses) text += fmt::format("skipped {}: {}\n", count, clause);
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const Report& report) {
+  const Tally& tally = report.tally;
+  std::string text = report.title;
+  if (!report.version.empty()) text += " (" + report.version + ")";
+  text += "\n";
+  const std::vector<Verdict> columns = columns_of(tally);
+  text += row("family", columns, [](Verdict verdict) { return name(verdict); });
+  for (const FamilyTally* family : failures_first(tally))
+    text += row(family->family->name, columns, [&](Verdict verdict) { return family->of(verdict); });
+  text += row("all", columns, [&](Verdict verdict) { return tally.of(verdict); });
+  text += fmt::format("{} rays: {} gross, {} off, {} skipped\n", tally.rays(), tally.gross(), tally.of(Verdict::off),
+                      tally.of(Verdict::skipped));
+  text += skipped_text(tally);
+  if (report.profile.directions == Directions::unchecked)
+    text += "warning: v must be a unit vector and nobody checks it: other rays get wrong answers without a word\n";
+  for (const FamilyTally* family : failures_first(tally)) text += findings_text(report, *family);
+  if (const std::string left_out = left_out_words(report); !left_out.empty()) text += "\n" + left_out + "\n";
+  return text;
+}
+
+}  // namespace durero::conform

@@ -1,0 +1,240 @@
+#include "durero/io/json/operations_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "durero/io/json/json_writer.hpp"
+#include "durero/io/lines.hpp"
+#include "durero/scene/addition.hpp"
+#include "durero/text/nearest.hpp"
+#include "durero/text/shown.hpp"
+#include "io/attribute_words.hpp"
+#include "operation_inputs.hpp"
+#include "texture_fields.hpp"
+#include "written_value.hpp"
+
+namespace durero::io {
+namespace {
+
+using AnyEdit = decltype(Step::edit);
+
+// What a script may say of one operation, and the edit that it then means.
+struct Schema {
+  Signature signature;
+  AnyEdit (*read)(const Inputs& in, const scene::Stage& stage);
+};
+
+constexpr std::string_view material = "material";
+
+template <class Shape>
+model::Operation read_addition(const Inputs& in) {
+  const model::Elemento e = in.element();
+  Shape shape{};
+  scene::for_each_attribute<Shape>([&](const auto& attribute) { in.read(attribute.word, shape.*attribute.field); });
+  return scene::addition(e, shape);
+}
+
+template <class Removal>
+model::Operation read_removal(const Inputs& in) {
+  return Removal{in.element()};
+}
+
+/// An input of the general addition, as the shapes store it.
+template <class Value>
+void read_optional(const Inputs& in, std::string_view name, std::optional<Value>& value) {
+  std::remove_cvref_t<decltype(scene::stored(std::declval<const Value&>()))> written{};
+  in.read(name, written);
+  value = scene::input_of<Value>(written);
+}
+
+model::Operation read_general_addition(const Inputs& in) {
+  const model::Elemento e = in.element();
+  const model::Tipo tipo = in.tipo();
+  scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) {
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { in.require(attribute.word); });
+  });
+  model::Agregar_Elemento added{e, tipo};
+  model::for_each_attribute([&](const auto& attribute) {
+    if (in.has(attribute.word)) read_optional(in, attribute.word, attribute.input(added));
+  });
+  return added;
+}
+
+std::optional<std::uint32_t> read_material(const Inputs& in, const scene::Stage& stage) {
+  if (!in.has(material)) return std::nullopt;
+  const auto found = std::ranges::find(stage.materials, in.word(material), &scene::Material::name);
+  if (found == stage.materials.end()) {
+    in.fail(material, fmt::format("unknown material {}", text::shown(in.word(material))),
+            "expected one of the scene's materials");
+  }
+  return static_cast<std::uint32_t>(found - stage.materials.begin());
+}
+
+/// An edit of the elements, by what reads its operation.
+template <model::Operation (*read)(const Inputs& in)>
+AnyEdit read_edit(const Inputs& in, const scene::Stage& stage) {
+  model::Operation operation = read(in);
+  return scene::Edit{std::move(operation), read_material(in, stage)};
+}
+
+scene::Names read_names(const Inputs& in, std::string_view input) {
+  if (!in.has(input)) return {};
+  std::vector<std::string> names = in.names(input);
+  return {std::make_move_iterator(names.begin()), std::make_move_iterator(names.end())};
+}
+
+AnyEdit read_grouping(const Inputs& in, const scene::Stage&) {
+  return scene::Grouping{in.name("g"), {read_names(in, "elementos"), read_names(in, "groups")}};
+}
+
+AnyEdit read_ungrouping(const Inputs& in, const scene::Stage&) { return scene::Ungrouping{in.name("g")}; }
+
+/// Without names of their own the discs are called after the element.
+AnyEdit read_closing(const Inputs& in, const scene::Stage&) {
+  const std::string e = in.element().name();
+  const auto name = [&](std::string_view input) {
+    if (in.has(input)) return in.name(input);
+    const std::string after = fmt::format("{}:{}", e, input);
+    if (!model::Elemento::is_name(after))
+      in.fail("e", fmt::format("{} is too long a name", text::shown(after)), "expected base and top");
+    return after;
+  };
+  return scene::Closing{e, name("base"), name("top")};
+}
+
+// The additions and removals of each shape, each followed by the general one, as the text has them.
+std::vector<Schema> all_schemas() {
+  std::vector<Schema> all;
+  Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    Signature signature{Shape::Addition::schema, {"e"}, {material}};
+    scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
+    all.push_back({std::move(signature), read_edit<read_addition<Shape>>});
+  });
+  general.optional.push_back(material);
+  all.push_back({std::move(general), read_edit<read_general_addition>});
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_edit<read_removal<typename Shape::Removal>>});
+  });
+  all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_edit<read_removal<model::Eliminar_Elemento>>});
+  all.push_back({{"group", {"g"}, {"elementos", "groups"}}, read_grouping});
+  all.push_back({{"ungroup", {"g"}, {}}, read_ungrouping});
+  all.push_back({{"close", {"e"}, {"base", "top"}}, read_closing});
+  return all;
+}
+
+const std::vector<Schema>& schemas() {
+  static const std::vector<Schema> all = all_schemas();
+  return all;
+}
+
+std::string operation_name(std::string_view verb, std::string_view word) {
+  std::string name = fmt::format("{}_{}", verb, word);
+  char& first = name[verb.size() + 1];
+  if ('a' <= first && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+  return name;
+}
+
+/// Of such an element no material has textures, as in a scene file.
+std::optional<std::uint32_t> read_plain_material(const Inputs& in, const scene::Stage& stage) {
+  const auto place = read_material(in, stage);
+  if (place && has_textures(stage.materials[*place]))
+    in.fail(material, fmt::format("material {} has textures", text::shown(in.word(material))),
+            "expected one without: what a text declares has no coordinates (u, v)");
+  return place;
+}
+
+/// The operations of one type that a Z text declares.
+class WrittenSchemas {
+ public:
+  WrittenSchemas(const WrittenType& type, std::size_t place)
+      : type_(type), place_(place), addition_(addition_name(type.word)), removal_(removal_name(type.word)) {}
+
+  void list(std::vector<std::string_view>& known) const {
+    known.push_back(addition_);
+    known.push_back(removal_);
+  }
+
+  /// Nothing where the call is of another type.
+  std::optional<AnyEdit> read(const Source& source, const Call& call, const scene::Stage& stage) const {
+    if (call.schema == addition_) return read_addition(source, call, stage);
+    if (call.schema != removal_) return std::nullopt;
+    const Signature signature{removal_, {"e"}, {}};
+    return WrittenEdit(WrittenRemoval{Inputs(source, call, signature).element().name(), place_});
+  }
+
+ private:
+  AnyEdit read_addition(const Source& source, const Call& call, const scene::Stage& stage) const {
+    Signature signature{addition_, {"e"}, {material}};
+    for (const WrittenAttribute& attribute : type_.attributes) signature.required.push_back(attribute.word);
+    const Inputs in(source, call, signature);
+    WrittenElement element{in.element().name(), place_, call.offset, {}, {}};
+    for (const WrittenAttribute& attribute : type_.attributes)
+      element.values.push_back(read_written_value(attribute.kind, [&](auto& to) { in.read(attribute.word, to); }));
+    return WrittenEdit(WrittenAddition{std::move(element), read_plain_material(in, stage)});
+  }
+
+  const WrittenType& type_;
+  std::size_t place_;
+  std::string addition_, removal_;
+};
+
+[[noreturn]] void refuse_unknown(const Source& source, const Call& call, const std::vector<WrittenSchemas>& written) {
+  std::vector<std::string_view> known;
+  for (const Schema& schema : schemas()) known.push_back(schema.signature.name);
+  for (const WrittenSchemas& of : written) of.list(known);
+  const std::vector<std::string> all(known.begin(), known.end());
+  const auto near = text::nearest(call.schema, all);
+  source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
+              fmt::format("expected {}one of {}", near ? *near + ", or " : "", fmt::join(all, ", ")));
+}
+
+AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,
+                const std::vector<WrittenSchemas>& written) {
+  for (const Schema& schema : schemas())
+    if (schema.signature.name == call.schema) return schema.read(Inputs(source, call, schema.signature), stage);
+  for (const WrittenSchemas& of : written)
+    if (auto edit = of.read(source, call, stage)) return *std::move(edit);
+  refuse_unknown(source, call, written);
+}
+
+}  // namespace
+
+std::string addition_name(std::string_view word) { return operation_name("Agregar", word); }
+std::string removal_name(std::string_view word) { return operation_name("Eliminar", word); }
+
+std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types) {
+  std::vector<WrittenSchemas> written;
+  for (std::size_t i = 0; i < types.size(); ++i) written.emplace_back(types[i], i);
+  std::vector<Step> script;
+  Lines lines(source.text());
+  while (const auto line = lines.next()) {
+    const auto call = read_call(source, *line);
+    if (call) script.push_back({line->number, edit_of(source, *call, stage, written)});
+  }
+  return script;
+}
+
+EditAnswer edit_answer(const model::Answer& answer) {
+  return edit_answer(scene::Outcome{model::name(answer.r), answer.violated});
+}
+
+EditAnswer edit_answer(const scene::Outcome& answer) {
+  if (answer.ok()) return {std::string(answer.r)};
+  return {std::string(answer.r), std::string(answer.violated->label), std::string(answer.violated->predicate)};
+}
+
+std::string answer_text(std::size_t line, const EditAnswer& answer) {
+  std::string text;
+  json::Writer out(text);
+  out.begin_object().member("line", line).member("ok", answer.ok()).member("r", answer.r);
+  if (!answer.left_group.empty()) out.member("left_group", answer.left_group);
+  if (!answer.ok()) out.member("violated", answer.violated).member("predicate", answer.predicate);
+  out.end_object();
+  return text;
+}
+
+}  // namespace durero::io

@@ -1,0 +1,219 @@
+#include "durero/io/json/scene_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "durero/io/json/json_pointer.hpp"
+#include "durero/io/json/sarif.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/model/operaciones.hpp"
+#include "durero/scene/retrieve.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::io {
+namespace {
+
+constexpr std::string_view malformed = "malformed";
+constexpr std::string_view sends_on_too_much = "conserva.def.1";
+
+/// Of errors in the order of the file; none of a text that is no JSON.
+std::vector<std::string> pointers_of(const Source& file, const std::vector<InputError>& errors) {
+  std::vector<std::size_t> offsets;
+  offsets.reserve(errors.size());
+  for (const InputError& error : errors) offsets.push_back(error.offset());
+  try {
+    return json::pointers(json::Document(file), offsets);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::vector<Finding> findings_of(const Source& file, std::vector<InputError> errors) {
+  std::ranges::stable_sort(errors, {}, &InputError::offset);
+  const std::vector<std::string> pointers = pointers_of(file, errors);
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    Finding& finding =
+        findings.emplace_back(errors[i].broken(), std::string(errors[i].message()), std::nullopt, errors[i].place());
+    if (i < pointers.size()) finding.pointer = pointers[i];
+  }
+  return findings;
+}
+
+template <class Visit>
+void for_each_count(const SceneCheck& check, Visit&& visit) {
+  std::size_t written = 0;
+  for (const auto& [word, count] : check.written) written += count;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+    const std::size_t stand_ins = std::is_same_v<Shape, scene::Sphere> ? written : 0;
+    visit(Shape::word, check.scene.shapes<Shape>().size() - stand_ins);
+  });
+  for (const auto& [word, count] : check.written) visit(word, count);
+}
+
+void write_finding(json::Writer& out, const Finding& finding) {
+  out.new_line().begin_object();
+  if (finding.broken != nullptr)
+    out.member("label", finding.broken->label).member("predicate", finding.broken->predicate);
+  out.member("message", finding.message);
+  if (finding.pointer) out.member("pointer", *finding.pointer);
+  out.member("line", std::uint64_t{finding.place.line}).member("column", std::uint64_t{finding.place.column});
+  out.end_object();
+}
+
+std::string_view rule_of(const Finding& finding) {
+  return finding.broken == nullptr ? malformed : finding.broken->label;
+}
+
+/// What is malformed, the invariants, and what else the findings refer to.
+std::vector<SarifRule> rules_of(const SceneCheck& check) {
+  std::vector<SarifRule> rules{{malformed, "The file is not as its format has it."}};
+  const auto add = [&](const contract::clause& clause) {
+    if (std::ranges::find(rules, clause.label, &SarifRule::id) == rules.end())
+      rules.push_back({clause.label, clause.predicate});
+  };
+  for (const model::Judgement& judgement : model::inv(model::Escena{})) add(*judgement.what);
+  for (const Finding& finding : check.findings)
+    if (finding.broken != nullptr) add(*finding.broken);
+  if (!check.warnings.empty())
+    rules.push_back({sends_on_too_much, "A surface sends on no more light than it receives."});
+  return rules;
+}
+
+/// A file's name as the reference to it (RFC 3986).
+std::string uri_of(std::string_view file) {
+  std::string uri = file.starts_with('/') ? "file://" : "";
+  for (const char c : file) {
+    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (is_plain || std::string_view("-._~/").find(c) != std::string_view::npos) {
+      uri += c;
+    } else {
+      uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    }
+  }
+  return uri;
+}
+
+void write_result(json::Writer& out, std::string_view uri, const Finding& finding) {
+  out.new_line().begin_object().member("ruleId", rule_of(finding)).member("level", "error");
+  write_sarif_message(out, "message", finding.message);
+  out.key("locations").begin_array().begin_object().key("physicalLocation").begin_object();
+  out.key("artifactLocation").begin_object().member("uri", uri).end_object();
+  out.key("region").begin_object().member("startLine", std::uint64_t{finding.place.line});
+  out.member("startColumn", std::uint64_t{finding.place.column}).end_object().end_object();
+  if (finding.pointer) {
+    out.key("logicalLocations").begin_array().begin_object().member("fullyQualifiedName", *finding.pointer);
+    out.end_object().end_array();
+  }
+  out.end_object().end_array().end_object();
+}
+
+void write_warning(json::Writer& out, std::string_view uri, const Warning& warning) {
+  out.new_line().begin_object().member("ruleId", sends_on_too_much).member("level", "warning");
+  write_sarif_message(out, "message", warning.message);
+  out.key("locations").begin_array().begin_object().key("physicalLocation").begin_object();
+  out.key("artifactLocation").begin_object().member("uri", uri).end_object().end_object();
+  out.key("logicalLocations").begin_array().begin_object().member("fullyQualifiedName", warning.pointer).end_object();
+  out.end_array().end_object().end_array().end_object();
+}
+
+}  // namespace
+
+SceneCheck check_scene(const Source& file) {
+  return check_scene(file, {}, [] {});
+}
+
+SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge) {
+  SceneCheck check{.file = file.name()};
+  std::vector<WrittenElement> written;
+  check.scene = read_scene(file, types, written, check.errors);
+  if (check.errors.empty()) {
+    for (const WrittenElement& element : written) ++check.written[types[element.type].word];
+    try {
+      judge();
+    } catch (const InputError& error) {
+      if (!std::string_view(error.what()).starts_with(text::escaped(file.name()) + ":")) throw;
+      check.errors.push_back(error);
+    }
+  }
+  if (!check.errors.empty()) {
+    check.findings = findings_of(file, check.errors);
+    return check;
+  }
+  const model::Escena escena = scene::retrieve(check.scene);
+  check.invariants = model::inv(escena);
+  if (!model::all_hold(check.invariants)) check.findings = broken_invariants(file, escena);
+  const model::Judgements of_stage = stage_invariants(check.scene.stage());
+  model::check(of_stage, contract::cost::normal);  // the reader has refused what would break them
+  check.invariants.insert(check.invariants.end(), of_stage.begin(), of_stage.end());
+  check.warnings = stage_warnings(check.scene.stage());
+  return check;
+}
+
+std::vector<Finding> broken_invariants(const Source& file, const model::Escena& escena) {
+  std::vector<Finding> findings;
+  for (const model::Elemento& e : escena.elementos) {
+    for (const model::Judgement& judgement : model::inv_at(escena, e)) {
+      if (judgement.holds) continue;
+      const ElementPlace at = element_place(file, e.name());
+      findings.push_back(
+          {judgement.what, fmt::format("element {} breaks {}", e.name(), judgement.what->label), at.pointer, at.place});
+    }
+  }
+  return findings;
+}
+
+std::string check_text(const SceneCheck& check, std::string_view fails) {
+  std::string counts;
+  for_each_count(check, [&](std::string_view word, std::size_t count) {
+    counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, word);
+  });
+  std::string text = fmt::format("{}: {} elementos: {}\n", text::escaped(check.file), check.scene.size(), counts);
+  for (const auto& [what, holds] : check.invariants)
+    text += fmt::format("{} {}: {}\n", what->label, holds ? "ok" : fails, what->predicate);
+  for (const Warning& warning : check.warnings) text += fmt::format("warning: {}\n", warning.message);
+  return text;
+}
+
+std::string check_json(const SceneCheck& check) {
+  std::string text;
+  json::Writer out(text);
+  write_version(out.begin_object(), check_format);
+  out.member("file", text::escaped(check.file)).member("ok", check.findings.empty());
+  if (check.errors.empty()) {
+    out.new_line().key("elementos").begin_object();
+    for_each_count(check, [&](std::string_view word, std::size_t n) { out.member(word, std::uint64_t{n}); });
+    out.end_object().new_line().key("invariants").begin_array();
+    for (const auto& [what, holds] : check.invariants) {
+      out.new_line().begin_object().member("label", what->label).member("predicate", what->predicate);
+      out.member("holds", holds).end_object();
+    }
+    out.end_array();
+  }
+  out.new_line().key("findings").begin_array();
+  for (const Finding& finding : check.findings) write_finding(out, finding);
+  out.end_array();
+  if (!check.warnings.empty()) {
+    out.new_line().key("warnings").begin_array();
+    for (const Warning& warning : check.warnings)
+      out.new_line().begin_object().member("message", warning.message).member("pointer", warning.pointer).end_object();
+    out.end_array();
+  }
+  out.end_object();
+  return text + "\n";
+}
+
+std::string check_sarif(const SceneCheck& check) {
+  std::string text;
+  json::Writer out(text);
+  begin_sarif(out, "durero check", rules_of(check));
+  out.member("columnKind", "unicodeCodePoints").key("results").begin_array();
+  const std::string uri = uri_of(check.file);
+  for (const Finding& finding : check.findings) write_result(out, uri, finding);
+  for (const Warning& warning : check.warnings) write_warning(out, uri, warning);
+  end_sarif(out);
+  return text + "\n";
+}
+
+}  // namespace durero::io

@@ -1,0 +1,122 @@
+#include "durero/io/json/groups_file.hpp"
+#include "durero/io/json/json_writer.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/scene/attributes.hpp"
+#include "scene_elements.hpp"
+#include "stage_fields.hpp"
+#include "wrap_fields.hpp"
+
+namespace durero::io {
+namespace {
+
+using scene::ElementRef;
+
+/// Nothing where there is none.
+template <class Lights, class Fields>
+void write_lights(json::Writer& out, const char* key, const Lights& lights, const Fields& fields) {
+  if (lights.empty()) return;
+  out.new_line().key(key).begin_array();
+  for (const auto& light : lights) write_fields(out.new_line(), fields, light);
+  out.end_array();
+}
+
+void write_stage(json::Writer& out, const scene::Stage& stage) {
+  if (stage.camera) write_fields(out.new_line().key("camera"), camera_fields, *stage.camera);
+  if (stage.resolution) {
+    const auto [width, height] = *stage.resolution;
+    out.new_line().key("resolution").begin_array().value(std::uint64_t{width}).value(std::uint64_t{height}).end_array();
+  }
+  if (stage.background) out.new_line().member("background", *stage.background);
+  write_lights(out, "lights", stage.lights, light_fields);
+  write_lights(out, "directional_lights", stage.directional_lights, directional_light_fields);
+  if (stage.environment) write_environment(out.new_line().key("environment"), *stage.environment);
+  if (!stage.textures.empty()) {
+    out.new_line().key("textures").begin_object();
+    for (const scene::Texture& texture : stage.textures) write_texture(out.new_line().key(texture.name), texture);
+    out.end_object();
+  }
+  if (!stage.materials.empty()) {
+    out.new_line().key("materials").begin_object();
+    for (const scene::Material& material : stage.materials) {
+      write_fields(out.new_line().key(material.name), material_fields, material, required_of_material);
+    }
+    out.end_object();
+  }
+  if (stage.max_depth) out.new_line().member("max_depth", std::uint64_t{*stage.max_depth});
+}
+
+void write_names(json::Writer& out, const char* key, const scene::Names& names) {
+  if (names.empty()) return;
+  out.key(key).begin_array();
+  for (const std::string& name : names) out.value(std::string_view(name));
+  out.end_array();
+}
+
+void write_groups(json::Writer& out, const scene::Groups& groups) {
+  if (groups.empty()) return;
+  out.new_line().key("groups").begin_object();
+  for (const auto& [name, group] : groups.table()) {
+    out.new_line().key(name).begin_object();
+    write_names(out, "elementos", group.elementos);
+    write_names(out, "groups", group.groups);
+    out.end_object();
+  }
+  out.end_object();
+}
+
+void write_attributes(json::Writer& out, const WrittenType& type, const WrittenElement& element) {
+  out.member("tipo", type.word);
+  for (std::size_t i = 0; i < type.attributes.size(); ++i)
+    std::visit([&](const auto& value) { out.member(type.attributes[i].word, value); }, element.values[i]);
+}
+
+void write_attributes(json::Writer& out, const scene::Scene& scene, ElementRef element) {
+  scene.visit(element, [&]<class Shape>(const Shape& shape) {
+    out.member("tipo", Shape::word);
+    scene::for_each_attribute<Shape>(
+        [&](const auto& attribute) { out.member(attribute.word, shape.*attribute.field); });
+  });
+}
+
+/// Of a type that a Z text declares; null where it is none.
+const WrittenElement* written_element(const WrittenPart& written, const std::string& name) {
+  if (written.types.empty()) return nullptr;
+  const auto found = written.by_name->find(name);
+  return found == written.by_name->end() ? nullptr : &found->second;
+}
+
+void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPart& written, ElementRef element) {
+  const std::string& name = scene.name(element).name();
+  out.begin_object().member("id", name);
+  if (const WrittenElement* own = written_element(written, name)) {
+    write_attributes(out, written.types[own->type], *own);
+  } else {
+    write_attributes(out, scene, element);
+  }
+  if (const auto material = scene.material(element)) {
+    out.member("material", scene.stage().materials[*material].name);
+  }
+  if (const scene::Wrap* const wrap = scene.wrap(element)) write_wrap(out, *wrap);
+  out.end_object();
+}
+
+}  // namespace
+
+std::string scene_text(const scene::Scene& scene) { return scene_text(scene, {}); }
+
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups) { return scene_text(scene, groups, {}); }
+
+std::string scene_text(const scene::Scene& scene, const scene::Groups& groups, const WrittenPart& written) {
+  std::string text;
+  json::Writer out(text);
+  write_version(out.begin_object(), scene_format);
+  write_stage(out, scene.stage());
+  write_groups(out, groups);
+  out.new_line().key("elementos").begin_array();
+  for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, written, element);
+  if (scene.size() > 0) out.new_line();
+  out.end_array().end_object();
+  return text + "\n";
+}
+
+}  // namespace durero::io

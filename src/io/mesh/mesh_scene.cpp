@@ -1,0 +1,78 @@
+#include "mesh_scene.hpp"
+
+#include <fmt/format.h>
+
+#include "io/losses.hpp"
+#include "polygons.hpp"
+
+namespace durero::io {
+namespace {
+
+/// How the names of elements begin: the file's name without folders. What may not stand in a name becomes `_`, and what
+/// leaves no room for a number is cut off; a line says so.
+std::string prefix_of(const Source& source, std::vector<std::string>& lost) {
+  constexpr std::size_t longest = 128 - 11;  // without the colon and ten digits, of which a table's row has no more
+  const std::string file = source.name().substr(source.name().rfind('/') + 1);
+  std::string prefix = file.substr(0, longest);
+  for (char& c : prefix)
+    if (!model::Elemento::is_name(std::string(1, c))) c = '_';
+  if (prefix != file) lost.push_back(fmt::format("elements are named {}: not every file's name can be theirs", prefix));
+  return prefix + ":";
+}
+
+/// Of each group the names of its triangles. Those that were left out are in no scene.
+class Members {
+ public:
+  Members(const FaceGroups& groups, const scene::Scene& scene)
+      : groups_(groups), scene_(scene), elementos_(groups.numbers.size()) {}
+
+  void add(std::size_t face, const Polygons& polygons, std::size_t before) {
+    if (face >= groups_.of_face.size() || groups_.of_face[face] == FaceGroups::none) return;
+    for (std::size_t number = before + 1; number <= polygons.number(); ++number)
+      if (std::string name = polygons.name(number); scene_.find(name))
+        elementos_[groups_.of_face[face]].insert(std::move(name));
+  }
+
+  /// Each triangle is in one of them at most, and each has its own name, so that none is refused.
+  scene::Groups made(std::vector<std::string>& lost) {
+    scene::Groups made;
+    std::size_t empty = 0;
+    for (const auto& [name, number] : groups_.numbers) {
+      if (elementos_[number].empty())
+        ++empty;
+      else
+        made.apply_total(scene::Grouping{name, {std::move(elementos_[number]), {}}}, scene_);
+    }
+    add_loss(lost, empty, "group", "groups", "left out: no triangle is in it");
+    return made;
+  }
+
+ private:
+  const FaceGroups& groups_;
+  const scene::Scene& scene_;
+  std::vector<scene::Names> elementos_;
+};
+
+}  // namespace
+
+Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<std::string> lost,
+                    const FaceGroups& groups, const FaceTextures& textures) {
+  scene::Scene scene;
+  scene.put_off_audits();
+  Polygons polygons(scene, prefix_of(source, lost));
+  Members members(groups, scene);
+  std::vector<glm::dvec3> polygon;
+  for (std::size_t i = 0; i < soup.faces.size(); ++i) {
+    polygon.clear();
+    for (const std::int64_t vertex : soup.faces[i]) polygon.push_back(soup.vertices[static_cast<std::size_t>(vertex)]);
+    const std::size_t before = polygons.number();
+    polygons.add(polygon, {}, textures.at_corners(i));
+    members.add(i, polygons, before);
+  }
+  scene.audit();
+  polygons.name_losses(lost);
+  scene::Groups made = members.made(lost);
+  return {std::move(scene), std::move(lost), std::move(made)};
+}
+
+}  // namespace durero::io

@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "durero/io/mesh/obj.hpp"
+#include "durero/io/number_text.hpp"
+#include "durero/text/nearest.hpp"
+#include "durero/text/shown.hpp"
+#include "io/cursor.hpp"
+#include "io/losses.hpp"
+#include "mesh_scene.hpp"
+#include "obj_words.hpp"
+
+namespace durero::io {
+namespace {
+
+/// Looks at each line beside the library, which takes a line that it does not understand for a shorter one: every
+/// number that stands there must be the library's.
+class ObjLines {
+ public:
+  /// The lines are of the joined text.
+  ObjLines(const Source& source, std::string_view joined, const PolygonSoup& soup)
+      : source_(source), joined_(joined), soup_(soup) {}
+
+  /// @{ The groups of the faces, and how textures lie on them, after read().
+  const FaceGroups& groups() const { return groups_; }
+  const FaceTextures& textures() const { return textures_; }
+  /// @}
+
+  /// What is lost. Throws InputError.
+  std::vector<std::string> read() {
+    Lines lines(joined_);
+    while (const auto line = lines.next()) {
+      Cursor in(source_, joined_, *line);
+      if (!in.done()) read_statement(in);
+    }
+    if (!soup_.whole) source_.fail(soup_.end, "no mesh", "expected vertices (v) and faces (f)");
+    if (late_ && late_->number >= static_cast<std::int64_t>(textures_.uv.size())) fail_texture(*late_);
+    return losses();
+  }
+
+ private:
+  void read_statement(Cursor& in) {
+    const std::size_t at = in.offset();
+    const std::string_view statement = in.word("#");
+    in.skip_blanks();
+    const ObjWord* const row = obj_word(statement);
+    if (row == nullptr) fail_unknown(in, at, statement);
+    switch (row->kind) {
+      case ObjKind::vertex:
+        return read_vertex(in, at);
+      case ObjKind::face:
+        return read_face(in, at);
+      case ObjKind::normal:
+        ++normals_;
+        return;
+      case ObjKind::texture_coordinate:
+        return read_texture_coordinate(in);
+      case ObjKind::group:
+        return read_group(in);
+      case ObjKind::material:
+        ++materials_;
+        return;
+      case ObjKind::other:
+        ++others_;
+        return;
+    }
+  }
+
+  [[noreturn]] static void fail_unknown(const Cursor& in, std::size_t at, std::string_view statement) {
+    std::vector<std::string> known;
+    for (const ObjWord& row : obj_words) known.emplace_back(row.word);
+    in.fail(at, fmt::format("unknown statement {}", text::shown(statement)),
+            "expected " + text::expected_of(statement, known));
+  }
+
+  // x y z, and perhaps a weight or a colour or both.
+  void read_vertex(Cursor& in, std::size_t line_at) {
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t at = in.offset();
+      const std::string_view digits = in.word("#");
+      const auto value = read_finite(digits);
+      const bool agreed = value && (vertices_ >= soup_.vertices.size() || soup_.vertices[vertices_][i] == *value);
+      if (!agreed) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a finite decimal number");
+      in.skip_blanks();
+    }
+    if (vertices_++ >= soup_.vertices.size()) in.fail(line_at, "v of no decimal numbers", "expected x y z");
+    if (in.done()) return;
+    ++weighted_;
+    for (int more = 0; !in.done(); ++more) {
+      if (more == 4) in.fail(in.offset(), "an eighth number in v", "expected x y z, a weight and a colour at most");
+      read_left_out(in);
+    }
+  }
+
+  // A number that no triangle keeps, which may be none of binary64: inf, nan.
+  static void read_left_out(Cursor& in) {
+    const std::size_t at = in.offset();
+    const std::string_view digits = in.word("#");
+    if (!read_number(digits)) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a number");
+    in.skip_blanks();
+  }
+
+  // u, and perhaps v and a third, which a surface has no use for.
+  void read_texture_coordinate(Cursor& in) {
+    std::array<double, 3> numbers{};
+    std::size_t count = 0;
+    do {
+      if (count == numbers.size()) in.fail(in.offset(), "a fourth number in vt", "expected u, v and a third at most");
+      numbers[count++] = in.number("#", "vt");
+      in.skip_blanks();
+    } while (!in.done());
+    textures_.uv.emplace_back(numbers[0], numbers[1]);
+  }
+
+  // The faces that follow are in the group of the first name, whatever was named before; in none where there is none,
+  // or none that a group can have.
+  void read_group(Cursor& in) {
+    group_ = FaceGroups::none;
+    for (bool first = true; !in.done(); first = false) {
+      const std::string_view name = in.word("#");
+      in.skip_blanks();
+      if (!first)
+        ++further_names_;
+      else if (model::Elemento::is_name(std::string(name)))
+        group_ = groups_.group(name);
+      else
+        ++no_names_;
+    }
+  }
+
+  void read_face(Cursor& in, std::size_t at) {
+    const Face& face = faces_ < soup_.faces.size() ? soup_.faces[faces_] : none_;
+    Face textures;
+    std::size_t corners = 0;
+    for (; !in.done(); ++corners) {
+      const std::size_t corner_at = in.offset();
+      const std::string_view word = in.word("#");
+      const auto corner = corner_of(word);
+      if (!corner || corners >= face.size() || face[corners] != corner->vertex)
+        in.fail(corner_at, fmt::format("{} in f", text::shown(word)),
+                "expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0");
+      check_vertex(in, corner_at, word, corner->vertex);
+      if (corner->texture) {
+        check_texture({corner_at, word, *corner->texture});
+        textures.push_back(*corner->texture);
+      }
+      in.skip_blanks();
+    }
+    if (corners < 3) in.fail(at, fmt::format("a face of {} vertices", corners), "expected 3 or more");
+    if (corners != face.size())
+      in.fail(at, "f with numbers in a comment or too long", "expected spaces before a comment");
+    ++faces_;
+    groups_.of_face.push_back(group_);
+    if (textures.size() != corners) textures.clear();
+    textures_.of_face.push_back(std::move(textures));
+  }
+
+  void check_vertex(const Cursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
+    const std::size_t count = soup_.vertices.size();
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= count) {
+      in.fail(at, fmt::format("{} names no vertex", text::shown(corner)), expected_number(count, "v"));
+    }
+  }
+
+  static std::string expected_number(std::size_t count, std::string_view statement) {
+    if (count == 0) return fmt::format("expected a {} before it: there is none", statement);
+    return fmt::format("expected 1 to {}, or a distance back to one above", count);
+  }
+
+  /// What the corner of a face names of the texture coordinates, and where.
+  struct NamedTexture {
+    std::size_t at;
+    std::string_view word;
+    std::int64_t number;
+  };
+  /// The file may say it below; the greatest of those is looked for at the end.
+  void check_texture(const NamedTexture& named) {
+    if (named.number < 0) fail_texture(named);
+    const bool is_below = named.number >= static_cast<std::int64_t>(textures_.uv.size());
+    if (is_below && (!late_ || late_->number < named.number)) late_ = named;
+  }
+  [[noreturn]] void fail_texture(const NamedTexture& named) const {
+    source_.fail(named.at, fmt::format("{} names no texture coordinate", text::shown(named.word)),
+                 expected_number(textures_.uv.size(), "vt"));
+  }
+
+  /// The numbers, from 0, of what a corner of a face names.
+  struct Corner {
+    std::int64_t vertex = 0;
+    std::optional<std::int64_t> texture{};
+  };
+  /// A negative number counts back from the last one above; behind a / there may be none. Nothing where it is no
+  /// corner.
+  std::optional<Corner> corner_of(std::string_view word) const {
+    Corner corner;
+    for (int part = 0; part < 3; ++part) {
+      const std::size_t length = std::min(word.find('/'), word.size());
+      std::int32_t number = 0;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + length, number);
+      const bool left_out = part > 0 && length == 0;
+      if (!left_out && (error != std::errc() || end != word.data() + length || number == 0)) return std::nullopt;
+      const auto from_0 = [&](std::size_t above) {
+        return number > 0 ? number - 1 : static_cast<std::int64_t>(above) + number;
+      };
+      if (part == 0) corner.vertex = from_0(vertices_);
+      if (part == 1 && !left_out) corner.texture = from_0(textures_.uv.size());
+      if (length == word.size()) return corner;
+      word.remove_prefix(length + 1);
+    }
+    return std::nullopt;
+  }
+
+  /// The texture coordinates that no face keeps.
+  std::size_t unused_textures() const {
+    std::vector<bool> used(textures_.uv.size());
+    for (const Face& face : textures_.of_face)
+      for (const std::int64_t number : face) used[static_cast<std::size_t>(number)] = true;
+    return static_cast<std::size_t>(std::ranges::count(used, false));
+  }
+
+  std::vector<std::string> losses() const {
+    std::vector<std::string> lost;
+    add_loss(lost, normals_, "normal", "normals", "left out: a triangle has its own");
+    add_loss(lost, unused_textures(), "texture coordinate", "texture coordinates",
+             "left out: no face has them at all of its corners");
+    add_loss(lost, weighted_, "weight or colour of a vertex", "weights or colours of vertices",
+             "left out: a scene has none");
+    add_loss(lost, materials_, "use of a material", "uses of materials", "left out: OBJ keeps them in another file");
+    add_loss(lost, no_names_, "name of a group", "names of groups",
+             "left out: expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+    add_loss(lost, further_names_, "further name of a group", "further names of groups",
+             "left out: a triangle is in one group");
+    add_loss(lost, others_, "other statement", "other statements", "left out: no vertex, no face");
+    return lost;
+  }
+
+  const Source& source_;
+  const std::string_view joined_;
+  const PolygonSoup& soup_;
+  const Face none_;
+  std::size_t vertices_ = 0, faces_ = 0;  // passed
+  std::size_t normals_ = 0, weighted_ = 0, materials_ = 0, others_ = 0;
+  std::size_t no_names_ = 0, further_names_ = 0;  // of groups
+  FaceTextures textures_;
+  std::optional<NamedTexture> late_{};
+  FaceGroups groups_;
+  FaceGroups::Number group_{FaceGroups::none};  // of the faces that follow
+};
+
+}  // namespace
+
+Imported read_obj(const Source& source) {
+  const std::string joined = obj_joined(source.text());
+  const PolygonSoup soup = obj_soup(obj_meshes(joined));
+  ObjLines lines(source, joined, soup);
+  std::vector<std::string> lost = lines.read();
+  return mesh_scene(source, soup, std::move(lost), lines.groups(), lines.textures());
+}
+
+}  // namespace durero::io

@@ -1,0 +1,110 @@
+#include "pov_camera.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <stdexcept>
+
+#include "durero/scene/camera.hpp"
+#include "io/json/stage_fields.hpp"
+
+namespace durero::io {
+namespace {
+
+struct CameraPart {
+  std::string_view word;
+  glm::dvec3 PovCamera::*member;
+};
+constexpr CameraPart camera_parts[] = {{"location", &PovCamera::location},
+                                       {"direction", &PovCamera::direction},
+                                       {"right", &PovCamera::right},
+                                       {"up", &PovCamera::up},
+                                       {"sky", &PovCamera::sky}};
+
+/// Whether the pixels of a scene's camera have the rays of this one, to a thousandth of a pixel: for a line that tells
+/// of it, and no more.
+bool has_rays_of(const scene::Camera& made, const PovCamera& camera, scene::Resolution size) {
+  const scene::PrimaryRays rays(made, size);
+  const double distance = glm::length(camera.direction), pixel = glm::length(camera.up) / distance / size.height;
+  const auto is_at = [&](double x, double y) {
+    const glm::dvec3 there = (camera.direction + x * camera.right - y * camera.up) / distance;
+    const glm::dvec3 here = rays.ray_at((x + 0.5) * size.width - 0.5, (y + 0.5) * size.height - 0.5).v().xyz();
+    return glm::distance(here, there) < pixel / 1000;
+  };
+  return is_at(-0.5, -0.5) && is_at(0.5, -0.5) && is_at(-0.5, 0.5);
+}
+
+/// So far ahead that the place keeps the direction: the sum is rounded by no more than the numbers of both are.
+glm::dvec3 ahead(const PovCamera& camera) {
+  const auto greatest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  const double from = greatest(camera.location), by = greatest(camera.direction);
+  const int doublings = from > by && by > 0 ? std::ilogb(from) - std::ilogb(by) + 1 : 0;
+  return camera.location + std::ldexp(1, doublings) * camera.direction;
+}
+
+void read_part(PovWords& in, std::optional<double> version, PovCamera& camera) {
+  const std::size_t at = in.offset();
+  const std::string_view word = in.word();
+  const auto* const part = std::ranges::find(camera_parts, word, &CameraPart::word);
+  if (part != std::end(camera_parts)) {
+    if (camera.look_at && word == "location" && version && *version < 3.5)
+      in.fail_here(
+          fmt::format("expected it before look_at, which turns the camera where it stands by #version {}", *version));
+    in.pass();
+    camera.*part->member = in.triple(word);
+  } else if (in.take("angle")) {
+    camera.angle = in.number("angle");
+    check_rule(in, at, "angle", view_angle, *camera.angle);
+  } else if (in.take("look_at")) {
+    camera.look_at = in.triple("look_at");
+  } else if (!in.take("perspective")) {
+    in.fail_here(
+        "expected one of location, direction, right, up, sky, angle, look_at, perspective, or }: no other camera is "
+        "read");
+  }
+}
+
+/// The direction becomes so long that the picture is seen across this angle.
+void open_to(double angle, PovCamera& camera) {
+  const double distance = glm::length(camera.right) / 2 / std::tan(glm::radians(angle) / 2);
+  camera.direction *= distance / glm::length(camera.direction);
+}
+
+/// Turns it to that point, as POV-Ray does: all keep their lengths, and what is right of the way stays there.
+void turn_to(const glm::dvec3& look_at, PovCamera& camera) {
+  const double hand = glm::dot(glm::cross(camera.up, camera.direction), camera.right) < 0 ? -1 : 1;
+  const auto along = [](const glm::dvec3& way, const glm::dvec3& of) {
+    return glm::length(of) / glm::length(way) * way;
+  };
+  camera.direction = along(look_at - camera.location, camera.direction);
+  camera.right = along(hand * glm::cross(camera.sky, camera.direction), camera.right);
+  camera.up = along(hand * glm::cross(camera.direction, camera.right), camera.up);
+}
+
+}  // namespace
+
+ReadCamera read_pov_camera(PovWords& in, std::optional<double> version, std::optional<scene::Resolution> size) {
+  const std::size_t at = in.offset();
+  in.pass();
+  in.expect("{", "behind camera");
+  PovCamera camera;
+  while (!in.take("}")) read_part(in, version, camera);
+  if (camera.look_at == camera.location) in.fail(at, "the camera looks at its own eye", "expected look_at elsewhere");
+  if (camera.angle) open_to(*camera.angle, camera);
+  if (camera.look_at) turn_to(*camera.look_at, camera);
+  const double fov_y = glm::degrees(2 * std::atan(glm::length(camera.up) / 2 / glm::length(camera.direction)));
+  const scene::Camera made{camera.location, camera.look_at.value_or(ahead(camera)),
+                           camera.look_at ? camera.sky : camera.up, fov_y};
+  try {
+    return {made, has_rays_of(made, camera, size.value_or(scene::default_resolution))};
+  } catch (const std::domain_error& error) {
+    const std::string what = error.what();  // X; expected Y
+    const std::size_t middle = what.find("; ");
+    in.fail(at, what.substr(0, middle), what.substr(middle + 2));
+  }
+}
+
+}  // namespace durero::io

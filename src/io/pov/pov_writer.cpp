@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "durero/io/pov/pov.hpp"
+#include "durero/scene/camera.hpp"
+#include "io/ends.hpp"
+#include "io/json/scene_elements.hpp"
+#include "io/losses.hpp"
+#include "pov_texture.hpp"
+
+namespace durero::io {
+namespace {
+
+std::string text(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.y, v.z); }
+
+/// So far away that a parallel light stands before all that a scene has: as far as POV-Ray sees, but for a tenth.
+constexpr double far_away = 1e6;
+
+/// Rays in a row of a scene that names no number: the most that its materials may need (docs/rendering.md).
+constexpr std::uint32_t most_depth = 15;
+
+class PovWriter {
+ public:
+  PovWriter(const scene::Scene& scene, const scene::Groups& groups)
+      : scene_(scene), groups_(groups), patterns_(scene.stage().textures) {}
+
+  Exported write() {
+    const scene::Stage& stage = scene_.stage();
+    const scene::Resolution size = stage.resolution.value_or(scene::default_resolution);
+    out_.text = fmt::format("// povray +W{} +H{} -A File_Gamma=sRGB\n#version 3.7;\n", size.width, size.height);
+    // POV-Ray's first ray has level 0.
+    out_.text += fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n",
+                             stage.max_depth.value_or(most_depth));
+    write_camera(size);
+    out_.text += patterns_.declarations();
+    if (stage.environment)
+      write_sky(*stage.environment);
+    else if (stage.background)
+      out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
+    write_lights();
+    for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material));
+    write_elements();
+    name_losses();
+    return std::move(out_);
+  }
+
+ private:
+  /// By the rays through the middles of the edges of the picture, so that every pixel has the ray that it has here.
+  void write_camera(scene::Resolution size) {
+    if (!scene_.stage().camera) {
+      out_.lost.emplace_back("no camera in the scene: no view was written");
+      return;
+    }
+    const scene::PrimaryRays rays(*scene_.stage().camera, size);
+    const double right = size.width - 0.5, bottom = size.height - 0.5, x = (size.width - 1) / 2.0,
+                 y = (size.height - 1) / 2.0;
+    const auto direction = [&](double across, double down) { return rays.ray_at(across, down).v().xyz(); };
+    out_.text += fmt::format("camera {{ location {} direction {} right {} up {} }}\n", text(scene_.stage().camera->eye),
+                             text(direction(x, y)), text(direction(right, y) - direction(-0.5, y)),
+                             text(direction(x, -0.5) - direction(x, bottom)));
+  }
+
+  void write_sky(const scene::Environment& environment) {
+    const std::string sky = pov_sky(environment);
+    if (sky.empty())
+      out_.lost.emplace_back("1 environment left out: by their names its files are neither PNG nor JPEG");
+    out_.text += sky;
+  }
+
+  void write_lights() {
+    for (const scene::Light& light : scene_.stage().lights)
+      out_.text += fmt::format("light_source {{ {}, rgb {} }}\n", text(light.position), text(light.color));
+    for (const scene::DirectionalLight& light : scene_.stage().directional_lights) {
+      const glm::dvec3& d = light.direction;
+      const double greatest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});  // whose square may overflow
+      const glm::dvec3 from = -far_away * glm::normalize(d / greatest);
+      out_.text +=
+          fmt::format("light_source {{ {}, rgb {} parallel point_at <0, 0, 0> }}\n", text(from), text(light.color));
+    }
+  }
+
+  /// Those that are in no group, then groups: each is made once all that are in it are.
+  void write_elements() {
+    for (const scene::ElementRef element : elements_by_name(scene_))
+      if (groups_.of_element(scene_.name(element).name()).empty()) out_.text += object_text(element);
+    std::map<std::string_view, std::string> unions;
+    for (const std::string_view name : groups_.bottom_up()) unions.emplace(name, union_text(name, unions));
+    for (const auto& [name, text] : unions) out_.text += text;
+  }
+
+  /// Takes the groups that are in it from those that are made. Empty where nothing is in it.
+  std::string union_text(std::string_view name, std::map<std::string_view, std::string>& made) {
+    const scene::Group& group = groups_.table().find(name)->second;
+    std::string members;
+    for (const std::string& e : group.elementos) members += object_text(scene_.find(e).value());
+    for (const std::string& g : group.groups) members += made.extract(g).mapped();
+    if (members.empty()) ++empty_groups_;
+    return members.empty() ? "" : fmt::format("union {{\n{}}}  // {}\n", members, name);
+  }
+
+  /// A line, or two; empty where the element is left out.
+  std::string object_text(scene::ElementRef element) {
+    const std::string shape = scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); });
+    if (shape.empty()) return "";
+    const auto material = scene_.material(element);
+    const bool is_glass = material && scene_.stage().materials[*material].k_t > 0;
+    std::string text = fmt::format("object {{ {} {}{} }}  // {}\n", shape, look(element, material),
+                                   is_glass ? " no_shadow" : "", scene_.name(element).name());
+    if (is_glass) text += fmt::format("object {{ {} no_image no_reflection }}  // its shadow\n", shape);
+    return text;
+  }
+
+  std::string look(scene::ElementRef element, std::optional<std::uint32_t> material) const {
+    static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
+    if (!material) return plain;
+    const scene::Material& m = scene_.stage().materials[*material];
+    if (!m.textures.any() && !m.bump) return looks_[*material];
+    const PovCoordinates at = pov_coordinates(scene_, element);
+    if (!m.bump || !is_seen_from_behind(element)) return pov_attributes(m, patterns_, at);
+    scene::Material turned = m;
+    turned.bump->height = -m.bump->height;
+    return pov_attributes(turned, patterns_, at);
+  }
+
+  /// Of a flat element, by the eye. POV-Ray turns a normal to whoever looks before a relief turns it, so that what is
+  /// high in front would be high behind.
+  bool is_seen_from_behind(scene::ElementRef element) const {
+    if (!scene_.stage().camera) return false;
+    const glm::dvec3& eye = scene_.stage().camera->eye;
+    return scene_.visit(element, [&]<class Shape>(const Shape& shape) {
+      if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+        const auto& [a, b, c] = shape.vertices;
+        return glm::dot(glm::cross(b - a, c - a), eye - a) < 0;
+      } else if constexpr (std::is_same_v<Shape, scene::Plane> || std::is_same_v<Shape, scene::Disc>) {
+        return glm::dot(shape.vector, eye - shape.centro) < 0;
+      } else {
+        return false;
+      }
+    });
+  }
+
+  std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
+  std::string shape_text(const scene::Plane& p) {
+    return fmt::format("plane {{ {}, 0 translate {} }}", text(p.vector), text(p.centro));
+  }
+  std::string shape_text(const scene::Disc& d) {
+    return fmt::format("disc {{ {}, {}, {} }}", text(d.centro), text(d.vector), d.radio);
+  }
+  std::string shape_text(const scene::Triangle& t) {
+    return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
+  }
+  std::string shape_text(const scene::Cylinder& c) {
+    const auto ends = ends_.of(c);
+    return ends ? fmt::format("cylinder {{ {}, {}, {} open }}", text(ends->base), text(ends->top), ends->wide) : "";
+  }
+  std::string shape_text(const scene::Cone& c) { return cone_text(ends_.of(c)); }
+  std::string shape_text(const scene::TruncatedCone& c) { return cone_text(ends_.of(c)); }
+  static std::string cone_text(const std::optional<Ends>& ends) {
+    return ends ? fmt::format("cone {{ {}, {}, {}, {} open }}", text(ends->base), ends->wide, text(ends->top),
+                              ends->narrow)
+                : "";
+  }
+
+  void name_losses() {
+    add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
+             "written as parallel ones, 1000000 away: POV-Ray has none without a place");
+    add_loss(out_.lost, patterns_.unknown(), "texture", "textures",
+             "left out: by its name a file is neither PNG nor JPEG");
+    const auto& textures = scene_.stage().textures;
+    add_loss(out_.lost,
+             static_cast<std::size_t>(std::ranges::count(textures, scene::Filter::mipmap, &scene::Texture::filter)),
+             "mipmap", "mipmaps", "drawn by the picture alone: POV-Ray has no levels");
+    add_loss(out_.lost,
+             static_cast<std::size_t>(std::ranges::count_if(
+                 scene_.stage().materials,
+                 [&](const scene::Material& m) { return m.bump && !patterns_.is_exact(*m.bump); })),
+             "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
+    ends_.name_losses(out_.lost, "POV-Ray");
+    add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");
+  }
+
+  const scene::Scene& scene_;
+  const scene::Groups& groups_;
+  const PovPatterns patterns_;
+  Exported out_;
+  std::vector<std::string> looks_;  // of the materials
+  WrittenEnds ends_;
+  std::size_t empty_groups_ = 0;
+};
+
+}  // namespace
+
+Exported pov_text(const scene::Scene& scene, const scene::Groups& groups) { return PovWriter(scene, groups).write(); }
+
+}  // namespace durero::io

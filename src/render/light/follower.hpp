@@ -1,0 +1,27 @@
+#pragma once
+/// A follower finds the colours that rays of one scene bring, and prepares their shared data once.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "durero/render/light/whitted.hpp"
+
+namespace durero::render {
+
+/// A follower of a scene's rays, which any number of threads may use at once.
+class Follower {
+ public:
+  /// A follower for a scene and an engine that outlive it unedited. Throws as brought() does.
+  Follower(const scene::Scene& scene, const engine::Engine& engine, const Limits& limits);
+  ~Follower();
+
+  /// The colours of these rays, as render::brought() gives them.
+  std::vector<Brought> brought(std::span<const scene::Query> rays) const;
+
+ private:
+  struct Held;
+  std::unique_ptr<Held> held_;  // null where no ray may be followed
+};
+
+}  // namespace durero::render

@@ -1,0 +1,80 @@
+#pragma once
+/// A shadow query asks whether a point sees a light; a colour waits for the answer.
+
+#include <boost/container/vector.hpp>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "durero/engine/engine.hpp"
+#include "durero/render/light/whitted.hpp"
+#include "durero/scene/hit.hpp"
+#include "durero/scene/stage.hpp"
+
+namespace durero::render {
+
+/// The colours that wait for lights of one kind. An engine is asked light by light, since neighbouring points have
+/// similar ways to one light; colours are added in the order in which they came.
+class AskedLights {
+ public:
+  explicit AskedLights(std::size_t lights) : queries_(lights), unseen_(lights) {}
+
+  /// Adds a query: whether the light of this number is seen from the point of a hit. The colour of the ray waits for
+  /// the answer.
+  void add(std::size_t light, std::uint32_t ray, const glm::dvec3& color, const scene::Hit& from,
+           const glm::dvec3& to_light) {
+    if (color == glm::dvec3(0)) return;
+    waiting_.push_back({ray, static_cast<std::uint32_t>(light), queries_[light].size(), color});
+    queries_[light].emplace_back(model::Rayo(model::Punto(from.punto), model::Vector(to_light)), from.elementos);
+  }
+
+  /// Adds each colour to that of its ray where its light is seen; no query waits after that. unseen(queries, answers)
+  /// tells for which queries the light is not seen.
+  template <class Unseen>
+  void add_seen(std::span<Brought> sums, Unseen&& unseen) {
+    for (std::size_t i = 0; i < queries_.size(); ++i) {
+      unseen_[i].resize(queries_[i].size());
+      unseen(std::span<const scene::Query>(queries_[i]), std::span<bool>(unseen_[i].data(), unseen_[i].size()));
+      queries_[i].clear();
+    }
+    for (const Waiting& one : waiting_)
+      if (!unseen_[one.light][one.place]) sums[one.ray].color += one.color;
+    waiting_.clear();
+  }
+
+ private:
+  struct Waiting {
+    std::uint32_t ray, light;
+    std::size_t place;  // of the query among those of its light
+    glm::dvec3 color;
+  };
+
+  std::vector<Waiting> waiting_;
+  // of each light
+  std::vector<std::vector<scene::Query>> queries_;
+  std::vector<boost::container::vector<bool>> unseen_;
+};
+
+/// The shadow queries of a stage: a point light stands at the end of a segment, a directional one is seen along the
+/// whole ray.
+struct Shadows {
+  explicit Shadows(const scene::Stage& stage)
+      : points(stage.lights.size()), directions(stage.directional_lights.size()) {}
+
+  /// Adds the colours of the seen lights to the sums of the rays.
+  void add_light(const engine::Engine& engine, std::span<Brought> sums) {
+    points.add_seen(sums, [&](auto queries, auto unseen) { engine.occluded_segments(queries, unseen); });
+    directions.add_seen(sums, [&](auto queries, auto unseen) {
+      met.resize(queries.size());
+      engine.first_elements(queries, met);
+      // occluded.def.1: the way meets an element, with or without a nearest point.
+      for (std::size_t i = 0; i < met.size(); ++i) unseen[i] = met[i].resultado != model::Resultado::miss;
+    });
+  }
+
+  AskedLights points, directions;
+  std::vector<trace::FirstElement> met{};
+};
+
+}  // namespace durero::render

@@ -1,0 +1,208 @@
+#include "durero/io/pov/pov.hpp"
+
+#include <tuple>
+
+#include "durero/io/json/scene_file.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+
+namespace {
+
+io::Exported exported(const std::string& scene) {
+  return io::pov_text(io::read_scene(io::Source("f", R"({"format":"durero-scene","version":1,)" + scene + "}")));
+}
+
+bool has(const io::Exported& out, const std::string& text) { return out.text.find(text) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("every element becomes the object of POV-Ray that has its points") {
+  const io::Exported out = exported(R"("elementos":[
+    {"id":"s","tipo":"esfera","centro":[1,2,3],"radio":0.5},
+    {"id":"c","tipo":"cilindro","centro":[0,0,0],"radio":2,"vector":[0,0,1],"altura":3},
+    {"id":"k","tipo":"cono","centro":[1,0,0],"proporcion":0.5,"vector":[0,1,0],"altura":4},
+    {"id":"t","tipo":"tronco","centro":[0,0,0],"radio":1,"proporcion":0.25,"vector":[1,0,0],"altura":4},
+    {"id":"p","tipo":"plano","centro":[0,-1,0],"vector":[0,1,0]},
+    {"id":"d","tipo":"disco","centro":[0,0,9],"radio":3,"vector":[0,0,-1]},
+    {"id":"v","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],[0,1,0]]}])");
+  for (const char* object : {"sphere { <1, 2, 3>, 0.5 }", "cylinder { <0, 0, 0>, <0, 0, 3>, 2 open }",
+                             "cone { <1, 0, 0>, 2, <1, 4, 0>, 0 open }", "cone { <0, 0, 0>, 2, <4, 0, 0>, 1 open }",
+                             "plane { <0, 1, 0>, 0 translate <0, -1, 0> }", "disc { <0, 0, 9>, <0, 0, -1>, 3 }",
+                             "triangle { <0, 0, 0>, <1, 0, 0>, <0, 1, 0> }"}) {
+    CAPTURE(object);
+    CHECK(has(out, std::string("object { ") + object +
+                       " texture { pigment { rgb <0.8, 0.8, 0.8> } finish { ambient 0 "
+                       "diffuse 1 } } }  // "));
+  }
+  CHECK(out.lost == std::vector<std::string>{"no camera in the scene: no view was written"});
+}
+
+TEST_CASE("the view is that of the camera, pixel for pixel, and lights, background and depth are as they were") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},
+    "resolution":[40,20],"max_depth":3,"background":[0.1,0.2,0.3],
+    "lights":[{"position":[1,2,3],"color":[0.5,0.25,1]}],
+    "directional_lights":[{"direction":[0,-1e-200,0],"color":[1,1,1]}],"elementos":[])");
+  CHECK(out.text.starts_with("// povray +W40 +H20 -A File_Gamma=sRGB\n#version 3.7;\n"));
+  CHECK(has(out, "global_settings { assumed_gamma 1 max_trace_level 3 adc_bailout 0 }\n"));
+  CHECK(has(out, "camera { location <0, 0, -5> direction <"));
+  CHECK(has(out, "background { rgb <0.1, 0.2, 0.3> }\n"));
+  CHECK(has(out, "light_source { <1, 2, 3>, rgb <0.5, 0.25, 1> }\n"));
+  CHECK(has(out, "rgb <1, 1, 1> parallel point_at <0, 0, 0> }\n"));
+  CHECK(has(out, ", 1000000, "));
+  CHECK(out.lost.size() == 1);
+}
+
+TEST_CASE("a term of a material is a texture of an average, so many times itself; glass has an opaque twin") {
+  const std::string ball = R"("elementos":[{"id":"b","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"m"}])";
+  const auto of = [&](const std::string& material) {
+    return exported(R"("materials":{"m":{)" + material + "}}," + ball);
+  };
+  CHECK(
+      has(of(R"("color":[0.5,0.25,0],"k_s":0.5,"e":20,"k_ps":0.25,"M_PS":[1,0,1])"),
+          "texture { pigment { rgb <0.5, 0.25, 0> } finish { ambient 0 diffuse 1 phong 0.5 phong_size 20 reflection { "
+          "rgb <0.25, 0, 0.25> } } } }"));
+  CHECK(has(
+      of(R"("color":[0.5,0.25,0],"k_a":0.125,"k_d":0.5,"k_ps":0.25)"),
+      "texture { average texture_map { [1 pigment { rgb <1, 0.5, 0> } finish { ambient 0 diffuse 0.5 reflection { rgb "
+      "<0.5, 0.5, 0.5> } }] [1 pigment { rgb <1, 0.5, 0> } finish { ambient 0 diffuse 0.125 brilliance 0 }] } }"));
+  CHECK(has(of(R"("color":[0,0,0],"emission":[1,2,0],"ambient":[0,1,0])"),
+            "texture { pigment { rgb <1, 3, 0> } finish { ambient 0 diffuse 0 emission 1 } }"));
+  CHECK(has(of(R"("color":[0,0,0])"), "texture { pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 } }"));
+  const io::Exported glass = of(R"("color":[0,0,0],"k_t":0.75,"M_T":[1,0.5,1],"index":1.5)");
+  CHECK(has(glass,
+            "object { sphere { <0, 0, 0>, 1 } texture { pigment { rgb <1, 0.5, 1> filter 0.75 } finish { ambient 0 "
+            "diffuse 0 } } interior { ior 1.5 } no_shadow }  // b\n"));
+  CHECK(has(glass, "object { sphere { <0, 0, 0>, 1 } no_image no_reflection }  // its shadow\n"));
+}
+
+TEST_CASE("a base beyond binary64 is counted, and what POV-Ray has no place for") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"elementos":[
+    {"id":"k","tipo":"cono","centro":[1,0,0],"proporcion":1e300,"vector":[0,1,0],"altura":1e300}])");
+  CHECK(out.lost == std::vector<std::string>{"1 element left out: the radius of its base is beyond binary64"});
+  CHECK_FALSE(has(out, "object"));
+}
+
+TEST_CASE("what ends in binary64 do not give is left out; what they round is counted") {
+  const auto lost = [](const std::string& elemento) {
+    auto lines = exported(R"("elementos":[{"id":"e",)" + elemento + "}]").lost;
+    lines.erase(lines.begin());  // there is no camera
+    return lines;
+  };
+  using Lines = std::vector<std::string>;
+  const std::string left_out = "1 element left out: no ends in binary64 give it",
+                    rounded = "1 axis rounded: POV-Ray holds end points";
+  CHECK(lost(R"("tipo":"cilindro","centro":[0,0,1e300],"radio":1,"vector":[0,0,1],"altura":1)") == Lines{left_out});
+  CHECK(lost(R"("tipo":"cilindro","centro":[0,0,1.7e308],"radio":1,"vector":[0,0,1],"altura":1e308)") ==
+        Lines{left_out});
+  CHECK(lost(R"("tipo":"cono","centro":[0,0,0],"proporcion":5e-324,"vector":[0,0,1],"altura":0.25)") ==
+        Lines{left_out});
+  CHECK(lost(R"("tipo":"cono","centro":[0,0,9007199254740992],"proporcion":5e-324,"vector":[0,0,1],"altura":1.2)") ==
+        Lines{left_out});
+  CHECK(lost(R"("tipo":"tronco","centro":[0,0,0],"radio":1,"proporcion":1e-17,"vector":[0,0,1],"altura":1)") ==
+        Lines{"1 truncated cone written as a cylinder: its radii round to one",
+              "1 proportion rounded: POV-Ray holds the radii of the ends"});
+  CHECK(lost(R"("tipo":"cilindro","centro":[0,1000,0],"radio":1,"vector":[0,0.6,0.8],"altura":0.3)") == Lines{rounded});
+}
+
+TEST_CASE("a texture is a function of the place, and each term that it multiplies goes from black to itself") {
+  const auto of = [&](const std::string& texture, const std::string& material) {
+    return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{)" +
+                    texture + R"(}},"materials":{"m":{)" + material +
+                    R"(}},"elementos":[{"id":"p","tipo":"plano","centro":[1,2,3],"vector":[0,1,0],"material":"m"}])");
+  };
+  // The axes across +y are +x and -z.
+  const std::string u = "((1)*(x-(1))+(0)*(y-(2))+(0)*(z-(3)))", v = "((0)*(x-(1))+(0)*(y-(2))+(-1)*(z-(3)))";
+  const std::string black = "[0 pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 }]";
+  const io::Exported squares =
+      of(R"("checker":[[1,0,0],[0.5,1,0]],"repeat":[2,3])", R"("color":[1,0.5,0.25],"textures":{"color":"t"})");
+  CHECK(squares.lost.empty());
+  CHECK(has(squares, "[1 function { (1 + (-0.5)*Odd(floor(2*(" + u + ")) + floor(3*(" + v + ")))) } texture_map { " +
+                         black + " [1 pigment { rgb <3, 0, 0> } finish { ambient 0 diffuse 1 }] }]"));
+  CHECK(has(squares, "[1 function { (0 + (1)*Odd("));
+  CHECK(has(squares, "[1 pigment { rgb <0, 1.5, 0> } finish { ambient 0 diffuse 1 }]"));
+  CHECK(has(squares, "[1 pigment { rgb <0, 0, 0.75> } finish { ambient 0 diffuse 1 }]"));
+  // A share goes by the mean of the three, and what wears nothing stays whole.
+  const io::Exported share =
+      of(R"("stripes":[[1,1,1],[0,0,0]])", R"("color":[1,1,1],"k_ps":0.25,"textures":{"k_ps":"t"})");
+  CHECK(
+      has(share, "average texture_map { [1 pigment { rgb <2, 2, 2> } finish { ambient 0 diffuse 1 }] [1 function { ("));
+  CHECK(
+      has(share, ")/3 } texture_map { " + black +
+                     " [1 pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 reflection { rgb <0.5, 0.5, 0.5> } }] "
+                     "}] } }"));
+  for (const auto& [texture, declared, used] :
+       {std::tuple(
+            R"("image":"a\"b.PNG","edges":"clamp")",
+            "#declare Image0 = function { pigment { image_map { png \"a\\\"b.PNG\" gamma srgb interpolate 2 } } }\n",
+            "Image0(min(max(1*("),
+        {R"("image":"a.jpeg","filter":"nearest","curve":"linear")",
+         "#declare Image0 = function { pigment { image_map { jpeg \"a.jpeg\" gamma 1 } } }\n", "Image0(1*("},
+        {R"("waves":[[1,1,1],[0,0,0]])", "#declare Turn", "(0.5 + 0.5*sin(2*pi*1*("},
+        {R"("p6m":[[1,1,1],[0,0,0]])", "#declare Hexagons", "Hexagons(1*("}}) {
+    CAPTURE(texture);
+    const io::Exported out = of(texture, R"("color":[1,1,1],"textures":{"color":"t"})");
+    CHECK(has(out, declared));
+    CHECK(has(out, used));
+    CHECK(out.lost.empty());
+  }
+}
+
+TEST_CASE(
+    "a relief of waves is a normal of the same slopes, and turned over where a flat element is seen from behind") {
+  const auto of = [&](const std::string& eye, const std::string& bump) {
+    return exported(
+        R"("camera":{"eye":)" + eye +
+        R"(,"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{"waves":[[0,0,0],[1,1,1]],"repeat":[1,4]}},
+      "materials":{"m":{"color":[1,1,1],"bump":{"texture":"t")" +
+        bump +
+        R"(}}},"elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
+  };
+  const io::Exported before = of("[0,0,5]", R"(,"height":0.5)"), behind = of("[0,0,-5]", R"(,"height":0.5)");
+  CHECK(has(before, " pigment { rgb <1, 1, 1> } normal { function { 0.25 + ("));
+  CHECK(has(before, ")/6 } bump_size 7.5 accuracy 1e-05 } finish { ambient 0 diffuse 1 }"));
+  CHECK(has(behind, "bump_size -7.5 "));
+  CHECK(before.lost.empty());
+  CHECK(of("[0,0,5]", R"(,"delta":0.5)").lost.size() == 1);
+}
+
+TEST_CASE("no relief turns the term of k_a, nor what shines of itself") {
+  const io::Exported out = exported(R"("textures":{"t":{"waves":[[0,0,0],[1,1,1]]}},
+    "materials":{"m":{"color":[1,1,1],"k_a":0.5,"k_s":0.25,"ambient":[1,0,0],"bump":{"texture":"t"}}},
+    "elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
+  CHECK(has(out, "[1 pigment { rgb <4, 4, 4> } finish { ambient 0 diffuse 0.5 brilliance 0 }]"));
+  CHECK(has(out, "[1 pigment { rgb <4, 0, 0> } finish { ambient 0 diffuse 0 emission 1 }]"));
+  CHECK(has(out, "[1 pigment { rgb <4, 4, 4> } normal {"));
+  CHECK(has(out, "[1 pigment { rgb <0, 0, 0> } normal {"));
+}
+
+TEST_CASE("what is around is a sky of the same colours") {
+  const auto of = [](const std::string& environment) {
+    return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"background":[1,0,0],
+      "environment":{)" +
+                    environment + R"(},"elementos":[])");
+  };
+  const io::Exported gradient = of(R"("gradient":[[0.5,0,0],[1,2,3]])");
+  CHECK(has(gradient,
+            "sky_sphere { pigment { function { 0.5 + 0.5*y } color_map { [0 rgb <0.5, 0, 0>] [1 rgb <1, 2, 3>] "
+            "} } }\n"));
+  CHECK_FALSE(has(gradient, "background"));
+  CHECK(has(of(R"("equirectangular":"a.png")"), "Sky0(0.5 + atan2(x, -z)/(2*pi), "));
+  CHECK(has(of(R"("spherical":"a.png")"), "1*Sky0(min(max(0.5 + 0.5*x/max(sqrt("));
+  CHECK(has(of(R"("box":["a.png","b.png","c.png","d.png","e.png","f.png"])"),
+            "select(-z - max(abs(x), abs(y)), 0, 1)*Sky5("));
+}
+
+TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are counted") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},
+    "textures":{"squares":{"image":"squares"},"steps":{"image":"a.png","filter":"mipmap","near":2}},
+    "materials":{"m":{"color":[1,1,1],"textures":{"color":"squares"},"bump":{"texture":"steps"}}},
+    "environment":{"spherical":"sky.gif"},
+    "elementos":[{"id":"p","tipo":"plano","centro":[0,0,0],"vector":[0,1,0],"material":"m"}])");
+  CHECK(out.lost ==
+        std::vector<std::string>{"1 environment left out: by their names its files are neither PNG nor JPEG",
+                                 "1 texture left out: by its name a file is neither PNG nor JPEG",
+                                 "1 mipmap drawn by the picture alone: POV-Ray has no levels",
+                                 "1 relief drawn by the differences of POV-Ray: only those of waves are slopes"});
+  CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } normal { function { 0.25 + (Image1("));
+}
