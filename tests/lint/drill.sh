@@ -23,7 +23,7 @@ sees() {
 clean=$(git write-tree)  # the tree without any fault
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush commits rooms; do
+  versions reference optimised narrow flush commits rooms glossary; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -173,6 +173,12 @@ echo 'bool f(const scene::TruncatedCone& cone);' >>src/io/lines.cpp
 sees rooms "a new room of surfaces"
 sed -i 's/^| `src\/render\/coordinates.cpp`/| `src\/render\/bump.cpp`, `src\/render\/coordinates.cpp`/' docs/adding-a-surface.md
 sees rooms "a room that names no surface"
+sed -i '0,/^| `Dyadic` | /s//| `Dyadic` | Not /' docs/glossary.md
+sees glossary "a page that says what no header says"
+printf 'namespace durero::number {\nstruct Nameless {};\n}\n' >>include/durero/number/dyadic.hpp
+sees glossary "a type without a sentence"
+printf 'namespace durero::number {\n/// A new term.\nstruct Newcomer {};\n}\n' >>include/durero/number/dyadic.hpp
+sees glossary "a type that the page has not"
 if command -v doxygen >/dev/null 2>&1; then
   sed -i 's/^  \/\/\/ #elementos$//' include/durero/scene/scene.hpp
   sees reference "a public name without a sentence"
