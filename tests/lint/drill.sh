@@ -23,7 +23,7 @@ sees() {
 clean=$(git write-tree)  # the tree without any fault
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush commits rooms glossary; do
+  versions reference optimised narrow flush commits rooms types glossary; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -173,6 +173,30 @@ echo 'bool f(const scene::TruncatedCone& cone);' >>src/io/lines.cpp
 sees rooms "a new room of surfaces"
 sed -i 's/^| `src\/render\/coordinates.cpp`/| `src\/render\/bump.cpp`, `src\/render\/coordinates.cpp`/' docs/adding-a-surface.md
 sees rooms "a room that names no surface"
+echo 'namespace durero::render { namespace { struct Dyadic {}; } }' >>src/render/points.cpp
+sees types "a type of a name that another layer has"
+printf 'namespace durero::io {\ntemplate <class T>\nclass Dyadic final : T {};\n}\n' >>include/durero/io/json.hpp
+sees types "a template of a name that another layer has"
+printf 'namespace durero::io {\nenum class [[nodiscard]] Dyadic : int { a };\n}\n' >>include/durero/io/json.hpp
+sees types "an enumeration of a name that another layer has"
+echo 'namespace durero::io { struct Cilindro {}; struct Tally {}; }' >>include/durero/io/json.hpp
+sees types "a type of a name that two other places have"
+echo 'namespace durero::io { class Told {}; }' >>src/io/json.cpp
+sees types "a verb that names a type"
+echo 'namespace durero::io { template <class Take> void f(Take take); }' >>src/io/json.cpp
+sees types "a verb that names a parameter of a template"
+# What defines no second type is let be: a declaration, a specialisation, a nested type, a comment, a literal, a type of
+# the text's name.
+cat >>src/io/json.cpp <<'END'
+namespace durero::number { class Dyadic; }
+template <>
+struct std::hash<durero::number::Dyadic> {};
+namespace durero::io { struct Nest { struct Dyadic {}; }; }  // struct Dyadic {};
+namespace durero::io { struct Escena {}; const char* text = "struct Dyadic {};"; struct Dyadic f(struct Dyadic x) { return x; } }
+END
+git add -A
+sh "$here/types.sh" || { echo "drill: types.sh complains of what names no second type"; missed=$((missed + 1)); }
+git read-tree -u --reset "$clean"
 sed -i '0,/^| `Dyadic` | /s//| `Dyadic` | Not /' docs/glossary.md
 sees glossary "a page that says what no header says"
 printf 'namespace durero::number {\nstruct Nameless {};\n}\n' >>include/durero/number/dyadic.hpp
