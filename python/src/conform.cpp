@@ -18,7 +18,7 @@ namespace durero::python {
 namespace {
 
 using conform::Claim;
-using conform::Judgement;
+using conform::ClaimJudgement;
 using conform::SuiteCase;
 
 using Outcomes = py::array_t<std::uint8_t, py::array::c_style>;
@@ -74,7 +74,7 @@ py::list judge(const Scene& scene, const py::object& given, const Claims& claims
   const Numbering& numbering = state->numbering();
   std::vector<Claim> read;
   for (std::size_t i = 0; i < rays.size(); ++i) read.push_back(claims.of(i, numbering));
-  std::vector<Judgement> judgements(rays.size());
+  std::vector<ClaimJudgement> judgements(rays.size());
   for_each_block(rays.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       of.truths[i] = conform::truth(state->scene(), of.the_case.rays[i]);
@@ -82,7 +82,7 @@ py::list judge(const Scene& scene, const py::object& given, const Claims& claims
     }
   });
   py::list all;
-  for (const Judgement& judgement : judgements)
+  for (const ClaimJudgement& judgement : judgements)
     all.append(py::make_tuple(
         std::string(name(judgement.verdict)), judgement.ulps, judgement.backward, judgement.clause,
         judgement.otherwise ? py::object(py::str(std::string(name(*judgement.otherwise)))) : py::none()));
@@ -133,10 +133,11 @@ py::list suite(const std::string& family_name, std::size_t rays, std::uint64_t s
   if (family == nullptr)
     throw std::invalid_argument(
         fmt::format("no family {}; expected one of durero.conform.families()", text::shown(family_name)));
-  const conform::SuiteOptions options{.families = {family},
-                                      .seed = seed,
-                                      .rays = rays,
-                                      .numbers = binary32 ? conform::Format::binary32 : conform::Format::binary64};
+  const conform::SuiteOptions options{
+      .families = {family},
+      .seed = seed,
+      .rays = rays,
+      .numbers = binary32 ? conform::NumberFormat::binary32 : conform::NumberFormat::binary64};
   py::list all;
   const std::size_t count = cases(options, *family);
   for (std::size_t number = 0; number < count; ++number) {

@@ -111,7 +111,7 @@ Asked asked(const io::WrittenEdit& edit, const written::Edited& scene) {
 /// r!, and the group that is left.
 using Done = std::pair<std::string, std::string>;
 
-Done done(written::Edited& scene, const io::Step& step) {
+Done done(written::Edited& scene, const io::ScriptStep& step) {
   const io::EditAnswer answer = scene.apply_total(step);
   if (answer.ok()) return {answer.r, answer.left_group};
   const auto [operation, inputs] = std::visit([&](const auto& edit) { return asked(edit, scene); }, step.edit);
@@ -124,7 +124,7 @@ std::vector<Done> apply(Scene& scene, const std::string& text, const std::string
   if (script.size() == 1) return {done(scene.edited(), script.front())};
   std::vector<Done> answers;
   written::Edited edited = scene.whole();
-  for (const io::Step& step : script) answers.push_back(done(edited, step));
+  for (const io::ScriptStep& step : script) answers.push_back(done(edited, step));
   scene.assign(std::move(edited));
   return answers;
 }
@@ -190,7 +190,7 @@ using Size = std::optional<std::pair<std::uint32_t, std::uint32_t>>;
 
 py::array render(const Scene& scene, const Size& size, const std::string& engine_name, const std::string& hierarchy) {
   const auto state = scene.state();
-  const engine::Row& row = engine_named(*state, engine_name);
+  const engine::EngineRow& row = engine_named(*state, engine_name);
   if (!row.honours_origins)
     throw std::invalid_argument("engine " + engine_name +
                                 ": shadow rays start on elements, of which it knows nothing; expected another");

@@ -30,7 +30,7 @@ const Numbering& State::numbering() const {
   return *numbering_;
 }
 
-const engine::Engine& State::prepared(const engine::Row& engine, const std::string& hierarchy) const {
+const engine::Engine& State::prepared(const engine::EngineRow& engine, const std::string& hierarchy) const {
   if (value_.text() != nullptr && hierarchy != engine::automatic)
     throw std::invalid_argument(
         fmt::format("hierarchy {}: the scene was read by {}, which answers; expected no hierarchy",
@@ -59,13 +59,13 @@ void require_own_shapes(const State& state, std::string_view what) {
                     state.value().text()->file(), what));
 }
 
-const engine::Row& engine_named(const State& state, std::string_view name) {
+const engine::EngineRow& engine_named(const State& state, std::string_view name) {
   if (state.value().text() != nullptr && name != engine::default_engine)
     throw std::invalid_argument(fmt::format("engine {}: the scene was read by {}, which answers; expected no engine",
                                             text::shown(name), state.value().text()->file()));
-  if (const engine::Row* row = engine::find(name)) return *row;
+  if (const engine::EngineRow* row = engine::find(name)) return *row;
   std::vector<std::string_view> known;
-  for (const engine::Row& row : engine::engines()) known.push_back(row.name);
+  for (const engine::EngineRow& row : engine::engines()) known.push_back(row.name);
   throw std::invalid_argument(
       fmt::format("no engine {}; expected one of {}", text::shown(name), fmt::join(known, ", ")));
 }

@@ -42,7 +42,7 @@ class State {
   const Numbering& numbering() const;
   /// With its hierarchy made as engine::prepared says, which throws where it cannot be. A Z text that the scene was
   /// read by answers in its place, and knows the elements that rays start on; it has no hierarchy to make.
-  const engine::Engine& prepared(const engine::Row& engine, const std::string& hierarchy) const;
+  const engine::Engine& prepared(const engine::EngineRow& engine, const std::string& hierarchy) const;
 
   /// For an edit, which nobody may read beside: what was made of the scene is forgotten.
   written::Edited& edited();
@@ -79,7 +79,7 @@ class Scene {
 
 /// Throws std::invalid_argument, which lists the engines, where none has the name; and where a Z text answers in their
 /// place, and the name is not that of whoever names none.
-const engine::Row& engine_named(const State& state, std::string_view name);
+const engine::EngineRow& engine_named(const State& state, std::string_view name);
 
 /// Throws std::invalid_argument where the scene was read by a Z text: `what` knows the program's own shapes alone.
 void require_own_shapes(const State& state, std::string_view what);

@@ -62,7 +62,7 @@ class Question {
 
  private:
   std::shared_ptr<const State> state_;
-  const engine::Row& row_;
+  const engine::EngineRow& row_;
   const Numbering& numbering_;
   Rays rays_;
   Origins origins_;
@@ -149,7 +149,7 @@ py::array_t<bool> occluded_segment(const Scene& scene, const py::object& rays, c
 
 py::tuple engines() {
   py::list rows;
-  for (const engine::Row& row : engine::engines())
+  for (const engine::EngineRow& row : engine::engines())
     rows.append(py::make_tuple(std::string(row.name), std::string(row.what), row.exact_bytes, row.honours_origins));
   return rows;
 }

@@ -34,8 +34,8 @@ std::pair<surface::Box, surface::Box> halves(const surface::Box& box, const Halv
 }
 
 /// The least and the greatest coordinates of the elements' boxes along an axis, sorted.
-struct Ends {
-  Ends(const Contents& contents, const Numbers& elements, int axis) {
+struct SortedExtents {
+  SortedExtents(const Contents& contents, const Numbers& elements, int axis) {
     for (const std::uint32_t number : elements) {
       const surface::Box box = contents.box_of(number);
       lows.push_back(box.low[axis]);
@@ -47,7 +47,7 @@ struct Ends {
   std::vector<double> lows, highs;
 };
 
-/// The halving by a plane, if the plane can be crossed exactly (Line::crossing) and lies inside the cell.
+/// The halving by a plane, if the plane can be crossed exactly (AxisRay::crossing) and lies inside the cell.
 std::optional<Halving> checked(const surface::Box& box, int axis, double plane) {
   if (std::abs(plane) < 0x1p-150) plane = 0;
   if (!(box.low[axis] < plane && plane < box.high[axis])) return {};
@@ -63,7 +63,7 @@ std::optional<Halving> at_median(const Contents& contents, const Numbers& elemen
   std::array<int, 3> axes{0, 1, 2};
   std::ranges::stable_sort(axes, [&](int a, int b) { return side[a] > side[b]; });
   for (const int axis : axes) {
-    Ends ends(contents, elements, axis);
+    SortedExtents ends(contents, elements, axis);
     std::vector<double> all = ends.lows;
     all.insert(all.end(), ends.highs.begin(), ends.highs.end());
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(elements.size());
@@ -86,7 +86,7 @@ std::optional<Halving> at_least_cost(const Contents& contents, const Numbers& el
   const auto all = static_cast<double>(elements.size());
   double least = (all - cost_of_plane) * area(box);
   for (int axis = 0; axis < 3; ++axis) {
-    const Ends ends(contents, elements, axis);
+    const SortedExtents ends(contents, elements, axis);
     const auto consider = [&](double plane) {
       const std::optional<Halving> by = checked(box, axis, plane);
       if (!by) return;

@@ -96,9 +96,9 @@ Classification::~Classification() = default;
 void Classification::make_list(Node& node, std::span<const Entry> of_parent) const {
   const glm::dvec3 middle = 0.5 * node.box.low + 0.5 * node.box.high;
   const double half = 0.5 * glm::length(node.box.high - node.box.low) * (1 + 0x1p-40) + margin_;
-  const Cone cone = cone_of(node.square, turned);
+  const DirectionCone cone = cone_of(node.square, turned);
   for (const Entry& entry : of_parent) {
-    const Seen grown = seen_from_within({middle, half}, balls_[entry.number]);
+    const ApparentBall grown = seen_from_within({middle, half}, balls_[entry.number]);
     if (may_be_seen(grown, cone)) node.list.push_back({entry.number, grown.near});
   }
   std::ranges::stable_sort(node.list, {}, &Entry::near);
@@ -119,7 +119,7 @@ std::unique_ptr<Classification::Node> Classification::child(const Node& node, st
 
 std::span<const Classification::Entry> Classification::list(const glm::dvec3& place, const trace::Ray& ray,
                                                             Work& work) const {
-  const Place towards = place_of(ray.v);
+  const CubePoint towards = place_of(ray.v);
   const Node* node = roots_[towards.face].get();
   while (!is_leaf(*node)) {
     ++work.nodes;
@@ -142,7 +142,7 @@ std::span<const Classification::Entry> Classification::list(const glm::dvec3& pl
 /// is more than 2⁻³⁸·t·|v| and the roundings of the place, contains it. Where the ray misses the box, any place serves.
 /// Nothing where t·|v| is too long for the margin.
 std::optional<Classification::Start> Classification::start(const trace::Ray& ray, const Beam& beam,
-                                                           const Stretch& stretch) const {
+                                                           const BoxInterval& stretch) const {
   if (stretch.entry == 0) return Start{0, ray.p};
   const double t = stretch.entry * (1 - 0x1p-40);
   if (!(t * ray.length() <= 0x1p8 * reach_)) return std::nullopt;

@@ -3,7 +3,7 @@
 namespace durero::accel {
 
 // The sum is rounded twice, each time by less than half of the factor's increase.
-Seen seen_from_within(const surface::Ball& from, const surface::Ball& to) {
+ApparentBall seen_from_within(const surface::Ball& from, const surface::Ball& to) {
   return seen({to.centre, (to.radius + from.radius) * (1 + 0x1p-50)}, from.centre);
 }
 

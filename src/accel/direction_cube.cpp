@@ -5,7 +5,7 @@
 
 namespace durero::accel {
 
-Place place_of(const glm::dvec3& direction) {
+CubePoint place_of(const glm::dvec3& direction) {
   int axis = 0;
   for (const int i : {1, 2})
     if (std::abs(direction[i]) > std::abs(direction[axis])) axis = i;
@@ -14,7 +14,7 @@ Place place_of(const glm::dvec3& direction) {
           direction[(axis + 2) % 3] / size};
 }
 
-glm::dvec3 direction_of(const Place& place) {
+glm::dvec3 direction_of(const CubePoint& place) {
   const int axis = static_cast<int>(place.face / 2);
   glm::dvec3 direction{};
   direction[axis] = place.face % 2 == 0 ? 1 : -1;
@@ -23,7 +23,7 @@ glm::dvec3 direction_of(const Place& place) {
   return direction;
 }
 
-std::uint32_t quarter_of(const Square& square, const Place& place) {
+std::uint32_t quarter_of(const Square& square, const CubePoint& place) {
   const double half = square.side / 2;
   return (place.u < square.u + half ? 0U : 1U) + (place.v < square.v + half ? 0U : 2U);
 }
@@ -35,7 +35,7 @@ Square quarter(const Square& square, std::uint32_t which) {
 
 // The directions within an angle below 90° of an axis are convex, so a cone that contains the corners' directions
 // contains the pyramid. The angle of a whole face is arccos(1/√3).
-Cone cone_of(const Square& square, double more) {
+DirectionCone cone_of(const Square& square, double more) {
   const auto at = [&](double du, double dv) {
     return direction(direction_of({square.face, square.u + du * square.side, square.v + dv * square.side}));
   };

@@ -36,7 +36,7 @@ std::optional<scene::PrimaryRays> primary_rays(const scene::Stage& stage) {
 
 struct ItemBuffer::Candidate {
   scene::ElementRef e;
-  Seen seen;
+  ApparentBall seen;
 };
 
 /// A rectangle of pixels.
@@ -48,7 +48,7 @@ namespace {
 
 /// A cone that contains the rays of a tile's pixels; nothing where they spread too wide.
 template <class Tile>
-std::optional<Cone> cone_of(const scene::PrimaryRays& rays, const Tile& tile) {
+std::optional<DirectionCone> cone_of(const scene::PrimaryRays& rays, const Tile& tile) {
   const auto at = [&](std::uint32_t x, std::uint32_t y) { return direction(rays.ray(x, y).v().xyz()); };
   const glm::dvec3 middle = at(tile.x + tile.width / 2, tile.y + tile.height / 2);
   double cosine = 1;

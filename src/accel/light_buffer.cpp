@@ -41,7 +41,7 @@ bool is_ordinary(const glm::dvec3& light) { return trace::ordinary(scene::Sphere
 /// 1, wherever x lies.
 constexpr double inner = 1 - 0x1p-20, outer = 1 + 0x1p-20;
 
-bool covers(const scene::Sphere& sphere, const Seen& seen, const Cone& cone) {
+bool covers(const scene::Sphere& sphere, const ApparentBall& seen, const DirectionCone& cone) {
   return seen.distance >= sphere.radio * outer * outer && is_covered(cone, seen, sphere.radio / seen.distance * inner);
 }
 
@@ -64,7 +64,7 @@ LightCube::LightCube(const scene::Scene& scene, const glm::dvec3& light, std::sp
 
 /// Adds a record for the nearest sphere in `seen` that covers the cone, and removes the elements that it hides. The
 /// record.
-std::uint32_t LightCube::end_at_cover(const Cone& cone, Numbers& seen, std::uint32_t record) {
+std::uint32_t LightCube::end_at_cover(const DirectionCone& cone, Numbers& seen, std::uint32_t record) {
   for (const std::uint32_t number : seen) {
     const Item& item = items_[number];
     if (item.seen.near > records_[record].from) break;
@@ -89,7 +89,7 @@ bool LightCube::is_settled(const Open& open) const {
 
 LightCube::Open LightCube::open(std::uint32_t node, const Square& square, const Numbers& seen, std::uint32_t record,
                                 std::uint32_t depth) {
-  const Cone cone = cone_of(square, widening);
+  const DirectionCone cone = cone_of(square, widening);
   Open open{node, square, {}, record, depth};
   std::ranges::copy_if(seen, std::back_inserter(open.seen),
                        [&](std::uint32_t number) { return may_be_seen(items_[number].seen, cone); });
@@ -153,7 +153,7 @@ void LightCube::close(const Open& open) {
 }
 
 LightCube::List LightCube::list(const trace::Ray& ray) const {
-  const Place place = place_of(-ray.v);
+  const CubePoint place = place_of(-ray.v);
   Square square = whole(place.face);
   const Node* node = &nodes_[place.face];
   while (node->is_quartered) {
@@ -174,7 +174,7 @@ void LightCube::add_to(Size& size) const {
                 references_.size() * sizeof(std::uint32_t);
 }
 
-LightBuffer::LightBuffer(const scene::Scene& scene, const LightBufferOptions& options) : Linear(scene) {
+LightBuffer::LightBuffer(const scene::Scene& scene, const LightBufferOptions& options) : LinearList(scene) {
   std::vector<scene::ElementRef> elements;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (trace::ordinary(shape)) elements.push_back(e);
@@ -196,7 +196,7 @@ bool LightBuffer::is_certainly_occluded(const trace::Ray& ray, scene::Origin en)
 }
 
 Size LightBuffer::size() const {
-  Size size = Linear::size();
+  Size size = LinearList::size();
   for (const LightCube& cube : cubes_) cube.add_to(size);
   return size;
 }

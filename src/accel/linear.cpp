@@ -2,9 +2,9 @@
 
 namespace durero::accel {
 
-static_assert(Structure<Linear>);
+static_assert(Structure<LinearList>);
 
-Size Linear::size() const {
+Size LinearList::size() const {
   const std::size_t apart = extraordinary().size(), elements = scene().size() - apart;
   const std::size_t ball = 4 * sizeof(double);  // a column each
   return {.elements = elements,

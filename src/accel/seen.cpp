@@ -18,7 +18,7 @@ double complement(double x) { return std::sqrt(std::max(0.0, (1 - x) * (1 + x)))
 }  // namespace
 
 // cos(α + w) ≥ cos α·(1 − w²/2) − w·sin α.
-Cone cone(const glm::dvec3& axis, double cosine, double more) {
+DirectionCone cone(const glm::dvec3& axis, double cosine, double more) {
   const double least = std::min(cosine, 1.0) - angle_slack;
   const double wider = std::max(0.0, least * (1 - more * more) - more * complement(least));
   return {direction(axis), wider, complement(wider)};
@@ -28,7 +28,7 @@ double cosine_between(const glm::dvec3& a, const glm::dvec3& b) { return glm::do
 
 glm::dvec3 direction(const glm::dvec3& vector) { return vector / std::sqrt(glm::dot(vector, vector)); }
 
-Seen seen(const surface::Ball& ball, const glm::dvec3& from) {
+ApparentBall seen(const surface::Ball& ball, const glm::dvec3& from) {
   const glm::dvec3 to = ball.centre - from;
   const double distance = std::sqrt(glm::dot(to, to)), slack = 0x1p-45 * (distance + ball.radius);
   const bool around = !(distance > ball.radius + slack);  // an infinite radius too
@@ -53,7 +53,7 @@ Seen seen(const surface::Ball& ball, const glm::dvec3& from) {
 
 // Where the cone sees the ball, their angles add up to the angle of the centres at least. The sum is 180° at most,
 // where the cosine falls with the angle.
-bool may_be_seen(const Seen& ball, const Cone& cone) {
+bool may_be_seen(const ApparentBall& ball, const DirectionCone& cone) {
   if (ball.around) return true;
   const double farthest = ball.cosine * cone.cosine - ball.sine * cone.sine;
   return cosine_between(ball.towards, cone.axis) >= farthest - angle_slack;
@@ -61,7 +61,7 @@ bool may_be_seen(const Seen& ball, const Cone& cone) {
 
 // The ball covers the cone where the angle between axis and centre and the angle of the cone add up to that of the sine
 // at most.
-bool is_covered(const Cone& cone, const Seen& ball, double sine) {
+bool is_covered(const DirectionCone& cone, const ApparentBall& ball, double sine) {
   if (ball.around || sine < cone.sine) return false;
   const double nearest = complement(sine) * cone.cosine + sine * cone.sine;
   return cosine_between(ball.towards, cone.axis) >= nearest + angle_slack;

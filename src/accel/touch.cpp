@@ -18,8 +18,8 @@ constexpr double slack = 0x1p-40;
 double extent(const glm::dvec3& x) { return std::abs(x.x) + std::abs(x.y) + std::abs(x.z); }
 
 /// A box relative to a point: every difference is rounded once, however far both lie from the origin of space.
-struct Seen {
-  Seen(const Box& box, const glm::dvec3& from)
+struct RelativeBox {
+  RelativeBox(const Box& box, const glm::dvec3& from)
       : low(box.low - from), high(box.high - from), middle(0.5 * low + 0.5 * high), half(0.5 * high - 0.5 * low) {
     size = std::max(extent(low), extent(high));
   }
@@ -38,7 +38,7 @@ bool overlap(const Box& a, const Box& b) {
 
 // The surface touches the box where the nearest point of the box is within the sphere and the farthest is not.
 bool touched(const scene::Sphere& sphere, const Box& box) {
-  const Seen seen(box, sphere.centro);
+  const RelativeBox seen(box, sphere.centro);
   double nearest = 0, farthest = 0;
   for (int i = 0; i < 3; ++i) {
     const double near = std::max({seen.low[i], -seen.high[i], 0.0});
@@ -53,7 +53,7 @@ bool touched(const scene::Sphere& sphere, const Box& box) {
 // Two convex bodies with flat faces are apart exactly where a plane along a face of one, or along an edge of each,
 // separates them. The box's own faces have been tried.
 bool touched(const scene::Triangle& triangle, const Box& box) {
-  const Seen seen(box, triangle.vertices[0]);
+  const RelativeBox seen(box, triangle.vertices[0]);
   const glm::dvec3 b = triangle.vertices[1] - triangle.vertices[0], c = triangle.vertices[2] - triangle.vertices[0];
   const double size = seen.size + extent(b) + extent(c);
   const auto parts = [&](const glm::dvec3& across, double scale) {
@@ -71,14 +71,14 @@ bool touched(const scene::Triangle& triangle, const Box& box) {
 }
 
 /// The solid between two discs across a unit axis, which bounds a shape along the axis, with the radii of its ends.
-struct Solid {
+struct AxialSolid {
   glm::dvec3 centro, vector;
   double altura, base, top;
 };
 
 // The test of a plane across c. Between the discs, w·c is at most that of the farther rim's farthest point: |c|² less
 // (c·vector)² is the square of the part of c across the axis.
-bool parted(const Solid& solid, const Seen& seen, const glm::dvec3& c) {
+bool parted(const AxialSolid& solid, const RelativeBox& seen, const glm::dvec3& c) {
   const double along = dot(c, solid.vector);
   const double across = std::sqrt(std::max(0.0, dot(c, c) - along * along)) + slack * extent(c);
   const double farthest = std::max(solid.base * across, solid.altura * along + solid.top * across);
@@ -88,7 +88,7 @@ bool parted(const Solid& solid, const Seen& seen, const glm::dvec3& c) {
 
 /// Whether some plane separates the box from the solid: across the axis; along the axis and an edge of the box; or
 /// tangent to the solid where it faces the middle of the box.
-bool apart(const Solid& solid, const Seen& seen) {
+bool apart(const AxialSolid& solid, const RelativeBox& seen) {
   const glm::dvec3& d = solid.vector;
   const auto parted_either_way = [&](const glm::dvec3& c) { return parted(solid, seen, c) || parted(solid, seen, -c); };
   if (parted_either_way(d)) return true;
@@ -105,7 +105,7 @@ bool apart(const Solid& solid, const Seen& seen) {
 }
 
 /// Whether every corner of the box, and so all of it, lies strictly inside the wall, extended beyond both ends.
-bool within_wall(const Solid& solid, const Seen& seen) {
+bool within_wall(const AxialSolid& solid, const RelativeBox& seen) {
   const double slope = (solid.base - solid.top) / solid.altura;
   const double size = (seen.size + solid.altura + solid.base + solid.top) * (1 + slope);
   for (unsigned corner = 0; corner < 8; ++corner) {
@@ -119,25 +119,25 @@ bool within_wall(const Solid& solid, const Seen& seen) {
 }
 
 bool touched(const scene::Disc& disc, const Box& box) {
-  return !apart({disc.centro, disc.vector, 0, disc.radio, disc.radio}, Seen(box, disc.centro));
+  return !apart({disc.centro, disc.vector, 0, disc.radio, disc.radio}, RelativeBox(box, disc.centro));
 }
 
-bool touched(const Solid& solid, const Box& box) {
-  const Seen seen(box, solid.centro);
+bool touched(const AxialSolid& solid, const Box& box) {
+  const RelativeBox seen(box, solid.centro);
   return !apart(solid, seen) && !within_wall(solid, seen);
 }
 bool touched(const scene::Cylinder& e, const Box& box) {
-  return touched(Solid{e.centro, e.vector, e.altura, e.radio, e.radio}, box);
+  return touched(AxialSolid{e.centro, e.vector, e.altura, e.radio, e.radio}, box);
 }
 bool touched(const scene::Cone& e, const Box& box) {
-  return touched(Solid{e.centro, e.vector, e.altura, e.proporcion * e.altura, 0}, box);
+  return touched(AxialSolid{e.centro, e.vector, e.altura, e.proporcion * e.altura, 0}, box);
 }
 bool touched(const scene::TruncatedCone& e, const Box& box) {
-  return touched(Solid{e.centro, e.vector, e.altura, surface::radius_of_base(e), e.radio}, box);
+  return touched(AxialSolid{e.centro, e.vector, e.altura, surface::radius_of_base(e), e.radio}, box);
 }
 // A plane has no finite box, so no structure asks for its cells.
 bool touched(const scene::Plane& plane, const Box& box) {
-  const Seen seen(box, plane.centro);
+  const RelativeBox seen(box, plane.centro);
   const double less = slack * seen.size * extent(plane.vector);
   return seen.least(plane.vector) <= less && seen.greatest(plane.vector) >= -less;
 }

@@ -21,7 +21,7 @@ void Volumes::bound(Choose choose) {
   });
 }
 
-Volumes::Volumes(const scene::Scene& scene, const Kind& kind) : scene_(&scene) {
+Volumes::Volumes(const scene::Scene& scene, const VolumeKind& kind) : scene_(&scene) {
   bound([&](scene::ShapeView element) { return Volume{{kind.around(element, outline(element))}}; });
 }
 

@@ -20,9 +20,9 @@ namespace {
 constexpr std::size_t at_a_time = std::size_t{1} << 16;
 
 /// Elements as numbers: ascending, as they lie in the tables of their types one behind the other.
-class Numbers {
+class ElementNumbers {
  public:
-  explicit Numbers(const scene::Scene& scene) {
+  explicit ElementNumbers(const scene::Scene& scene) {
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
       first_[static_cast<std::size_t>(Shape::tipo)] = size_;
       size_ += static_cast<std::uint32_t>(scene.shapes<Shape>().size());
@@ -45,7 +45,7 @@ class Numbers {
 };
 
 /// The i-th ray, where it is one.
-void require_ray(const durero_ray_arrays& rays, std::size_t i, const Numbers& numbers) {
+void require_ray(const durero_ray_arrays& rays, std::size_t i, const ElementNumbers& numbers) {
   bool finite = true, still = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     finite = finite && std::isfinite(rays.p[axis][i]) && std::isfinite(rays.v[axis][i]);
@@ -62,7 +62,7 @@ void require_ray(const durero_ray_arrays& rays, std::size_t i, const Numbers& nu
 class Rays {
  public:
   /// Throws std::invalid_argument where one of them is none.
-  Rays(const durero_ray_arrays& rays, std::size_t count, const Numbers& numbers)
+  Rays(const durero_ray_arrays& rays, std::size_t count, const ElementNumbers& numbers)
       : rays_(rays), count_(count), numbers_(numbers) {
     for (std::size_t i = 0; i < count; ++i) require_ray(rays, i, numbers);
   }
@@ -92,7 +92,7 @@ class Rays {
 
   const durero_ray_arrays& rays_;
   std::size_t count_;
-  const Numbers& numbers_;
+  const ElementNumbers& numbers_;
   std::vector<std::optional<scene::ElementRef>> start_;
 };
 
@@ -108,7 +108,8 @@ bool asks_where(const durero_hit_arrays& hits) {
   return hits.t != nullptr || std::ranges::any_of(hits.point, [](const double* of) { return of != nullptr; });
 }
 
-void write(const durero_hit_arrays& hits, std::size_t i, const trace::FirstElement& found, const Numbers& numbers) {
+void write(const durero_hit_arrays& hits, std::size_t i, const trace::FirstElement& found,
+           const ElementNumbers& numbers) {
   if (hits.outcome != nullptr) hits.outcome[i] = static_cast<std::uint8_t>(c::outcome(found.resultado));
   if (hits.elements != nullptr) hits.elements[i] = found.count;
   if (hits.element != nullptr) hits.element[i] = found.count == 0 ? DURERO_NO_ELEMENT : numbers.of(found.least);
@@ -119,7 +120,7 @@ void write(const durero_hit_arrays& hits, std::size_t i, const trace::FirstEleme
 durero_answer durero_first_hits_of_arrays(const durero_engine* engine, const durero_ray_arrays* rays, size_t count,
                                           const durero_hit_arrays* hits) {
   return guarded(DURERO_FAILED, [&] {
-    const Numbers numbers(*engine->scene);
+    const ElementNumbers numbers(*engine->scene);
     Rays asked(*rays, count, numbers);
     std::vector<trace::FirstElement> found(asked.most());
     std::array<std::vector<double>, 4> spare;
@@ -142,7 +143,7 @@ durero_answer durero_first_hits_of_arrays(const durero_engine* engine, const dur
 durero_answer durero_occluded_segments(const durero_engine* engine, const durero_ray_arrays* rays, size_t count,
                                        uint8_t* occluded) {
   return guarded(DURERO_FAILED, [&] {
-    const Numbers numbers(*engine->scene);
+    const ElementNumbers numbers(*engine->scene);
     Rays asked(*rays, count, numbers);
     const auto found = std::make_unique<bool[]>(asked.most());
     asked.some_at_a_time([&](std::size_t begin, const engine::RayArrays& some) {
@@ -154,11 +155,11 @@ durero_answer durero_occluded_segments(const durero_engine* engine, const durero
 }
 
 const char* durero_element_name(const durero_engine* engine, uint32_t element) {
-  const auto named = Numbers(*engine->scene).element(element);
+  const auto named = ElementNumbers(*engine->scene).element(element);
   return named ? engine->scene->name(*named).name().c_str() : nullptr;
 }
 
 uint32_t durero_element_number(const durero_engine* engine, const char* name) {
   const auto element = engine->scene->find(name);
-  return element ? Numbers(*engine->scene).of(*element) : DURERO_NO_ELEMENT;
+  return element ? ElementNumbers(*engine->scene).of(*element) : DURERO_NO_ELEMENT;
 }

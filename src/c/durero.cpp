@@ -37,7 +37,7 @@ scene::Query query(const durero_ray& ray, std::size_t number) {
 }
 
 durero_engine* ready(const durero_scene& scene, std::string_view name, std::string_view hierarchy) {
-  const engine::Row* row = engine::find(name);
+  const engine::EngineRow* row = engine::find(name);
   if (row == nullptr) throw std::invalid_argument("no engine " + std::string(name));
   return new durero_engine{&scene.value.of().scene, engine::prepared(*row, hierarchy, scene.value.of())};
 }

@@ -25,7 +25,7 @@ namespace durero::cli {
 namespace {
 
 using conform::Agreement;
-using oracle::sampled::Verdict;
+using oracle::sampled::SampledVerdict;
 
 struct AgreeOptions {
   std::string scene, format = "text";
@@ -37,11 +37,13 @@ struct AgreeOptions {
 };
 
 void print_text(const Agreement& agreement, const AgreeOptions& options, const scene::Scene& scene) {
-  const auto of = [&](Verdict verdict) { return agreement.of(verdict); };
-  const std::string unexplained = fmt::format("unexplained: {}", of(Verdict::incomplete) + of(Verdict::unsound));
-  std::string text = fmt::format("{} rays: {} agree in both directions\n", agreement.rays(), of(Verdict::agrees));
-  text += fmt::format("explained: {} grazing, {} at a rim, {} at the origin\n", of(Verdict::grazing), of(Verdict::rim),
-                      of(Verdict::origin));
+  const auto of = [&](SampledVerdict verdict) { return agreement.of(verdict); };
+  const std::string unexplained =
+      fmt::format("unexplained: {}", of(SampledVerdict::incomplete) + of(SampledVerdict::unsound));
+  std::string text =
+      fmt::format("{} rays: {} agree in both directions\n", agreement.rays(), of(SampledVerdict::agrees));
+  text += fmt::format("explained: {} grazing, {} at a rim, {} at the origin\n", of(SampledVerdict::grazing),
+                      of(SampledVerdict::rim), of(SampledVerdict::origin));
   text += (agreement.first ? in_red(unexplained, STDOUT_FILENO) : unexplained) + '\n';
   if (agreement.first) {
     text += fmt::format("the first is ray {} of --seed {}: {}\n", agreement.first->ray, options.seed,

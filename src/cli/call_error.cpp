@@ -120,8 +120,8 @@ std::string mismatched(const CLI::App& command, const std::string& said) {
   if (option == nullptr) option = command.get_option_no_throw("--" + name);  // a flag's name comes without
   if (option == nullptr) return said;
   name = option->get_name();
-  const Value value = value_of(*option);
-  if (value.kind == Value::Kind::none) return fmt::format("{}: it takes no value; expected {} alone", name, name);
+  const OptionValue value = value_of(*option);
+  if (value.kind == OptionValue::Kind::none) return fmt::format("{}: it takes no value; expected {} alone", name, name);
   if (option->count() > 1) return fmt::format("{}: it is given {} times; expected once", name, option->count());
   return fmt::format("{}: its value is missing; expected {} {}", name, name, value.name);
 }

@@ -11,22 +11,22 @@
 namespace durero::cli {
 namespace {
 
-struct Shell {
+struct CompletionShell {
   const char* name;
   std::string (*script)(const CLI::App&);
 };
-constexpr Shell shells[] = {{"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
+constexpr CompletionShell shells[] = {{"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
 
 std::vector<std::string> shell_names() {
   std::vector<std::string> names;
-  for (const Shell& shell : shells) names.emplace_back(shell.name);
+  for (const CompletionShell& shell : shells) names.emplace_back(shell.name);
   return names;
 }
 
 }  // namespace
 
-Value completed(const CLI::Option& option) {
-  Value value = value_of(option);
+OptionValue completed(const CLI::Option& option) {
+  OptionValue value = value_of(option);
   const std::string folder = conform::default_systems();
   const bool names_system = option.get_name() == "SYSTEM" || option.get_name() == "--profile";
   if (!names_system || !std::filesystem::is_directory(folder)) return value;
@@ -49,7 +49,7 @@ void add_completion(CLI::App& app, int& status) {
                   examples({"completion bash >durero.bash && . ./durero.bash", "completion zsh >~/.zfunc/_durero",
                             "completion fish | source"}));
   command->callback([&app, name, &status] {
-    for (const Shell& shell : shells)
+    for (const CompletionShell& shell : shells)
       if (*name == shell.name) io::print(shell.script(app));
     status = 0;
   });

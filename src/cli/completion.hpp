@@ -15,7 +15,7 @@ std::string fish_completion(const CLI::App& app);
 
 /// The value that the option or argument takes, with the names of the systems that come with the program where it may
 /// be one.
-Value completed(const CLI::Option& option);
+OptionValue completed(const CLI::Option& option);
 
 /// The text as one word of a shell: between single quotes.
 std::string shell_word(std::string_view text);

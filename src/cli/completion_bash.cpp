@@ -37,19 +37,19 @@ complete -F _durero durero
 )";
 
 /// The command that completes a value, or nothing.
-std::string completing_in_bash(const Value& value) {
+std::string completing_in_bash(const OptionValue& value) {
   std::string call;
   if (!value.words.empty())
     call += fmt::format("_durero_words {} \"$current\"", shell_word(fmt::format("{}", fmt::join(value.words, " "))));
-  if (!call.empty() && value.kind == Value::Kind::file) call += "; ";
-  if (value.kind == Value::Kind::file) call += "_durero_files \"$current\"";
-  if (value.kind == Value::Kind::folder) call += "_durero_folders \"$current\"";
+  if (!call.empty() && value.kind == OptionValue::Kind::file) call += "; ";
+  if (value.kind == OptionValue::Kind::file) call += "_durero_files \"$current\"";
+  if (value.kind == OptionValue::Kind::folder) call += "_durero_folders \"$current\"";
   return call.empty() ? ":" : call;
 }
 
 std::string option_row_in_bash(const std::string& path, const CLI::Option& option) {
-  const Value value = completed(option);
-  if (value.kind == Value::Kind::none) return "";
+  const OptionValue value = completed(option);
+  if (value.kind == OptionValue::Kind::none) return "";
   std::vector<std::string> patterns;
   for (const std::string& name : names_of(option)) patterns.push_back(shell_word(path + "/" + name));
   return fmt::format("    {}) {}; return ;;\n", fmt::join(patterns, " | "), completing_in_bash(value));

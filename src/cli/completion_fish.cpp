@@ -25,11 +25,11 @@ complete -c durero -f
 )";
 
 /// The arguments of `complete` that complete a value.
-std::string completing_in_fish(const Value& value) {
+std::string completing_in_fish(const OptionValue& value) {
   std::string call;
   if (!value.words.empty()) call = " -a " + shell_word(fmt::format("{}", fmt::join(value.words, " ")));
-  if (value.kind == Value::Kind::file) return call + " -F";
-  if (value.kind == Value::Kind::folder) return call + " -a '(__fish_complete_directories)'";
+  if (value.kind == OptionValue::Kind::file) return call + " -F";
+  if (value.kind == OptionValue::Kind::folder) return call + " -a '(__fish_complete_directories)'";
   return call;
 }
 
@@ -37,8 +37,8 @@ std::string option_row_in_fish(const std::string& at, const CLI::Option& option)
   std::string row = at;
   for (const std::string& letter : option.get_snames()) row += " -s " + letter;
   for (const std::string& word : option.get_lnames()) row += " -l " + word;
-  const Value value = completed(option);
-  if (value.kind != Value::Kind::none) row += value.kind == Value::Kind::file ? " -r" : " -x";
+  const OptionValue value = completed(option);
+  if (value.kind != OptionValue::Kind::none) row += value.kind == OptionValue::Kind::file ? " -r" : " -x";
   return fmt::format("{} -d {}{}\n", row, shell_word(option.get_description()), completing_in_fish(value));
 }
 

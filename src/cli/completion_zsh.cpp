@@ -24,27 +24,27 @@ std::string escaped(std::string_view text) {
 }
 
 /// `:message:action` of a value.
-std::string action(const Value& value) {
+std::string action(const OptionValue& value) {
   std::string action;
-  if (value.kind == Value::Kind::file) action = "_files";
-  if (value.kind == Value::Kind::file && !value.words.empty())
+  if (value.kind == OptionValue::Kind::file) action = "_files";
+  if (value.kind == OptionValue::Kind::file && !value.words.empty())
     action = fmt::format(" _alternative 'names: :({})' 'files: :_files'", fmt::join(value.words, " "));
-  if (value.kind == Value::Kind::folder) action = "_files -/";
-  if (value.kind == Value::Kind::word) action = fmt::format("({})", fmt::join(value.words, " "));
+  if (value.kind == OptionValue::Kind::folder) action = "_files -/";
+  if (value.kind == OptionValue::Kind::word) action = fmt::format("({})", fmt::join(value.words, " "));
   return fmt::format(":{}:{}", escaped(value.name), action);
 }
 
 std::string option_rows(const CLI::Option& option) {
-  const Value value = completed(option);
+  const OptionValue value = completed(option);
   const auto names = names_of(option);
   std::string text;
   for (const std::string& name : names) {
     const std::string others = names.size() > 1 ? fmt::format("({})", fmt::join(names, " ")) : "";
     const bool is_list = option.get_items_expected_max() > 1;
-    const std::string may_be_with_equals = name.starts_with("--") && value.kind != Value::Kind::none ? "=" : "";
+    const std::string may_be_with_equals = name.starts_with("--") && value.kind != OptionValue::Kind::none ? "=" : "";
     text += " \\\n    " + shell_word(fmt::format("{}{}{}[{}]{}", is_list ? "*" : others, name, may_be_with_equals,
                                                  escaped(option.get_description()),
-                                                 value.kind == Value::Kind::none ? "" : action(value)));
+                                                 value.kind == OptionValue::Kind::none ? "" : action(value)));
   }
   return text;
 }

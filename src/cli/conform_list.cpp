@@ -11,7 +11,7 @@ namespace durero::cli {
 namespace {
 
 using conform::Family;
-using conform::Format;
+using conform::NumberFormat;
 using conform::Range;
 using io::json::Writer;
 
@@ -19,7 +19,7 @@ std::string range_text(const Range& range) { return fmt::format("{} … {}", ran
 
 std::string text_of(const Family& family) {
   const Range& range = family.parameter;
-  const Range in_binary32 = parameter(family, Format::binary32);
+  const Range in_binary32 = parameter(family, NumberFormat::binary32);
   std::string text = fmt::format("{:20} {}\n{:20} {}\n{:20} {}: {}", family.name, family.kind, "", family.reason, "",
                                  range.name, range_text(range));
   if (in_binary32.least != range.least || in_binary32.greatest != range.greatest)
@@ -41,7 +41,7 @@ std::string families_json() {
     out.member("reason", family.reason).key("parameter").begin_object().member("name", family.parameter.name);
     write_range(out, family.parameter);
     out.key("binary32").begin_object();
-    write_range(out, parameter(family, Format::binary32));
+    write_range(out, parameter(family, NumberFormat::binary32));
     out.end_object().end_object().end_object();
   }
   out.new_line().end_array();

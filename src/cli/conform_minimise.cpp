@@ -27,7 +27,7 @@ struct ConformMinimiseOptions {
 Finding finding_of(const SuiteCase& whole, std::size_t ray, const Ask& ask, const Profile& profile) {
   SuiteCase of = with_ray_alone(whole, ray);
   const Claim claim = ask(of);
-  const Judgement judgement = judge(of, 0, claim, profile);
+  const ClaimJudgement judgement = judge(of, 0, claim, profile);
   return {std::move(of), ray, claim, judgement};
 }
 

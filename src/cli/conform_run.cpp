@@ -85,7 +85,7 @@ RunOptions run_options(const System& system, const ConformRunOptions& options) {
 }
 
 /// The outcome for a system; its number is the exit status.
-enum class Outcome { conformant = 0, not_conformant = 1, not_asked = 2 };
+enum class ConformanceStatus { conformant = 0, not_conformant = 1, not_asked = 2 };
 
 /// Asks the system and judges its claims; nothing where the run was stopped.
 std::optional<Report> report_of(const System& system, const std::string& asked, const ConformRunOptions& options) {
@@ -110,15 +110,15 @@ std::optional<Report> report_of(const System& system, const std::string& asked, 
   return std::nullopt;
 }
 
-Outcome run_one(const System& system, const std::string& asked, const ConformRunOptions& options) {
+ConformanceStatus run_one(const System& system, const std::string& asked, const ConformRunOptions& options) {
   if (const std::string why = why_absent(system); !why.empty()) {
     io::print(fmt::format("{}: absent: {}; expected durero conform setup {}\n", system.name, why, asked));
-    return Outcome::not_asked;
+    return ConformanceStatus::not_asked;
   }
   const std::string folder = fmt::format("{}/{}", options.report, system.name);
   if (!options.report.empty()) require_room_for_reports(folder);
   std::optional<Report> report = report_of(system, asked, options);
-  if (!report) return Outcome::not_asked;
+  if (!report) return ConformanceStatus::not_asked;
   if (!options.report.empty() && !options.is_not_minimised) {
     Progress progress(options.quiet, system.name + ": minimising", "questions");
     const Ask ask = asking(system, run_options(system, options).ask, interrupted());
@@ -126,7 +126,7 @@ Outcome run_one(const System& system, const std::string& asked, const ConformRun
   }
   io::print(report_text(*report));
   if (!options.report.empty()) write_reports(folder, *report);
-  return report->tally.is_conformant() ? Outcome::conformant : Outcome::not_conformant;
+  return report->tally.is_conformant() ? ConformanceStatus::conformant : ConformanceStatus::not_conformant;
 }
 
 /// Checks that the names differ, for each system has a folder of its name for its findings.

@@ -88,7 +88,7 @@ SuiteOptions suite_of(const SuiteCall& call) {
   for (const std::string& name : call.families) options.families.push_back(&family_of(name));
   for (const std::string& word : call.types) options.tipos.push_back(type_of(word));
   options.caps = call.solids ? Caps::solid : Caps::open;
-  options.numbers = call.numbers == word(Format::binary64) ? Format::binary64 : Format::binary32;
+  options.numbers = call.numbers == word(NumberFormat::binary64) ? NumberFormat::binary64 : NumberFormat::binary32;
   return options;
 }
 

@@ -15,7 +15,7 @@ struct SuiteCall {
   std::size_t rays = conform::SuiteOptions().rays;
   std::vector<std::string> types;
   bool solids = false;
-  std::string numbers{word(conform::Format::binary32)};
+  std::string numbers{word(conform::NumberFormat::binary32)};
 };
 
 /// Adds --family, --seed and --rays.

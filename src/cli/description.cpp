@@ -10,33 +10,33 @@
 namespace durero::cli {
 namespace {
 
-using Kind = Value::Kind;
+using Kind = OptionValue::Kind;
 
 /// A value that is neither a number nor one of a few words, by the name of its option or argument, which means the same
 /// everywhere.
-struct Row {
+struct ArgumentRow {
   std::string_view name;
   Kind kind;
   std::string_view shown;
 };
 constexpr std::array rows = {
-    Row{"SCENE", Kind::file, "SCENE"},         Row{"RAYS", Kind::file, "RAYS"},
-    Row{"HITS", Kind::file, "HITS"},           Row{"FILE", Kind::file, "FILE"},
-    Row{"FILES", Kind::file, "FILES"},         Row{"PATH", Kind::file, "PATH"},
-    Row{"REPORT", Kind::file, "REPORT"},       Row{"CAMPAIGN", Kind::file, "CAMPAIGN"},
-    Row{"--scene", Kind::file, "SCENE"},       Row{"--script", Kind::file, "FILE"},
-    Row{"--output", Kind::file, "FILE"},       Row{"--reproducer", Kind::file, "FILE"},
-    Row{"--profile", Kind::file, "PROFILE"},   Row{"SYSTEM", Kind::file, "SYSTEM"},
-    Row{"DIR", Kind::folder, "DIR"},           Row{"--systems", Kind::folder, "DIR"},
-    Row{"--report", Kind::folder, "DIR"},      Row{"--directory", Kind::folder, "DIR"},
-    Row{"EXPR", Kind::text, "EXPR"},           Row{"NAME", Kind::text, "NAME"},
-    Row{"COMMAND", Kind::text, "COMMAND"},     Row{"CASE", Kind::text, "CASE"},
-    Row{"--case", Kind::text, "CASE"},         Row{"--op", Kind::text, "OPERATION"},
-    Row{"--size", Kind::text, "WxH"},          Row{"--crop", Kind::text, "X,Y,W,H"},
-    Row{"--state", Kind::text, "SCHEMA"},      Row{"--init", Kind::text, "SCHEMA"},
-    Row{"--given", Kind::text, "SET=MEMBERS"}, Row{"--let", Kind::text, "NAME=VALUE"},
-    Row{"--replay", Kind::file, "TRACE"},      Row{"--with", Kind::file, "FILE"},
-    Row{"--with", Kind::file, "TEXT"},         Row{"--from", Kind::text, "X,Y,Z"},
+    ArgumentRow{"SCENE", Kind::file, "SCENE"},         ArgumentRow{"RAYS", Kind::file, "RAYS"},
+    ArgumentRow{"HITS", Kind::file, "HITS"},           ArgumentRow{"FILE", Kind::file, "FILE"},
+    ArgumentRow{"FILES", Kind::file, "FILES"},         ArgumentRow{"PATH", Kind::file, "PATH"},
+    ArgumentRow{"REPORT", Kind::file, "REPORT"},       ArgumentRow{"CAMPAIGN", Kind::file, "CAMPAIGN"},
+    ArgumentRow{"--scene", Kind::file, "SCENE"},       ArgumentRow{"--script", Kind::file, "FILE"},
+    ArgumentRow{"--output", Kind::file, "FILE"},       ArgumentRow{"--reproducer", Kind::file, "FILE"},
+    ArgumentRow{"--profile", Kind::file, "PROFILE"},   ArgumentRow{"SYSTEM", Kind::file, "SYSTEM"},
+    ArgumentRow{"DIR", Kind::folder, "DIR"},           ArgumentRow{"--systems", Kind::folder, "DIR"},
+    ArgumentRow{"--report", Kind::folder, "DIR"},      ArgumentRow{"--directory", Kind::folder, "DIR"},
+    ArgumentRow{"EXPR", Kind::text, "EXPR"},           ArgumentRow{"NAME", Kind::text, "NAME"},
+    ArgumentRow{"COMMAND", Kind::text, "COMMAND"},     ArgumentRow{"CASE", Kind::text, "CASE"},
+    ArgumentRow{"--case", Kind::text, "CASE"},         ArgumentRow{"--op", Kind::text, "OPERATION"},
+    ArgumentRow{"--size", Kind::text, "WxH"},          ArgumentRow{"--crop", Kind::text, "X,Y,W,H"},
+    ArgumentRow{"--state", Kind::text, "SCHEMA"},      ArgumentRow{"--init", Kind::text, "SCHEMA"},
+    ArgumentRow{"--given", Kind::text, "SET=MEMBERS"}, ArgumentRow{"--let", Kind::text, "NAME=VALUE"},
+    ArgumentRow{"--replay", Kind::file, "TRACE"},      ArgumentRow{"--with", Kind::file, "FILE"},
+    ArgumentRow{"--with", Kind::file, "TEXT"},         ArgumentRow{"--from", Kind::text, "X,Y,Z"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.
@@ -67,7 +67,7 @@ std::string capital(std::string name) {
 
 }  // namespace
 
-Value value_of(const CLI::Option& option) {
+OptionValue value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return {};
   const std::string name = option.get_name();
   const auto [type, checks] = typed(option);
@@ -76,7 +76,7 @@ Value value_of(const CLI::Option& option) {
     return {Kind::word, capital(name), listed(std::string_view(checks).substr(1, checks.find('}') - 1)), ""};
   if (type == "UINT" || type == "INT" || type == "FLOAT")
     return {Kind::number, is_place ? name : type == "FLOAT" ? "NUMBER" : "N", {}, checks};
-  const auto* const row = std::ranges::find(rows, name, &Row::name);
+  const auto* const row = std::ranges::find(rows, name, &ArgumentRow::name);
   if (row == rows.end()) return {Kind::text, type, {}, ""};
   return {row->kind, std::string(row->shown), {}, ""};
 }
@@ -120,7 +120,7 @@ std::string usage(const CLI::App& command) {
   std::string text = "durero" + (path.empty() ? "" : " " + path);
   std::string rest;
   for (const CLI::Option* option : options(command)) {
-    const Value value = value_of(*option);
+    const OptionValue value = value_of(*option);
     if (option->get_required()) rest += " " + option->get_name() + (value.kind == Kind::none ? "" : " " + value.name);
   }
   for (const CLI::Option* argument : arguments(command)) {
@@ -132,8 +132,8 @@ std::string usage(const CLI::App& command) {
   return text + " [OPTION]..." + rest;
 }
 
-std::vector<Section> sections(const CLI::App& command) {
-  std::vector<Section> sections;
+std::vector<FooterSection> sections(const CLI::App& command) {
+  std::vector<FooterSection> sections;
   std::istringstream lines(command.get_footer());
   for (std::string line; std::getline(lines, line);) {
     const bool is_title = !line.empty() && line.front() != ' ' && line.back() == ':';

@@ -9,7 +9,7 @@
 namespace durero::cli {
 
 /// The value that an option or an argument takes.
-struct Value {
+struct OptionValue {
   enum class Kind { none, number, word, file, folder, text };
   Kind kind = Kind::none;
   std::string name;                ///< the name in help: FILE, N, ENGINE
@@ -17,7 +17,7 @@ struct Value {
   std::string bounds;              ///< the bounds of a number: `1 to 1024`
 };
 
-Value value_of(const CLI::Option& option);
+OptionValue value_of(const CLI::Option& option);
 
 /// The words of the command, such as `conform run`; empty for the program itself.
 std::string path_of(const CLI::App& command);
@@ -33,11 +33,11 @@ std::vector<std::string> names_of(const CLI::Option& option);
 std::string usage(const CLI::App& command);
 
 /// A part of a footer: `Title:` on a line of its own and lines that two spaces indent; or, without a title, lines.
-struct Section {
+struct FooterSection {
   std::string title;
   std::vector<std::string> lines;
 };
-std::vector<Section> sections(const CLI::App& command);
+std::vector<FooterSection> sections(const CLI::App& command);
 
 /// The sections that end a footer, in this order: the meaning of the exit statuses of the command, and calls of it.
 std::string exit_status(const std::string& zero, const std::string& one, const std::string& two);

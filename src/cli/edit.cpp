@@ -32,9 +32,9 @@ struct EditOptions {
 };
 
 // The script's operations, then those of --op, numbered as lines after the script's last.
-std::vector<io::Step> read_script(const EditOptions& options, const written::Edited& edited) {
+std::vector<io::ScriptStep> read_script(const EditOptions& options, const written::Edited& edited) {
   const scene::Stage& stage = edited.of().scene.stage();
-  std::vector<io::Step> steps;
+  std::vector<io::ScriptStep> steps;
   std::size_t lines = 0;
   if (!options.script.empty() || options.operations.empty()) {
     const io::Source script = io::read_lines(options.script.empty() ? "-" : options.script);
@@ -43,7 +43,7 @@ std::vector<io::Step> read_script(const EditOptions& options, const written::Edi
   }
   std::string joined;
   for (const std::string& operation : options.operations) joined.append(operation).append("\n");
-  for (io::Step& step : io::read_script(io::Source("--op", joined), stage, edited.types())) {
+  for (io::ScriptStep& step : io::read_script(io::Source("--op", joined), stage, edited.types())) {
     step.line += lines;
     steps.push_back(std::move(step));
   }
@@ -60,7 +60,7 @@ void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before
 }
 
 /// Carries out a step, which the text of spec/ judges; it does not speak of groups.
-io::EditAnswer carry_out(written::Edited& edited, const io::Step& step, const oracle::spec::Judge& judge) {
+io::EditAnswer carry_out(written::Edited& edited, const io::ScriptStep& step, const oracle::spec::Judge& judge) {
   const auto* const edit = std::get_if<scene::Edit>(&step.edit);
   if (edit == nullptr) return edited.apply_total(step);
   const model::Escena before = scene::retrieve(edited.of().scene);
@@ -83,13 +83,13 @@ int edit(const EditOptions& options) {
     out.emplace(options.out);
   }
   written::Edited edited = read(options);
-  const std::vector<io::Step> script = read_script(options, edited);
+  const std::vector<io::ScriptStep> script = read_script(options, edited);
   std::optional<oracle::spec::Judge> judge;
   if (options.by_spec) judge.emplace();
   int status = 0;
   std::string answers;
   Progress progress(options.quiet, "edit", "operations", script.size());
-  for (const io::Step& step : script) {
+  for (const io::ScriptStep& step : script) {
     const io::EditAnswer answer = judge ? carry_out(edited, step, *judge) : edited.apply_total(step);
     answers.append(io::answer_text(step.line, answer)).append("\n");
     if (!answer.ok()) status = 1;

@@ -23,7 +23,7 @@ namespace {
 
 std::vector<std::string> names(bool with_origins_only = false) {
   std::vector<std::string> names;
-  for (const engine::Row& row : engine::engines())
+  for (const engine::EngineRow& row : engine::engines())
     if (row.honours_origins || !with_origins_only) names.emplace_back(row.name);
   return names;
 }
@@ -53,7 +53,7 @@ constexpr std::array techniques = {
 /// Every engine, one a line, with what it promises.
 std::string promises() {
   std::string text;
-  for (const engine::Row& row : engine::engines())
+  for (const engine::EngineRow& row : engine::engines())
     text += fmt::format("{:18} {}\n{:18} {}; {}\n", row.name, row.what, "",
                         row.exact_bytes ? "the same bytes as exact" : "not the bytes of exact",
                         row.honours_origins ? "honours the elements that a ray starts on"
@@ -65,7 +65,7 @@ std::string promises() {
 std::string had_by(const Technique& technique) {
   if (!technique.by.empty()) return std::string(technique.by);
   std::vector<std::string_view> names;
-  for (const engine::Row& row : engine::engines())
+  for (const engine::EngineRow& row : engine::engines())
     if (row.section.starts_with(technique.section)) names.push_back(row.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
@@ -123,9 +123,9 @@ void add_with(CLI::App& command, std::string& file) {
     if (auto* const named = command.get_option_no_throw(other)) option->excludes(named);
 }
 
-Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
-               std::optional<scene::Resolution> resolution, Pictures pictures) {
-  Asked asked;
+SceneTracer asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy,
+                     const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures) {
+  SceneTracer asked;
   const io::Source source = io::read_source(file);
   if (io::begins_as_rays(source))
     source.fail(0, "rays stand here", "expected a scene (JSON), which is named before the rays");
@@ -147,11 +147,11 @@ Asked asked_of(const std::string& file, std::string_view engine, std::string_vie
   return asked;
 }
 
-void Asked::require_origins(std::string_view why) const {
+void SceneTracer::require_origins(std::string_view why) const {
   if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
 }
 
-std::string without_origins(const engine::Row& engine, std::string_view why) {
+std::string without_origins(const engine::EngineRow& engine, std::string_view why) {
   return fmt::format("--engine {}: it knows nothing of the elements that a ray starts on, and {}; expected one of {}",
                      engine.name, why, fmt::join(names(true), ", "));
 }

@@ -32,7 +32,7 @@ enum class Pictures : bool {
 };
 
 /// A scene, and the engine that answers rays on it: one of the table, or a Z text's.
-class Asked {
+class SceneTracer {
  public:
   /// The scene, which the engine is ready for.
   const scene::Scene& scene() const { return written_ ? written_->scene : input_->scene; }
@@ -42,20 +42,21 @@ class Asked {
   void require_origins(std::string_view why) const;
 
  private:
-  friend Asked asked_of(const std::string&, std::string_view, std::string_view, const std::string&,
-                        std::optional<scene::Resolution>, Pictures);
+  friend SceneTracer asked_of(const std::string&, std::string_view, std::string_view, const std::string&,
+                              std::optional<scene::Resolution>, Pictures);
   std::unique_ptr<const scene::GroupedScene> input_{};
-  const engine::Row* row_ = nullptr;
+  const engine::EngineRow* row_ = nullptr;
   std::unique_ptr<const engine::Engine> ready_{};
   std::optional<written::Written> written_{};
 };
 
 /// Reads the scene of that file and makes the engine ready for it, or the Z text `with`, where one is named. The
 /// resolution is the scene's where one is given: engines know pixels by it.
-Asked asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
-               std::optional<scene::Resolution> resolution = {}, Pictures pictures = Pictures::left);
+SceneTracer asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy,
+                     const std::string& with, std::optional<scene::Resolution> resolution = {},
+                     Pictures pictures = Pictures::left);
 
 /// The message about an engine that honours no origins and is asked for rays that have one.
-std::string without_origins(const engine::Row& engine, std::string_view why);
+std::string without_origins(const engine::EngineRow& engine, std::string_view why);
 
 }  // namespace durero::cli

@@ -36,7 +36,7 @@ std::string row(const std::string& left, const std::string& said) {
 std::string option_row(const CLI::Option& option) {
   const auto names = names_of(option);
   const std::string indent = names.front().starts_with("--") ? "    " : "";
-  const Value value = value_of(option);
+  const OptionValue value = value_of(option);
   return row(indent + fmt::format("{}", fmt::join(names, ", ")) + (value.name.empty() ? "" : " " + value.name),
              said_of(option));
 }
@@ -69,9 +69,9 @@ std::string commands_text(const CLI::App& command) {
 }  // namespace
 
 std::string said_of(const CLI::Option& option) {
-  const Value value = value_of(option);
+  const OptionValue value = value_of(option);
   std::vector<std::string> more;
-  if (value.kind == Value::Kind::word) more.push_back(fmt::format("{}", fmt::join(value.words, ", ")));
+  if (value.kind == OptionValue::Kind::word) more.push_back(fmt::format("{}", fmt::join(value.words, ", ")));
   if (!value.bounds.empty()) more.push_back(value.bounds);
   if (!option.get_default_str().empty()) more.push_back("by default " + option.get_default_str());
   return option.get_description() + (more.empty() ? "" : fmt::format(" ({})", fmt::join(more, "; ")));

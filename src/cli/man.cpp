@@ -65,7 +65,7 @@ std::string entry(const std::string& names, const std::string& said) {
 }
 
 std::string entry(const CLI::Option& option) {
-  const Value value = value_of(option);
+  const OptionValue value = value_of(option);
   if (option.get_positional()) return entry("\\fI" + roff(option.get_name()) + "\\fR", said_of(option));
   std::vector<std::string> names;
   for (const std::string& name : names_of(option)) names.push_back("\\fB" + roff(name) + "\\fR");
@@ -74,8 +74,8 @@ std::string entry(const CLI::Option& option) {
       said_of(option));
 }
 
-template <class All>
-std::string entries(const char* title, const All& all) {
+template <class OptionList>
+std::string entries(const char* title, const OptionList& all) {
   std::string text;
   for (const CLI::Option* option : all) text += entry(*option);
   return text.empty() ? "" : heading(title) + text;
@@ -90,7 +90,7 @@ std::string commands_section(const CLI::App& command) {
 }
 
 /// The text of a section: exit statuses as a list of terms, calls as they are typed.
-std::string section_text(const Section& section) {
+std::string section_text(const FooterSection& section) {
   std::string text = heading(section.title);
   const bool is_list = section.title == "Exit status";
   if (!is_list) text += ".nf\n";
@@ -114,13 +114,13 @@ std::string page(const CLI::App& command) {
   text += heading("Name") + fmt::format("{} \\- {}\n", roff(name), roff(command.get_description()));
   text += heading("Synopsis") + roff(usage(command)) + "\n";
   text += heading("Description") + roff(command.get_description()) + ".\n";
-  for (const Section& section : sections(command)) {
+  for (const FooterSection& section : sections(command)) {
     if (!section.title.empty()) continue;
     text += ".PP\n";
     for (const std::string& line : section.lines) text += roff(line) + "\n";
   }
   text += commands_section(command) + entries("Arguments", arguments(command)) + entries("Options", options(command));
-  for (const Section& section : sections(command))
+  for (const FooterSection& section : sections(command))
     if (!section.title.empty()) text += section_text(section);
   return text + see_also(command);
 }

@@ -51,7 +51,7 @@ class Drawing {
   }
 
   int draw(io::OutputFile& out) const {
-    render::Reach reach;
+    render::PathStatistics reach;
     std::optional<Progress> progress(std::in_place, options_.quiet, "render");
     const render::Picture picture = in_words([&] {
       const auto show = [&](double share) { progress->set_share(share); };
@@ -110,14 +110,14 @@ class Drawing {
                              : render::encode_png(render::toned(picture, tone_of(options_)), notes);
   }
 
-  std::string reach_text(const render::Reach& reach) const {
+  std::string reach_text(const render::PathStatistics& reach) const {
     const auto pixels = static_cast<double>(reach.pixels);
     return fmt::format("mean depth {:.3f} of {}, {:.3f} rays a pixel; left out: at most {:.3g} of a linear component\n",
                        static_cast<double>(reach.depths) / pixels, reach.max_depth,
                        static_cast<double>(reach.rays) / pixels, reach.left_out);
   }
 
-  std::string doubt_text(const render::Reach& reach) const {
+  std::string doubt_text(const render::PathStatistics& reach) const {
     const render::Samples& samples = frame_.samples;
     return fmt::format("{:.3f} rays from the eye a pixel; {} of {} pixels not known within {} with confidence {}\n",
                        static_cast<double>(reach.samples) / static_cast<double>(reach.pixels), reach.in_doubt,
@@ -125,8 +125,8 @@ class Drawing {
   }
 
   const RenderOptions& options_;
-  render::Frame frame_;
-  Asked asked_;
+  render::RenderSettings frame_;
+  SceneTracer asked_;
 };
 
 int run(const RenderOptions& options) {

@@ -173,8 +173,8 @@ void check_together(const RenderOptions& options) {
                      *options.samples, render::least_samples));
 }
 
-render::Frame frame_of(const RenderOptions& options) {
-  render::Frame frame;
+render::RenderSettings frame_of(const RenderOptions& options) {
+  render::RenderSettings frame;
   if (const auto size = numbers_in<2>(options.size, 'x', read_side)) frame.size = {(*size)[0], (*size)[1]};
   if (const auto crop = numbers_in<4>(options.crop, ',', read_side))
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
@@ -197,7 +197,7 @@ scene::Resolution size_of(const RenderOptions& options, const scene::Stage& stag
 
 std::vector<render::Note> notes_of(const RenderOptions& options, const scene::Stage& stage,
                                    std::optional<std::uint32_t> passes) {
-  const render::Frame frame = frame_of(options);
+  const render::RenderSettings frame = frame_of(options);
   const scene::Resolution size = size_of(options, stage);
   std::string call = "durero render " + name_without_folder(options.scene);
   if (!options.with.empty()) call += " --with " + name_without_folder(options.with);

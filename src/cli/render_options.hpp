@@ -36,7 +36,7 @@ void add_render_options(CLI::App& command, RenderOptions& options);
 void check_together(const RenderOptions& options);
 
 /// The frame that the options ask for.
-render::Frame frame_of(const RenderOptions& options);
+render::RenderSettings frame_of(const RenderOptions& options);
 render::Tone tone_of(const RenderOptions& options);
 
 /// The size in pixels of the whole picture.

@@ -39,7 +39,7 @@ TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing
   bounds.states = call.states;
   bounds.draws = 16 * call.states;
   if (!call.let.empty()) bounds.constants = oracle::spec::given_constants(text, call.let);
-  zed::Given taken;
+  zed::Valuation taken;
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;
   for (const zed::Trial& trial :

@@ -19,24 +19,24 @@
 namespace durero::cli {
 
 using oracle::spec::Animation;
-using oracle::spec::Found;
+using oracle::spec::ConjectureResult;
 using oracle::spec::Machine;
 using oracle::spec::MachineOperation;
+using oracle::spec::ReachedTransitions;
 using oracle::spec::Transition;
-using oracle::spec::Tried;
 using zed::Truth;
 
 namespace {
 
 /// A note on further ways that may exist, and on the reason why they were not found.
-std::string left_open(const Found& ways) {
+std::string left_open(const ReachedTransitions& ways) {
   if (!ways.undecided) return {};
   if (ways.tried.empty()) return "  there may be other ways: equations do not give them\n";
   return fmt::format("  there may be other ways: some values of {} were tried, as --numbers bounds them\n",
                      oracle::spec::name_list(ways.tried));
 }
 
-std::string how_far(const Found& ways) {
+std::string how_far(const ReachedTransitions& ways) {
   if (!ways.undecided) return {};
   if (ways.tried.empty()) return ", as far as equations give it";
   return fmt::format(", as far as some values of {} were tried: --numbers", oracle::spec::name_list(ways.tried));
@@ -146,7 +146,7 @@ class Runner {
           word + " cannot go on here");
   }
 
-  const zed::Given& here() const {
+  const zed::Valuation& here() const {
     if (!way_.now()) throw Refused{"there is no state yet", "expected the number of an initial state"};
     return *way_.now();
   }
@@ -159,7 +159,7 @@ class Runner {
                   "expected " + text::nearest(word, names).value_or("an operation; help lists the commands")};
   }
 
-  void go_on(Found ways, const std::string& none,
+  void go_on(ReachedTransitions ways, const std::string& none,
              const char* expected = "expected an operation that may; why OPERATION says its predicates") {
     const std::string left_out =
         ways.bounded.empty() ? "" : fmt::format("  more may be found with a greater {}\n", ways.bounded);
@@ -229,10 +229,11 @@ class Runner {
   }
 
   void try_here() {
-    const zed::Given none;
+    const zed::Valuation none;
     std::string said;
     here();
-    for (const Tried& tried : machine_.conjectures(way_.before() ? *way_.before() : none, way_.way().back())) {
+    for (const ConjectureResult& tried :
+         machine_.conjectures(way_.before() ? *way_.before() : none, way_.way().back())) {
       refuted_ = refuted_ || tried.truth == Truth::no;
       said += claim_line(tried);
     }

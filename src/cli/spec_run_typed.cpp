@@ -33,8 +33,8 @@ std::size_t end_of_input(const std::string& typed, std::size_t from) {
 
 }  // namespace
 
-zed::Given typed_inputs(const Machine& machine, const MachineOperation& operation, const std::string& typed) {
-  zed::Given given;
+zed::Valuation typed_inputs(const Machine& machine, const MachineOperation& operation, const std::string& typed) {
+  zed::Valuation given;
   for (std::size_t from = 0; from < typed.size();) {
     const std::size_t end = end_of_input(typed, from);
     const std::string part = typed.substr(from, end - from);

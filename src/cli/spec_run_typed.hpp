@@ -17,8 +17,8 @@ struct Refused {
 std::string trimmed(const std::string& text);
 
 /// The inputs of `x? = VALUE; y? = VALUE`. Throws Refused where one is no input of the operation, or has no value.
-zed::Given typed_inputs(const oracle::spec::Machine& machine, const oracle::spec::MachineOperation& operation,
-                        const std::string& typed);
+zed::Valuation typed_inputs(const oracle::spec::Machine& machine, const oracle::spec::MachineOperation& operation,
+                            const std::string& typed);
 
 /// Adds the members of `NAME=3` or `NAME=ann,bob`, as --given has them. Throws io::InputError where there are none.
 void add_typed_members(const std::string& typed, oracle::spec::Setup& setup);

@@ -7,11 +7,11 @@
 
 namespace durero::cli {
 
-using oracle::spec::Found;
+using oracle::spec::ConjectureResult;
 using oracle::spec::Machine;
 using oracle::spec::MachineOperation;
+using oracle::spec::ReachedTransitions;
 using oracle::spec::Transition;
-using oracle::spec::Tried;
 using zed::Truth;
 
 namespace {
@@ -27,14 +27,14 @@ std::string padded(const std::string& text, std::size_t to) {
 
 std::string word_of(Truth truth) { return truth == Truth::yes ? "true " : truth == Truth::no ? "false" : "open "; }
 
-const zed::Finding* first_false(const std::vector<zed::Finding>& findings) {
+const zed::ConjunctTruth* first_false(const std::vector<zed::ConjunctTruth>& findings) {
   const auto at = std::find_if(findings.begin(), findings.end(), [](const auto& f) { return f.truth == Truth::no; });
   return at == findings.end() ? nullptr : &*at;
 }
 
 }  // namespace
 
-std::string state_table(const Machine& machine, const zed::Given* before, const zed::Given& after) {
+std::string state_table(const Machine& machine, const zed::Valuation* before, const zed::Valuation& after) {
   std::size_t names = 0, values = 0;
   for (std::size_t i = 0; i < after.size(); ++i) {
     names = std::max(names, width(after[i].first.text()));
@@ -60,9 +60,9 @@ std::string step_line(const Machine& machine, const Transition& step) {
   return said;
 }
 
-std::string findings_list(const std::vector<zed::Finding>& findings) {
+std::string findings_list(const std::vector<zed::ConjunctTruth>& findings) {
   std::string said;
-  for (const zed::Finding& finding : findings) {
+  for (const zed::ConjunctTruth& finding : findings) {
     const bool of_after = finding.strokes == "'" && finding.predicate.find('\'') == finding.predicate.npos;
     said += fmt::format("  {}  {}{}{}{}\n", word_of(finding.truth), finding.predicate, of_after ? "  (after)" : "",
                         finding.label.empty() ? "" : "  % ", finding.label);
@@ -72,7 +72,7 @@ std::string findings_list(const std::vector<zed::Finding>& findings) {
 
 namespace {
 
-std::string invariant_line(const Machine& machine, const zed::Given& state) {
+std::string invariant_line(const Machine& machine, const zed::Valuation& state) {
   try {
     const auto findings = machine.invariant(state);
     const auto holds =
@@ -87,7 +87,7 @@ std::string invariant_line(const Machine& machine, const zed::Given& state) {
 
 }  // namespace
 
-std::string outlook(const Machine& machine, const zed::Given& state) {
+std::string outlook(const Machine& machine, const zed::Valuation& state) {
   std::string may, cannot;
   for (const auto& operation : machine.operations()) {
     try {
@@ -112,11 +112,11 @@ std::string way_story(const Machine& machine, const std::vector<Transition>& way
   return said;
 }
 
-std::string operations_list(const Machine& machine, const zed::Given& state) {
+std::string operations_list(const Machine& machine, const zed::Valuation& state) {
   std::string said;
   for (const MachineOperation& operation : machine.operations()) {
     try {
-      const Found one = machine.steps(state, operation, {}, 1);
+      const ReachedTransitions one = machine.steps(state, operation, {}, 1);
       said += one.transitions.empty() ? fmt::format("  no   {}{}\n", operation.name,
                                                     one.undecided || !one.bounded.empty() ? " (none found)" : "")
                                       : fmt::format("  yes  {}\n", step_line(machine, one.transitions.front()));
@@ -129,7 +129,7 @@ std::string operations_list(const Machine& machine, const zed::Given& state) {
   return said;
 }
 
-std::string claim_line(const Tried& tried) {
+std::string claim_line(const ConjectureResult& tried) {
   const char* word = tried.truth == Truth::yes ? "true" : tried.truth == Truth::no ? "false" : "open";
   return fmt::format("  {:<5}  {}: {}{}\n", word, tried.place, tried.claim, tried.of_states ? "  (here)" : "");
 }

@@ -42,7 +42,7 @@ constexpr std::uint64_t own_seed = 1;
 constexpr std::string_view without = "analytic";
 
 struct Measured {
-  const engine::Row* engine;
+  const engine::EngineRow* engine;
   bool by_hand;  ///< its hierarchy is that of the scene's groups
   Figures figures;
   std::optional<double> break_even;  ///< the number of rays from which on it pays; none where it never does
@@ -50,7 +50,7 @@ struct Measured {
 
 std::vector<std::string> measurable() {
   std::vector<std::string> names;
-  for (const engine::Row& row : engine::engines())
+  for (const engine::EngineRow& row : engine::engines())
     if (row.measure != nullptr) names.emplace_back(row.name);
   return names;
 }
@@ -82,7 +82,7 @@ std::vector<Measured> measured(const StatsOptions& options, const scene::Grouped
   const Figures linear = engine::find(without)->measure(scene, rays);
   std::vector<Measured> all;
   Progress progress(options.quiet, "stats", "engines", is_all ? measurable().size() : asked.size());
-  for (const engine::Row& row : engine::engines()) {
+  for (const engine::EngineRow& row : engine::engines()) {
     if (row.measure == nullptr || (!is_all && std::ranges::find(asked, row.name) == asked.end())) continue;
     const bool is_linear = row.name == without;
     const auto add = [&](bool by_hand, const Figures& figures) {
@@ -145,12 +145,12 @@ void print_text(const StatsOptions& options, const scene::Scene& scene, std::siz
   io::print(text + branchings(all) + (bounds ? bounds_text(*bounds, scene, options.no_times) : ""));
 }
 
-struct Count {
+struct NamedCount {
   const char* key;
   std::uint64_t value;
 };
 
-void write_counts(io::json::Writer& out, const char* key, std::initializer_list<Count> counts) {
+void write_counts(io::json::Writer& out, const char* key, std::initializer_list<NamedCount> counts) {
   out.key(key).begin_object();
   for (const auto& [name, value] : counts) out.member(name, value);
   out.end_object();

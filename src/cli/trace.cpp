@@ -32,7 +32,7 @@ void set_share(Progress& progress, const io::Input& input, std::optional<std::ui
 int run(const TraceOptions& options) {
   const ThreadLimit limit(options.threads);
   io::HitWriter out(options.out);
-  const Asked asked = asked_of(options.scene, options.engine, options.hierarchy, options.with);
+  const SceneTracer asked = asked_of(options.scene, options.engine, options.hierarchy, options.with);
   const scene::Scene& scene = asked.scene();
   io::Input input(options.rays);
   const auto size = input.left();

@@ -12,7 +12,7 @@
 namespace durero::engine {
 namespace {
 
-using accel::Kind;
+using accel::VolumeKind;
 using accel::Volumes;
 using scene::Query;
 using Queries = std::span<const Query>;
@@ -80,8 +80,8 @@ std::uint64_t count_met(const accel::Volume& volume, Queries queries) {
   for (const Query& query : queries) {
     const trace::Ray ray(query.rayo);
     if (!ray.ordinary) continue;
-    const accel::Asked asked(ray, accel::most_slabs);
-    met += verdict(volume, asked, trace::no_limit, unseen) == accel::Verdict::met;
+    const accel::PrecomputedRay asked(ray, accel::most_slabs);
+    met += verdict(volume, asked, trace::no_limit, unseen) == accel::VolumeTest::met;
   }
   return met;
 }
@@ -96,7 +96,7 @@ class Bounding {
       const scene::ShapeView element(shape);
       const accel::Outline outline = accel::outline(element);
       BoundedElement found{e, chosen(element, outline), {}};
-      for (const Kind& kind : accel::kinds()) {
+      for (const VolumeKind& kind : accel::kinds()) {
         const accel::Simple volume = kind.around(element, outline);
         const double share = std::min(1.0, surface_of(volume) / region_);
         found.kinds.push_back({std::string(kind.name), fit_of(volume, outline, directions_),
@@ -108,7 +108,7 @@ class Bounding {
 
  private:
   Bound chosen(scene::ShapeView element, const accel::Outline& outline) const {
-    const accel::Choice choice = accel::choose(element, region_);
+    const accel::VolumeCost choice = accel::choose(element, region_);
     Fit fit{(choice.m * region_ - outline.surface()) / 4};
     if (choice.volume.parts.size() == 1) fit = fit_of(choice.volume.parts[0], outline, directions_);
     return {described(choice.volume), fit, count_met(choice.volume, queries_), choice.T};
@@ -131,7 +131,7 @@ void measure(WayOfBounding& way, const Volumes& volumes, Queries queries, bool w
   test_volumes(volumes, queries, tested);
   const double testing = nanoseconds_of([&] { test_volumes(volumes, queries, unseen); });
   way.B = testing / double(std::max<std::uint64_t>(1, tested.volumes));
-  way.measured = nanoseconds_of([&] { answer(accel::Source(volumes), queries); }) / double(queries.size());
+  way.measured = nanoseconds_of([&] { answer(accel::CandidateSource(volumes), queries); }) / double(queries.size());
 }
 
 /// The mean B of the kinds that were chosen for the elements, by the table.
@@ -168,7 +168,7 @@ void sum_fits(BoundsFigures& found) {
 
 BoundsFigures bounds_figures(const scene::Scene& scene, Queries queries, bool with_clock) {
   BoundsFigures found{accel::I, queries.size(), {}, {}};
-  for (const Kind& kind : accel::kinds())
+  for (const VolumeKind& kind : accel::kinds())
     found.ways.push_back(way_of(std::string(kind.name), Volumes(scene, kind), queries, with_clock));
   const Volumes chosen(scene);
   found.ways.push_back(way_of("chosen", chosen, queries, with_clock));

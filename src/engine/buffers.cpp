@@ -29,7 +29,7 @@ class LightBuffered final : public Engine {
       for (std::size_t i = begin; i < begin + count; ++i) {
         const auto& [rayo, en] = queries[i];
         occluded[i] = buffer_.is_certainly_occluded(trace::Ray(rayo), en) ||
-                      trace::occluded_segment_among(accel::Source(buffer_), rayo, en, unseen);
+                      trace::occluded_segment_among(accel::CandidateSource(buffer_), rayo, en, unseen);
       }
     });
   }
@@ -74,7 +74,7 @@ Figures measured_light_buffer(const Scene& scene, std::span<const Query> queries
   };
   figures.answering_seconds = for_each_shadow([&](const model::Rayo& rayo, scene::Origin en) {
     if (!buffer.is_certainly_occluded(trace::Ray(rayo), en))
-      trace::occluded_segment_among(accel::Source(buffer), rayo, en, unseen);
+      trace::occluded_segment_among(accel::CandidateSource(buffer), rayo, en, unseen);
   });
   figures.without_seconds = for_each_shadow([&](const model::Rayo& rayo, scene::Origin en) {
     trace::occluded_segment_among(buffer.tables(), rayo, en, unseen);
@@ -104,7 +104,7 @@ Figures measured_item_buffer(const Scene& scene, std::span<const Query> queries)
   }
   Figures figures = measured<accel::ItemBuffer>(scene, primary);
   figures.asked = "primary hits";
-  figures.without_seconds = measured<accel::Linear>(scene, primary).answering_seconds;
+  figures.without_seconds = measured<accel::LinearList>(scene, primary).answering_seconds;
   return figures;
 }
 

@@ -91,46 +91,50 @@ Figures measured_fast(const Scene& scene, std::span<const Query> queries) {
 }
 
 constexpr std::array rows = {
-    Row{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
-    Row{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
-    Row{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic, "A §1.2",
-        measured<accel::Linear>},
-    Row{"volumes",
+    EngineRow{"sampled", "points on the surfaces: coarse, and independent of every formula", false, false, sampled},
+    EngineRow{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
+    EngineRow{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic,
+              "A §1.2", measured<accel::LinearList>},
+    EngineRow{
+        "volumes",
         "each element in the bounding volume of the kind that costs least: slower than analytic, which scans eight at "
         "once",
         true, true, structured<accel::Volumes>, "A §1.2", measured<accel::Volumes>},
-    Row{"bvh-glassner", "a hierarchy of boxes, searched as the text has it: to be read", true, true,
-        structured<accel::BvhGlassner>, "A §1.3.1", measured<accel::BvhGlassner>},
-    Row{"bvh", "a hierarchy of boxes by surface area, the nearest first", true, true, structured<accel::Bvh>, "A §1.3",
-        measured<accel::Bvh>, structured<accel::Bvh, scene::Groups>, measured<accel::Bvh, scene::Groups>},
-    Row{"octree", "cubes that are divided in eight where elements are, walked from sibling to sibling", true, true,
-        structured<accel::Octree>, "A §1.4.2", measured<accel::Octree>},
-    Row{"octree-by-location", "the same, each cube found from the root by a point of the ray in it", true, true,
-        structured<accel::OctreeByLocation>, "A §1.4.2", measured<accel::OctreeByLocation>},
-    Row{"bsp", "cells halved by planes where these cost least, walked by Jansen's recursion", true, true,
-        structured<accel::Bsp>, "A §1.4.2", measured<accel::Bsp>},
-    Row{"bsp-median", "the same, with as many elements on either side of a plane", true, true,
-        structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
-    Row{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
-        structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
-    Row{"item-buffer", "what each pixel of the camera sees, for primary rays; other rays as bvh", true, true,
-        structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
-    Row{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true, light_buffer,
-        "A §1.6.1", measured_light_buffer},
-    Row{"classification",
+    EngineRow{"bvh-glassner", "a hierarchy of boxes, searched as the text has it: to be read", true, true,
+              structured<accel::BvhGlassner>, "A §1.3.1", measured<accel::BvhGlassner>},
+    EngineRow{"bvh", "a hierarchy of boxes by surface area, the nearest first", true, true, structured<accel::Bvh>,
+              "A §1.3", measured<accel::Bvh>, structured<accel::Bvh, scene::Groups>,
+              measured<accel::Bvh, scene::Groups>},
+    EngineRow{"octree", "cubes that are divided in eight where elements are, walked from sibling to sibling", true,
+              true, structured<accel::Octree>, "A §1.4.2", measured<accel::Octree>},
+    EngineRow{"octree-by-location", "the same, each cube found from the root by a point of the ray in it", true, true,
+              structured<accel::OctreeByLocation>, "A §1.4.2", measured<accel::OctreeByLocation>},
+    EngineRow{"bsp", "cells halved by planes where these cost least, walked by Jansen's recursion", true, true,
+              structured<accel::Bsp>, "A §1.4.2", measured<accel::Bsp>},
+    EngineRow{"bsp-median", "the same, with as many elements on either side of a plane", true, true,
+              structured<accel::BspMedian>, "A §1.4.2", measured<accel::BspMedian>},
+    EngineRow{"grid", "equal cubes, of which a ray visits those that it crosses (SEADS, 3DDDA)", true, true,
+              structured<accel::Grid>, "A §1.4.3", measured<accel::Grid>},
+    EngineRow{"item-buffer", "what each pixel of the camera sees, for primary rays; other rays as bvh", true, true,
+              structured<accel::ItemBuffer>, "A §1.5", measured_item_buffer},
+    EngineRow{"light-buffer", "lists about each light, for shadow rays; other rays as analytic", true, true,
+              light_buffer, "A §1.6.1", measured_light_buffer},
+    EngineRow{
+        "classification",
         "lists of what the rays of a box and a direction may meet, made when asked for: slower than analytic where "
         "rays have "
         "little in common",
         true, true, structured<accel::Classification>, "A §1.6", measured<accel::Classification>},
-    Row{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.3", measured_fast},
+    EngineRow{"fast", "analytic over a wide tree of boxes, many rays together", true, true, fast, "A §1.3",
+              measured_fast},
 };
 
 }  // namespace
 
-std::span<const Row> engines() { return rows; }
+std::span<const EngineRow> engines() { return rows; }
 
-const Row* find(std::string_view name) {
-  const auto* const found = std::ranges::find(rows, name, &Row::name);
+const EngineRow* find(std::string_view name) {
+  const auto* const found = std::ranges::find(rows, name, &EngineRow::name);
   return found == rows.end() ? nullptr : found;
 }
 

@@ -66,8 +66,8 @@ class Rescaled final : public Engine {
 
   /// Calls take(number, answer, of_parameter) for the answers of ask(queries), and alone(number) for rays that are not
   /// exact in the unit.
-  template <class Ask, class Take, class Alone>
-  void for_each_in_unit(std::span<const scene::Query> queries, Ask ask, Take take, Alone alone) const {
+  template <class Ask, class Visitor, class Fallback>
+  void for_each_in_unit(std::span<const scene::Query> queries, Ask ask, Visitor take, Fallback alone) const {
     for (std::size_t begin = 0; begin < queries.size(); begin += at_a_time) {
       const auto some = queries.subspan(begin, std::min(at_a_time, queries.size() - begin));
       std::vector<scene::Query> asked;

@@ -24,11 +24,11 @@ class Structured final : public Engine {
     trace::for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
       trace::Counts unseen;
       for (std::size_t i = begin; i < begin + count; ++i)
-        hits[i] = trace::first_hit_among(accel::Source(structure_), queries[i].rayo, queries[i].en, unseen);
+        hits[i] = trace::first_hit_among(accel::CandidateSource(structure_), queries[i].rayo, queries[i].en, unseen);
     });
   }
   void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
-    trace::occluded_segments_among(accel::Source(structure_), queries, occluded);
+    trace::occluded_segments_among(accel::CandidateSource(structure_), queries, occluded);
   }
 
  private:
@@ -62,7 +62,7 @@ inline Branching branching(const accel::Hierarchy& tree) {
   return found;
 }
 
-/// Row::measure. The timed rays are not counted, because counting takes time.
+/// EngineRow::measure. The timed rays are not counted, because counting takes time.
 template <accel::Structure S, class... More>
 Figures measured(const scene::Scene& scene, std::span<const scene::Query> queries, const More&... more) {
   trace::Counts unseen;
@@ -72,7 +72,7 @@ Figures measured(const scene::Scene& scene, std::span<const scene::Query> querie
   const S& structure = *made;
   figures.answering_seconds = seconds_of([&] {
     for (const scene::Query& query : queries)
-      trace::first_hit_among(accel::Source(structure), query.rayo, query.en, unseen);
+      trace::first_hit_among(accel::CandidateSource(structure), query.rayo, query.en, unseen);
   });
   const accel::Counted counted(structure, figures.work);
   for (const scene::Query& query : queries) trace::first_hit_among(counted, query.rayo, query.en, unseen);

@@ -15,34 +15,34 @@ constexpr std::string_view blanks = " \t\v\f";
 
 }  // namespace
 
-Cursor::Cursor(const Source& source, std::string_view text, const Line& line)
+WordCursor::WordCursor(const Source& source, std::string_view text, const TextLine& line)
     : source_(&source), text_(text.substr(0, line.end)), next_(line.begin) {
   if (line.end - line.begin > longest_line) refuse_long_line(source, line.begin);
   skip_blanks();
 }
 
-bool Cursor::done() const { return next_ == text_.size() || text_[next_] == '#'; }
+bool WordCursor::done() const { return next_ == text_.size() || text_[next_] == '#'; }
 
-void Cursor::skip_blanks() { next_ = std::min(text_.find_first_not_of(blanks, next_), text_.size()); }
+void WordCursor::skip_blanks() { next_ = std::min(text_.find_first_not_of(blanks, next_), text_.size()); }
 
-bool Cursor::take(char c) {
+bool WordCursor::take(char c) {
   if (!at(c)) return false;
   ++next_;
   return true;
 }
 
-void Cursor::expect(char c, std::string_view where) {
+void WordCursor::expect(char c, std::string_view where) {
   if (!take(c)) fail(next_, here(), fmt::format("expected {} {}", c, where));
 }
 
-std::string_view Cursor::word(std::string_view stops) {
+std::string_view WordCursor::word(std::string_view stops) {
   const std::size_t first = next_;
   const auto ends_word = [&](char c) { return stops.find(c) != stops.npos || blanks.find(c) != blanks.npos; };
   while (next_ < text_.size() && !ends_word(text_[next_])) ++next_;
   return text_.substr(first, next_ - first);
 }
 
-double Cursor::number(std::string_view stops, std::string_view what) {
+double WordCursor::number(std::string_view stops, std::string_view what) {
   const std::size_t at = next_;
   const std::string_view digits = word(stops);
   const auto value = read_finite(digits);
@@ -50,7 +50,7 @@ double Cursor::number(std::string_view stops, std::string_view what) {
   return *value;
 }
 
-std::string Cursor::here() const {
+std::string WordCursor::here() const {
   if (next_ == text_.size()) return "the line ends";
   return text::shown(text::first(text_.substr(next_))) + " stands here";
 }

@@ -7,12 +7,12 @@
 
 namespace durero::io {
 
-class Cursor {
+class WordCursor {
  public:
   /// Stands on the first word of the line. Throws InputError where it is longer than longest_line.
-  Cursor(const Source& source, const Line& line) : Cursor(source, source.text(), line) {}
+  WordCursor(const Source& source, const TextLine& line) : WordCursor(source, source.text(), line) {}
   /// The line is of that text, which is as long as the source's: places are those of the source.
-  Cursor(const Source& source, std::string_view text, const Line& line);
+  WordCursor(const Source& source, std::string_view text, const TextLine& line);
 
   /// True at the end of the line and at a comment.
   bool done() const;

@@ -8,8 +8,8 @@
 
 namespace durero::io {
 
-std::optional<Ends> WrittenEnds::of(const glm::dvec3& base, const Axis& axis, double narrow, double proportion) {
-  const Ends ends{base, narrow + proportion * axis.altura, end_of(base, axis), narrow};
+std::optional<AxisEnds> WrittenEnds::of(const glm::dvec3& base, const Axis& axis, double narrow, double proportion) {
+  const AxisEnds ends{base, narrow + proportion * axis.altura, end_of(base, axis), narrow};
   if (!std::isfinite(ends.wide)) {
     ++too_wide_;
     return std::nullopt;

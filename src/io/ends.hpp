@@ -12,7 +12,7 @@
 namespace durero::io {
 
 /// The ends of an element, the wide one first, each number rounded.
-struct Ends {
+struct AxisEnds {
   glm::dvec3 base;
   double wide;
   glm::dvec3 top;
@@ -25,7 +25,7 @@ class WrittenEnds {
   /// Of a shape with an axis: radio + proporcion·(altura − s) at the advance s, as far as it has them. Nothing where
   /// its ends, once they are rounded, give no such element.
   template <class Shape>
-  std::optional<Ends> of(const Shape& shape) {
+  std::optional<AxisEnds> of(const Shape& shape) {
     double narrow = 0, proportion = 0;
     if constexpr (requires { shape.radio; }) narrow = shape.radio;
     if constexpr (requires { shape.proporcion; }) proportion = shape.proporcion;
@@ -34,7 +34,7 @@ class WrittenEnds {
   void name_losses(std::vector<std::string>& lost, std::string_view format) const;
 
  private:
-  std::optional<Ends> of(const glm::dvec3& base, const Axis& axis, double narrow, double proportion);
+  std::optional<AxisEnds> of(const glm::dvec3& base, const Axis& axis, double narrow, double proportion);
 
   std::size_t too_wide_ = 0, endless_ = 0, straight_ = 0, rounded_axes_ = 0, rounded_radii_ = 0;
 };

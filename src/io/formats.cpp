@@ -14,13 +14,13 @@
 namespace durero::io {
 namespace {
 
-Imported read_json(const Source& source) {
+Imported import_json(const Source& source) {
   scene::GroupedScene read = read_grouped_scene(source);
   return {std::move(read.scene), {}, std::move(read.groups)};
 }
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
-constexpr Format all[] = {{".json", read_json, write_json},
+constexpr Format all[] = {{".json", import_json, write_json},
                           {".nff", read_nff, nff_text, true},
                           {".obj", read_obj, nullptr, true},
                           {".ply", read_ply},

@@ -4,12 +4,12 @@
 
 namespace durero::io {
 
-std::optional<Line> Lines::next() noexcept {
+std::optional<TextLine> Lines::next() noexcept {
   if (next_ >= text_.size()) return std::nullopt;
   const std::size_t begin = next_;
   const std::size_t end = std::min(text_.find_first_of("\r\n", begin), text_.size());
   next_ = end + (text_.substr(end, 2) == "\r\n" ? 2 : 1);
-  return Line{++number_, begin, end};
+  return TextLine{++number_, begin, end};
 }
 
 /// Between two line ends among the bytes there are too few of them for a line that is too long, so the first alone and

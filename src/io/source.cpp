@@ -20,14 +20,14 @@ namespace durero::io {
 
 namespace {
 
-std::string head_of(const std::string& file, Place place) {
+std::string head_of(const std::string& file, TextPosition place) {
   return text::escaped(fmt::format("{}:{}:{}: ", file, place.line, place.column));
 }
 
 }  // namespace
 
-InputError::InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected,
-                       const contract::clause* broken)
+InputError::InputError(const std::string& file, TextPosition place, const std::string& wrong,
+                       const std::string& expected, const contract::clause* broken)
     : std::runtime_error(head_of(file, place) + text::escaped(fmt::format("{}; {}", wrong, expected))),
       place_(place),
       message_at_(head_of(file, place).size()),
@@ -40,7 +40,7 @@ FileError::FileError(const std::string& file, const std::string& wrong, const st
 struct Source::Counted {
   static constexpr std::size_t stride = 4096;
   std::mutex mutex;
-  std::vector<Place> places;
+  std::vector<TextPosition> places;
 };
 
 Source::Source(std::string name, std::string text, std::size_t lines_before)
@@ -48,9 +48,9 @@ Source::Source(std::string name, std::string text, std::size_t lines_before)
   counted_->places.push_back({lines_before + 1, 1});
 }
 
-Place Source::place(std::size_t offset) const {
+TextPosition Source::place(std::size_t offset) const {
   constexpr std::size_t stride = Counted::stride;
-  const auto count = [&](Place& place, std::size_t first, std::size_t last) {
+  const auto count = [&](TextPosition& place, std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (ends_line(text_, i)) {
         ++place.line;
@@ -61,13 +61,13 @@ Place Source::place(std::size_t offset) const {
     }
   };
   const std::lock_guard lock(counted_->mutex);
-  std::vector<Place>& places = counted_->places;
+  std::vector<TextPosition>& places = counted_->places;
   while (places.size() * stride <= offset) {
-    Place next = places.back();
+    TextPosition next = places.back();
     count(next, (places.size() - 1) * stride, places.size() * stride);
     places.push_back(next);
   }
-  Place place = places[offset / stride];
+  TextPosition place = places[offset / stride];
   count(place, offset / stride * stride, offset);
   return place;
 }

@@ -40,7 +40,7 @@ std::vector<Potencia> bounds_of_tramo(const Escena& s, const Elemento& e) {
 /// The parameters of the points of the ray that lie on e, or where `desde` holds of those whose power is the origin's.
 Parameters parameters_on(const Escena& s, const Rayo& rayo, const Elemento& e, bool desde) {
   const ExactVector v(rayo.v());
-  Quadratic q = restricted(power_of(s, e), rayo.p(), v);
+  RationalQuadratic q = restricted(power_of(s, e), rayo.p(), v);
   if (desde) q.c = 0;  // potencia(w) − potencia(p): the polynomial less its value at 0
   Interval within = all_positive();
   for (const Potencia& bound : bounds_of_tramo(s, e)) {

@@ -27,7 +27,7 @@ bool Parameters::any_below(const Surd& bound) const {
   return !points.empty() && points.front() < bound;
 }
 
-std::optional<Interval> not_negative(const Quadratic& q) {
+std::optional<Interval> not_negative(const RationalQuadratic& q) {
   if (q.a.is_zero() && q.b.is_zero()) return q.c >= 0 ? std::optional(all_positive()) : std::nullopt;
   const std::vector<Surd> ends = roots(q);
   if (ends.empty()) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Interval> intersection(const Interval& a, const Interval& b) {
   return both;
 }
 
-Parameters zeros(const Quadratic& q, const Interval& interval) {
+Parameters zeros(const RationalQuadratic& q, const Interval& interval) {
   if (q.is_zero()) return {{}, interval};
   Parameters found;
   for (const Surd& t : roots(q))

@@ -2,11 +2,11 @@
 
 namespace durero::model {
 
-Quadratic through(const Rational& at_minus_one, const Rational& at_zero, const Rational& at_one) {
+RationalQuadratic through(const Rational& at_minus_one, const Rational& at_zero, const Rational& at_one) {
   return {(at_one + at_minus_one) / 2 - at_zero, (at_one - at_minus_one) / 2, at_zero};
 }
 
-std::vector<Surd> roots(const Quadratic& q) {
+std::vector<Surd> roots(const RationalQuadratic& q) {
   if (q.a.is_zero()) return q.b.is_zero() ? std::vector<Surd>{} : std::vector<Surd>{Surd(Rational(-q.c / q.b))};
   const Rational discriminant = q.b * q.b - 4 * q.a * q.c, middle = -q.b / (2 * q.a);
   if (discriminant.sign() < 0) return {};

@@ -26,7 +26,7 @@ ExactPoint any_on_axis(const Punto& centro, const Vector& dir, const Rmas& h, Ra
 template <class Power>
 std::optional<ExactPoint> any_crossing(Power&& power, const Puntos::Membership& set, const ExactPoint& p,
                                        const ExactVector& v, Random& random) {
-  const Quadratic q = restricted(power, p, v);
+  const RationalQuadratic q = restricted(power, p, v);
   if (q.is_zero()) return std::nullopt;
   std::vector<ExactPoint> members;
   for (const Surd& t : roots(q))

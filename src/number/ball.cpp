@@ -19,7 +19,7 @@ double above(double radius) { return radius * (1 + 0x1p-49); }
 
 }  // namespace
 
-Ball::Ball(const Dyadic& value) {
+RealBall::RealBall(const Dyadic& value) {
   if (sign(value) == 0) return;
   const Leading magnitude = leading(value);
   // The 11 bits dropped, and what lies below them, are less than one unit of 2⁻⁵³.
@@ -29,13 +29,13 @@ Ball::Ball(const Dyadic& value) {
   exponent = magnitude.exponent + 64;
 }
 
-Ball::Ball(double value) {
+RealBall::RealBall(double value) {
   int places = 0;
   middle = std::frexp(value, &places);
   exponent = places;
 }
 
-Ball operator+(const Ball& a, const Ball& b) {
+RealBall operator+(const RealBall& a, const RealBall& b) {
   if (a.middle == 0 && a.radius == 0) return b;
   if (b.middle == 0 && b.radius == 0) return a;
   if (a.exponent < b.exponent) return b + a;
@@ -47,7 +47,7 @@ Ball operator+(const Ball& a, const Ball& b) {
   return {middle, above(a.radius + b.radius * scale + rounding * std::abs(middle)), a.exponent};
 }
 
-Ball operator*(const Ball& a, const Ball& b) {
+RealBall operator*(const RealBall& a, const RealBall& b) {
   const double middle = a.middle * b.middle;
   return {middle,
           above(std::abs(a.middle) * b.radius + a.radius * std::abs(b.middle) + a.radius * b.radius +
@@ -55,7 +55,7 @@ Ball operator*(const Ball& a, const Ball& b) {
           a.exponent + b.exponent};
 }
 
-Ball operator/(const Ball& a, const Ball& b) {
+RealBall operator/(const RealBall& a, const RealBall& b) {
   // A/B − a/b = (A − a)/B + (a/b)·(b − B)/B, and |B| ≥ |b| − radius, a difference of numbers in [1/2, 1) and 2⁻⁵³ that
   // is exact up to one rounding.
   const double middle = a.middle / b.middle;
@@ -65,7 +65,7 @@ Ball operator/(const Ball& a, const Ball& b) {
           a.exponent - b.exponent};
 }
 
-Ball sqrt(const Ball& value) {
+RealBall sqrt(const RealBall& value) {
   if (value.middle == 0) return value;
   const bool odd = value.exponent % 2 != 0;
   const double scaled = odd ? 2 * value.middle : value.middle;

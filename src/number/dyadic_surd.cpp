@@ -30,7 +30,7 @@ int sign_of_pair(const Dyadic& x, const Dyadic& y, const Dyadic& a) {
   const int of_y = sign_of_term(y, a);
   if (of_x == of_y || of_y == 0) return of_x;
   if (of_x == 0) return of_y;
-  if (const int decided = (Ball(x) + Ball(y) * sqrt(Ball(a))).decided_sign()) return decided;
+  if (const int decided = (RealBall(x) + RealBall(y) * sqrt(RealBall(a))).decided_sign()) return decided;
   // Opposite signs: the sum has the sign of the term of the greater square.
   return of_x * sign(square(x) - square(y) * a);
 }
@@ -55,7 +55,7 @@ int sign_of_sum(const Dyadic& x, const Dyadic& y, const Dyadic& a, const Dyadic&
   const int of_z = sign_of_term(z, b);
   if (of_z == 0) return sign_of_pair(x, y, a);
   if (a == b) return sign_of_pair(x, y + z, a);
-  const Ball sum = Ball(x) + Ball(y) * sqrt(Ball(a)) + Ball(z) * sqrt(Ball(b));
+  const RealBall sum = RealBall(x) + RealBall(y) * sqrt(RealBall(a)) + RealBall(z) * sqrt(RealBall(b));
   if (const int decided = sum.decided_sign()) return decided;
   const int of_pair = sign_of_pair(x, y, a);
   if (of_pair == of_z || of_pair == 0) return of_z;
@@ -70,9 +70,9 @@ int sign(const DyadicSurd& value) {
   return sign(value.w) * sign_of_pair(value.x, value.y, value.delta);
 }
 
-Ball enclosure(const DyadicSurd& value) {
+RealBall enclosure(const DyadicSurd& value) {
   require_valid(value);
-  return (Ball(value.x) + Ball(value.y) * sqrt(Ball(value.delta))) / Ball(value.w);
+  return (RealBall(value.x) + RealBall(value.y) * sqrt(RealBall(value.delta))) / RealBall(value.w);
 }
 
 std::strong_ordering compare(const DyadicSurd& a, const DyadicSurd& b) {

@@ -8,9 +8,9 @@
 
 namespace durero::oracle::spec {
 
-using zed::Given;
 using zed::Name;
 using zed::Truth;
+using zed::Valuation;
 using zed::Value;
 
 namespace {
@@ -130,7 +130,7 @@ class TraceReader {
 
   void judge(const std::vector<Transition>& steps, std::uint32_t at) {
     const Transition& last = steps.back();
-    const Given none;
+    const Valuation none;
     for (const auto& [name, value] : last.after)
       if (value.is_undefined())
         throw zed::ZError({at, 1}, "the step says no " + with_stroke(name).text(), "expected every component");
@@ -154,7 +154,7 @@ void Animation::replay(const std::string& text) {
 namespace {
 
 struct Precedes {
-  bool operator()(const Given& a, const Given& b) const {
+  bool operator()(const Valuation& a, const Valuation& b) const {
     return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
       return zed::compare(x.second, y.second) < 0;
     });
@@ -168,7 +168,7 @@ class Explorer {
 
   Exploration explored() {
     if (from_.empty()) {
-      const Found first = machine_.initial(most_);
+      const ReachedTransitions first = machine_.initial(most_);
       note(first, machine_.init().empty() ? machine_.state() : machine_.init());
       for (const Transition& step : first.transitions)
         if (!reach(step, none)) return finish();
@@ -190,8 +190,8 @@ class Explorer {
 
   bool go_on(std::size_t at, const MachineOperation& operation) {
     try {
-      const Given before = nodes_[at].step.after;
-      const Found found = machine_.steps(before, operation, {}, most_);
+      const Valuation before = nodes_[at].step.after;
+      const ReachedTransitions found = machine_.steps(before, operation, {}, most_);
       note(found, operation.name);
       for (const Transition& step : found.transitions) {
         ++result_.transitions;
@@ -207,8 +207,8 @@ class Explorer {
 
   /// Says whether to go on.
   bool reach(const Transition& step, std::size_t parent) {
-    const Given nothing;
-    for (Tried& tried : machine_.conjectures(parent == none ? nothing : nodes_[parent].step.after, step)) {
+    const Valuation nothing;
+    for (ConjectureResult& tried : machine_.conjectures(parent == none ? nothing : nodes_[parent].step.after, step)) {
       ++(tried.truth == Truth::open ? result_.open : result_.claims);
       if (tried.truth != Truth::no) continue;
       result_.refuted = std::move(tried);
@@ -227,7 +227,7 @@ class Explorer {
     return true;
   }
 
-  void note(const Found& found, const std::string& what) {
+  void note(const ReachedTransitions& found, const std::string& what) {
     if (!found.bounded.empty()) bounded_.insert(what + ": " + found.bounded);
     if (!found.tried.empty())
       bounded_.insert(what + ": some values of " + name_list(found.tried) + " were tried: --numbers");
@@ -246,7 +246,7 @@ class Explorer {
   const std::vector<Transition>& from_;
   std::size_t most_;
   std::deque<Node> nodes_;
-  std::set<Given, Precedes> seen_;
+  std::set<Valuation, Precedes> seen_;
   std::set<std::string> bounded_;
   Exploration result_;
 };

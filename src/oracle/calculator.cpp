@@ -114,7 +114,7 @@ void Calculator::declare(const model::Escena& escena) {
 
 void Calculator::let(const std::vector<std::string>& typed) {
   const std::string section = section_name;
-  const zed::Given constants = typed_constants(typed, {specification_, typing_, section, given_});
+  const zed::Valuation constants = typed_constants(typed, {specification_, typing_, section, given_});
   given_.insert(given_.end(), constants.begin(), constants.end());
 }
 

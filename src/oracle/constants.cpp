@@ -86,8 +86,8 @@ zed::Value value_of(const std::string& typed, std::size_t sign, const zed::Globa
 
 }  // namespace
 
-zed::Given typed_constants(const std::vector<std::string>& typed, const Knowledge& known) {
-  zed::Given constants;
+zed::Valuation typed_constants(const std::vector<std::string>& typed, const Knowledge& known) {
+  zed::Valuation constants;
   if (typed.empty()) return constants;
   for (const std::string& each : typed) {
     const std::size_t sign = each.find('=');
@@ -96,7 +96,7 @@ zed::Given typed_constants(const std::vector<std::string>& typed, const Knowledg
     const zed::Global& constant = constant_of(each.substr(0, sign), known);
     constants.emplace_back(constant.name, value_of(each, sign, constant, known));
   }
-  zed::Given all = known.given;
+  zed::Valuation all = known.given;
   all.insert(all.end(), constants.begin(), constants.end());
   const zed::Evaluator evaluator(known.specification.sections, all);
   for (const auto& [name, value] : constants) try {
@@ -107,7 +107,7 @@ zed::Given typed_constants(const std::vector<std::string>& typed, const Knowledg
   return constants;
 }
 
-zed::Given given_constants(const zed::Specification& text, const std::vector<std::string>& typed) {
+zed::Valuation given_constants(const zed::Specification& text, const std::vector<std::string>& typed) {
   const std::string section = "constants";
   zed::Section all;
   all.file = "--let";
@@ -119,7 +119,7 @@ zed::Given given_constants(const zed::Specification& text, const std::vector<std
   return typed_constants(typed, {with, typing, section, {}});
 }
 
-std::vector<std::string> taken_lines(const zed::Given& taken) {
+std::vector<std::string> taken_lines(const zed::Valuation& taken) {
   std::vector<std::string> lines;
   for (const auto& [name, value] : taken)
     lines.push_back(fmt::format("{0} = {1} was taken; --let {0}=VALUE chooses another", name.text(), value.text()));

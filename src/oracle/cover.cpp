@@ -33,8 +33,8 @@ class Rings {
     for (std::size_t i = 0; i < rings; ++i) add(middle(i, rings));
   }
 
-  Outline outline() const {
-    return {ball(0, rings_.size()), delta(), rings_.back().last * sizeof(glm::dvec3) + balls() * sizeof(Ball)};
+  CoverPlan outline() const {
+    return {ball(0, rings_.size()), delta(), rings_.back().last * sizeof(glm::dvec3) + balls() * sizeof(BallNode)};
   }
 
   Cover cover() const {
@@ -69,14 +69,14 @@ class Rings {
   }
 
   /// The ball around the rings [first, last): its centre midway between the middles of the outermost of them.
-  Ball ball(std::size_t first, std::size_t last) const {
+  BallNode ball(std::size_t first, std::size_t last) const {
     const glm::dvec3 center = 0.5 * (surface_.middle(rings_[first].u) + surface_.middle(rings_[last - 1].u));
     double radius = 0;
     for (std::size_t i = first; i < last; ++i) radius = std::max(radius, surface_.reach(rings_[i].u, center));
     return {center, radius + surface_.rounding(), rings_[first].first, rings_[last - 1].last, 0};
   }
 
-  void add_balls(std::vector<Ball>& balls, std::size_t first, std::size_t last) const {
+  void add_balls(std::vector<BallNode>& balls, std::size_t first, std::size_t last) const {
     const std::size_t at = balls.size();
     balls.push_back(ball(first, last));
     if (last - first == 1) return;
@@ -93,7 +93,7 @@ class Rings {
 
 }  // namespace
 
-Outline outline(const Parametrisation& surface, double fineness) {
+CoverPlan outline(const Parametrisation& surface, double fineness) {
   return Rings(surface, fineness * surface.widest()).outline();
 }
 

@@ -12,19 +12,19 @@ struct Cell {
   double u, v, half_u, half_v;
 };
 
-class Search {
+class CrossingSearch {
  public:
-  Search(const Parametrisation& surface, const Line& line, double before, double finest, double slack)
+  CrossingSearch(const Parametrisation& surface, const ScaledRay& line, double before, double finest, double slack)
       : surface_(surface), line_(line), before_(before), finest_(std::max(finest, slack)), slack_(slack) {}
 
-  Verdict verdict() {
+  SampledVerdict verdict() {
     visit({0.5, 0.5, 0.5, 0.5});
     return verdict_;
   }
 
  private:
   void visit(const Cell& cell) {
-    if (verdict_ == Verdict::unsound) return;
+    if (verdict_ == SampledVerdict::unsound) return;
     // A path along the profile and then around the axis leads from the middle to any point of the cell.
     const double along = surface_.length() * cell.half_u;
     const double around = surface_.around_within(cell.u, along) * cell.half_v;
@@ -36,9 +36,9 @@ class Search {
     const double flattest = slope + middle.curvature * reach;  // of the points of the cell, if no edge is near
     const bool whole = 20 * reach <= middle.edge;
     if (whole && crosses(slope, middle.curvature * reach) && foot - 8 * reach > 0 && foot + 8 * reach < before_) {
-      verdict_ = Verdict::unsound;
+      verdict_ = SampledVerdict::unsound;
     } else if (whole && flattest <= 1.0 / 8) {
-      excuse(Verdict::grazing);
+      excuse(SampledVerdict::grazing);
     } else if (along + around <= finest_) {
       excuse(reason(foot, reach, whole));
     } else {
@@ -57,24 +57,25 @@ class Search {
   static bool crosses(double slope, double bend) { return bend <= 1.0 / 36 && slope > 1.0 / 8 + 82.0 / 8 * bend; }
 
   /// Why the finest points near this foot prove nothing.
-  Verdict reason(double foot, double reach, bool whole) const {
-    if (foot - 8 * reach <= 0) return Verdict::origin;
-    if (foot + 8 * reach >= before_) return Verdict::agrees;  // the claimed hit may be the one that is near
-    return whole ? Verdict::grazing : Verdict::rim;
+  SampledVerdict reason(double foot, double reach, bool whole) const {
+    if (foot - 8 * reach <= 0) return SampledVerdict::origin;
+    if (foot + 8 * reach >= before_) return SampledVerdict::agrees;  // the claimed hit may be the one that is near
+    return whole ? SampledVerdict::grazing : SampledVerdict::rim;
   }
 
-  void excuse(Verdict reason) { verdict_ = std::max(verdict_, reason); }
+  void excuse(SampledVerdict reason) { verdict_ = std::max(verdict_, reason); }
 
   const Parametrisation& surface_;
-  const Line& line_;
+  const ScaledRay& line_;
   double before_, finest_, slack_;
-  Verdict verdict_ = Verdict::agrees;
+  SampledVerdict verdict_ = SampledVerdict::agrees;
 };
 
 }  // namespace
 
-Verdict crossing(const Parametrisation& surface, const Line& line, double before, double finest, double slack) {
-  return Search(surface, line, before, finest, slack).verdict();
+SampledVerdict crossing(const Parametrisation& surface, const ScaledRay& line, double before, double finest,
+                        double slack) {
+  return CrossingSearch(surface, line, before, finest, slack).verdict();
 }
 
 }  // namespace durero::oracle::sampled

@@ -24,6 +24,7 @@ namespace durero::oracle::sampled {
 ///     starting within 8D of the foot;
 ///   agrees: no point of the surface at hand is near the ray before that distance.
 /// Points are `finest` from each other at the least; `slack` is the rounding of all distances.
-Verdict crossing(const Parametrisation& surface, const Line& line, double before, double finest, double slack);
+SampledVerdict crossing(const Parametrisation& surface, const ScaledRay& line, double before, double finest,
+                        double slack);
 
 }  // namespace durero::oracle::sampled

@@ -7,11 +7,11 @@
 
 namespace durero::oracle::spec {
 
-using zed::Given;
 using zed::Kind;
 using zed::Name;
 using zed::Term;
 using zed::Truth;
+using zed::Valuation;
 using zed::Value;
 
 namespace {
@@ -20,7 +20,7 @@ class Explainer {
  public:
   Explainer(const zed::Evaluator& evaluator, const zed::Typing& typing) : evaluator_(evaluator), typing_(typing) {}
 
-  void explain(const Term& term, const Given& locals, unsigned depth) {
+  void explain(const Term& term, const Valuation& locals, unsigned depth) {
     if (said_.size() > most_text || depth > most_depth) return;
     if (is_predicate(term)) {
       const std::string truth = truth_of(term, locals);
@@ -54,7 +54,7 @@ class Explainer {
     said_ += std::string(2 * static_cast<std::size_t>(depth), ' ') + term + "  ▸  " + value + "\n";
   }
 
-  std::string truth_of(const Term& term, const Given& locals) const {
+  std::string truth_of(const Term& term, const Valuation& locals) const {
     try {
       const Truth truth = evaluator_.holds(term, locals);
       return truth == Truth::yes ? "true" : truth == Truth::no ? "false" : "not decided";
@@ -63,7 +63,7 @@ class Explainer {
     }
   }
 
-  std::string value_of(const Term& term, const Given& locals) const {
+  std::string value_of(const Term& term, const Valuation& locals) const {
     try {
       const Value value = evaluator_.value(term, locals);
       return value.is_open() ? "not decided" : value.text();
@@ -73,7 +73,7 @@ class Explainer {
   }
 
   /// The values that make a ∀ false, or an ∃ true, and the body with them.
-  void explain_quantifier(const Term& term, const Given& locals, unsigned depth, const std::string& truth) {
+  void explain_quantifier(const Term& term, const Valuation& locals, unsigned depth, const std::string& truth) {
     const bool universal = term->kind == Kind::forall;
     if (truth != (universal ? "false" : "true")) return;
     const auto witness = first_witness(term, locals, universal);
@@ -82,14 +82,14 @@ class Explainer {
     for (const auto& [name, value] : *witness)
       values += (values.empty() ? "" : ", ") + name.text() + " == " + value.text();
     say(depth + 1, universal ? "counter-example" : "witness", values);
-    Given inner = *witness;
+    Valuation inner = *witness;
     inner.insert(inner.begin(), locals.begin(), locals.end());
     for (const zed::Predicate& predicate : term->text->predicates) explain(predicate.term, inner, depth + 2);
     explain(term->children[0], inner, depth + 2);
   }
 
   /// The first member of { D | P ∧ Q • (x, …) }, where all of D is x : T.
-  std::optional<Given> first_witness(const Term& term, const Given& locals, bool universal) const {
+  std::optional<Valuation> first_witness(const Term& term, const Valuation& locals, bool universal) const {
     std::vector<Name> names;
     for (const zed::Declaration& declaration : term->text->declarations) {
       if (declaration.form != zed::Declaration::Form::typed) return std::nullopt;
@@ -102,7 +102,7 @@ class Explainer {
       const Value all = evaluator_.value(zed::quantified(Kind::comprehension, std::move(text), {}), locals);
       const auto* members = all.set() ? all.set()->members() : nullptr;
       if (!members || members->empty()) return std::nullopt;
-      Given witness;
+      Valuation witness;
       for (std::size_t i = 0; i < names.size(); ++i)
         witness.emplace_back(names[i], names.size() == 1 ? members->front() : members->front().tuple()->parts[i]);
       return witness;

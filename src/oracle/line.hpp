@@ -10,9 +10,9 @@
 
 namespace durero::oracle::sampled {
 
-class Line {
+class ScaledRay {
  public:
-  explicit Line(const model::Rayo& ray) : p(ray.p().xyz()) {
+  explicit ScaledRay(const model::Rayo& ray) : p(ray.p().xyz()) {
     // The greatest coordinate becomes one of [1/2, 1), so no square overflows, and none that counts underflows.
     const glm::dvec3& v = ray.v().xyz();
     std::frexp(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}), &exponent_);

@@ -9,10 +9,10 @@
 
 namespace durero::oracle::spec {
 
-using zed::Given;
 using zed::Name;
 using zed::Truth;
 using zed::Type;
+using zed::Valuation;
 using zed::Value;
 
 namespace {
@@ -27,12 +27,12 @@ bool has_all(const std::vector<Name>& names, const std::vector<Name>& wanted) {
   return std::all_of(wanted.begin(), wanted.end(), [&](const Name& name) { return has_name(names, name); });
 }
 
-bool same_given(const Given& a, const Given& b) {
+bool same_given(const Valuation& a, const Valuation& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const auto& x, const auto& y) { return x.first == y.first && zed::same(x.second, y.second); });
 }
 
-const Value* value_of(const Given& given, const Name& name) {
+const Value* value_of(const Valuation& given, const Name& name) {
   const auto at = std::find_if(given.begin(), given.end(), [&](const auto& each) { return each.first == name; });
   return at == given.end() ? nullptr : &at->second;
 }
@@ -71,19 +71,19 @@ std::vector<std::string> Machine::carriers() const {
 
 std::vector<std::string> Machine::taken() const { return taken_lines(parts_->evaluator->taken()); }
 
-Found Machine::initial(std::size_t most) const {
+ReachedTransitions Machine::initial(std::size_t most) const {
   parts_->begin_question();
-  const Given none;
+  const Valuation none;
   Ways ways(*parts_, init().empty() ? state() : init(), none, most);
   ways.add(none);
   return ways.found();
 }
 
-Found Machine::steps(const Given& before, const MachineOperation& operation, const Given& inputs,
-                     std::size_t most) const {
+ReachedTransitions Machine::steps(const Valuation& before, const MachineOperation& operation, const Valuation& inputs,
+                                  std::size_t most) const {
   parts_->begin_question();
   Ways ways(*parts_, operation.name, before, most);
-  Given known = before;
+  Valuation known = before;
   known.insert(known.end(), inputs.begin(), inputs.end());
   std::vector<Name> looked_for;  // of the inputs that are not given, those that may come from a set without end
   for (const Name& input : operation.inputs)
@@ -92,26 +92,26 @@ Found Machine::steps(const Given& before, const MachineOperation& operation, con
   return ways.found();
 }
 
-Truth Machine::is_step(const Given& before, const Transition& transition) const {
+Truth Machine::is_step(const Valuation& before, const Transition& transition) const {
   parts_->begin_question();
   const zed::SchemaCheck& check = parts_->check(transition.operation);
-  Given all = parts_->named(before, transition);
+  Valuation all = parts_->named(before, transition);
   if (!has_all(check.components(), {after_stroke(components().front())}))  // an initial schema of S itself
     all.insert(all.end(), transition.after.begin(), transition.after.end());
   return check.holds(in_order(check.components(), all));
 }
 
-std::vector<zed::Finding> Machine::invariant(const Given& state_now) const {
+std::vector<zed::ConjunctTruth> Machine::invariant(const Valuation& state_now) const {
   parts_->begin_question();
   const zed::SchemaCheck& check = parts_->check(state());
   return check.findings(in_order(check.components(), state_now));
 }
 
-std::vector<zed::Finding> Machine::preconditions(const Given& before, const MachineOperation& operation,
-                                                 const Given& inputs) const {
+std::vector<zed::ConjunctTruth> Machine::preconditions(const Valuation& before, const MachineOperation& operation,
+                                                       const Valuation& inputs) const {
   parts_->begin_question();
   const zed::SchemaCheck& check = parts_->check(operation.name);
-  Given all = before;
+  Valuation all = before;
   all.insert(all.end(), inputs.begin(), inputs.end());
   return check.findings(in_order(check.components(), all));
 }
@@ -157,14 +157,14 @@ zed::Term instance(const zed::Term& claim) {
 
 }  // namespace
 
-std::vector<Tried> Machine::conjectures(const Given& before, const Transition& transition) const {
-  std::vector<Tried> all;
+std::vector<ConjectureResult> Machine::conjectures(const Valuation& before, const Transition& transition) const {
+  std::vector<ConjectureResult> all;
   for (Parts::Claim& claim : parts_->claims) {
-    Tried tried{claim.text, claim.place, Truth::open, false};
+    ConjectureResult tried{claim.text, claim.place, Truth::open, false};
     const auto names = included_names(parts_->typing, claim.term);
-    Given locals;
+    Valuation locals;
     if (names) {
-      const Given available = has_all(components(), *names) ? transition.after : parts_->named(before, transition);
+      const Valuation available = has_all(components(), *names) ? transition.after : parts_->named(before, transition);
       tried.of_states = true;
       for (const Name& name : *names)
         if (const Value* value = value_of(available, name); value && !value_of(locals, name))

@@ -52,7 +52,7 @@ Machine::Parts::Parts(const zed::Specification& text, Setup how) : setup(std::mo
   declare_carriers();
   typing = zed::check(specification);
   const std::string section = section_name;
-  const zed::Given constants = typed_constants(setup.constants, {specification, typing, section, given});
+  const zed::Valuation constants = typed_constants(setup.constants, {specification, typing, section, given});
   given.insert(given.end(), constants.begin(), constants.end());
   evaluator = std::make_unique<zed::Evaluator>(specification.sections, given, &steps);
   take_constants();
@@ -211,8 +211,8 @@ const zed::Completion& Machine::Parts::completion(const std::string& schema, con
   return completions_.emplace(key, evaluator->completion({schema, ""}, known)).first->second;
 }
 
-zed::Given Machine::Parts::named(const zed::Given& before, const Transition& transition) const {
-  zed::Given all = before;
+zed::Valuation Machine::Parts::named(const zed::Valuation& before, const Transition& transition) const {
+  zed::Valuation all = before;
   for (const auto& [name, value] : transition.after) all.emplace_back(Name{name.word, name.strokes + "'"}, value);
   all.insert(all.end(), transition.inputs.begin(), transition.inputs.end());
   all.insert(all.end(), transition.outputs.begin(), transition.outputs.end());
@@ -260,7 +260,7 @@ std::vector<Value> some_subsets(const std::vector<Value>& of) {
 
 }  // namespace
 
-zed::Truth Machine::Parts::truth(const zed::Term& term, const zed::Given& locals, Claim& claim) const {
+zed::Truth Machine::Parts::truth(const zed::Term& term, const zed::Valuation& locals, Claim& claim) const {
   begin_question();
   try {
     return evaluator->holds(term, locals);

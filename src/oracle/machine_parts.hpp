@@ -28,7 +28,7 @@ struct Machine::Parts {
   Notation notation;
   zed::Typing typing;
   std::map<std::string, std::vector<std::string>> carriers{};
-  zed::Given given{};  ///< of the evaluator
+  zed::Valuation given{};  ///< of the evaluator
   std::string state{}, init{};
   std::vector<zed::Name> components{};
   std::map<zed::Name, zed::Type> types{};  ///< of the components of states and operations
@@ -42,11 +42,11 @@ struct Machine::Parts {
   const zed::SchemaCheck& check(const std::string& schema) const;
   const zed::Completion& completion(const std::string& schema, const std::vector<zed::Name>& known) const;
   /// Every name that the transition gives a value: those of the state before, of the state after with ', and its own.
-  zed::Given named(const zed::Given& before, const Transition& transition) const;
+  zed::Valuation named(const zed::Valuation& before, const Transition& transition) const;
   /// Whether values of the type have numbers in them, of which there is no end.
   bool has_numbers(const zed::Type& type) const;
   /// The truth of a claim, or of its instance with these names; open where it cannot be decided.
-  zed::Truth truth(const zed::Term& term, const zed::Given& locals, Claim& claim) const;
+  zed::Truth truth(const zed::Term& term, const zed::Valuation& locals, Claim& claim) const;
   /// Some values of the type, the same each time.
   std::vector<zed::Value> samples(const zed::Type& type) const;
 

@@ -9,18 +9,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-class Nearest {
+class NearestCandidate {
  public:
-  Nearest(const Cover& cover, const Line& line) : cover_(cover), line_(line) { visit(0); }
+  NearestCandidate(const Cover& cover, const ScaledRay& line) : cover_(cover), line_(line) { visit(0); }
 
-  std::optional<Candidate> candidate() const {
+  std::optional<SampledCandidate> candidate() const {
     if (foot_ == infinity) return std::nullopt;
-    return Candidate{foot_, cover_.samples[which_]};
+    return SampledCandidate{foot_, cover_.samples[which_]};
   }
 
  private:
   void visit(std::uint32_t index) {
-    const Ball& ball = cover_.balls[index];
+    const BallNode& ball = cover_.balls[index];
     if (!may_hold_candidate(ball, cover_.delta, line_, foot_)) return;
     if (ball.right == 0) return look(ball.first, ball.last);
     visit(index + 1);
@@ -40,14 +40,14 @@ class Nearest {
   }
 
   const Cover& cover_;
-  const Line& line_;
+  const ScaledRay& line_;
   double foot_ = infinity;
   std::uint32_t which_ = 0;
 };
 
 }  // namespace
 
-bool may_hold_candidate(const Ball& ball, double delta, const Line& line, double foot) {
+bool may_hold_candidate(const BallNode& ball, double delta, const ScaledRay& line, double foot) {
   const glm::dvec3 to_center = ball.center - line.p;
   const double along = glm::dot(to_center, line.direction);
   const glm::dvec3 apart = to_center - line.direction * std::max(0.0, along);
@@ -55,10 +55,12 @@ bool may_hold_candidate(const Ball& ball, double delta, const Line& line, double
   return glm::dot(apart, apart) <= reach * reach && along - reach < foot;
 }
 
-std::optional<Candidate> nearest(const Cover& cover, const Line& line) { return Nearest(cover, line).candidate(); }
+std::optional<SampledCandidate> nearest(const Cover& cover, const ScaledRay& line) {
+  return NearestCandidate(cover, line).candidate();
+}
 
 bool near_sample(const Cover& cover, const glm::dvec3& point, double slack, std::uint32_t index) {
-  const Ball& ball = cover.balls[index];
+  const BallNode& ball = cover.balls[index];
   const double limit = cover.delta + slack;
   if (glm::length(ball.center - point) > ball.radius + limit) return false;
   if (ball.right != 0)

@@ -21,10 +21,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The slack for the rounding of distances: 2⁻⁴⁰ of the lengths at hand, which a few dozen roundings do not reach.
-double rounding(const Ball& all, const Line& line) { return 0x1p-40 * (glm::length(line.p - all.center) + all.radius); }
+double rounding(const BallNode& all, const ScaledRay& line) {
+  return 0x1p-40 * (glm::length(line.p - all.center) + all.radius);
+}
 
 /// The point that a claim speaks of: of a segment that starts at the origin, the origin.
-glm::dvec3 claimed_point(const Line& line, const scene::Hit& claim) {
+glm::dvec3 claimed_point(const ScaledRay& line, const scene::Hit& claim) {
   return claim.resultado == model::Resultado::hit ? claim.punto : line.p;
 }
 
@@ -48,13 +50,13 @@ void require_range(const Parametrisation& surface, const model::Elemento& e) {
   }
 }
 
-Line checked_line(const model::Rayo& ray) {
+ScaledRay checked_line(const model::Rayo& ray) {
   for (const double x : {ray.p().x(), ray.p().y(), ray.p().z()}) {
     if (std::abs(x) > greatest_origin) {
       out_of_range("a ray's origin has a coordinate of", x, fmt::format("coordinates up to {}", greatest_origin));
     }
   }
-  return Line(ray);
+  return ScaledRay(ray);
 }
 
 /// How much wider than what stands about it a patch is.
@@ -105,7 +107,7 @@ bool is_near_any(const Element& element, const std::vector<WithLine>& all) {
 
 }  // namespace
 
-std::string_view name(Verdict verdict) noexcept {
+std::string_view name(SampledVerdict verdict) noexcept {
   constexpr std::array<std::string_view, verdict_count> names{"agrees", "grazing",    "rim",
                                                               "origin", "incomplete", "unsound"};
   return names[static_cast<std::size_t>(verdict)];
@@ -128,23 +130,23 @@ struct Oracle::Judged {
       verdict = std::max(verdict, verdict_of(part.elements[i], part.covers[i]));
   }
 
-  Verdict verdict_of(const Element& element, const Cover& cover) const {
+  SampledVerdict verdict_of(const Element& element, const Cover& cover) const {
     const bool is_named = names(*claim, element.ref);
     const bool is_near = may_hold_candidate(element.outline.ball, element.outline.delta, line);
-    if (!is_named && !is_near) return Verdict::agrees;
+    if (!is_named && !is_near) return SampledVerdict::agrees;
     const double slack = rounding(element.outline.ball, line);
     const bool is_covered = !beyond_patch(element.surface, point, slack);
-    if (is_named && is_covered && !near_sample(cover, point, slack)) return Verdict::incomplete;
+    if (is_named && is_covered && !near_sample(cover, point, slack)) return SampledVerdict::incomplete;
     const auto candidate = nearest(cover, line);
-    if (!candidate || distance <= candidate->distance + 8 * cover.delta + slack) return Verdict::agrees;
+    if (!candidate || distance <= candidate->distance + 8 * cover.delta + slack) return SampledVerdict::agrees;
     return crossing(element.surface, line, distance, cover.delta / 1024, slack);
   }
 
-  Line line;
+  ScaledRay line;
   const scene::Hit* claim;
   glm::dvec3 point;
   double distance;
-  Verdict verdict = Verdict::agrees;
+  SampledVerdict verdict = SampledVerdict::agrees;
 };
 
 struct Oracle::First {
@@ -161,7 +163,7 @@ struct Oracle::First {
     }
   }
 
-  Line line;
+  ScaledRay line;
   double distance = infinity;
   scene::Hit hit;
 };
@@ -183,8 +185,8 @@ Oracle::Oracle(const scene::Scene& scene, double fineness, std::size_t most_byte
   kept_ = covers(elements_, [](const Element&) { return true; });
 }
 
-std::vector<Ball> Oracle::bounds() const {
-  std::vector<Ball> balls;
+std::vector<BallNode> Oracle::bounds() const {
+  std::vector<BallNode> balls;
   balls.reserve(elements_.size());
   for (const Element& element : elements_) balls.push_back(element.outline.ball);
   return balls;
@@ -229,8 +231,8 @@ void Oracle::first_hits(std::span<const scene::Query> queries, std::span<scene::
   for (std::size_t i = 0; i < first.size(); ++i) hits[i] = std::move(first[i].hit);
 }
 
-std::vector<Verdict> Oracle::judge(std::span<const scene::Query> queries, std::span<const scene::Hit> claimed,
-                                   const Done& done) const {
+std::vector<SampledVerdict> Oracle::judge(std::span<const scene::Query> queries, std::span<const scene::Hit> claimed,
+                                          const Done& done) const {
   std::vector<Judged> judged;
   judged.reserve(queries.size());
   std::vector<scene::ElementRef> named;
@@ -249,7 +251,7 @@ std::vector<Verdict> Oracle::judge(std::span<const scene::Query> queries, std::s
   for_each_part(hold, [&](const Element& element) {
     return std::ranges::binary_search(named, element.ref) || is_near_any(element, judged);
   });
-  std::vector<Verdict> verdicts;
+  std::vector<SampledVerdict> verdicts;
   for (const Judged& one : judged) verdicts.push_back(one.verdict);
   return verdicts;
 }
@@ -261,7 +263,7 @@ scene::Hit Oracle::first_hit(const model::Rayo& ray) const {
   return hit;
 }
 
-Verdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
+SampledVerdict Oracle::judge(const model::Rayo& ray, const scene::Hit& claimed) const {
   const scene::Query query{ray, {}};
   return judge({&query, 1}, {&claimed, 1}).front();
 }

@@ -53,7 +53,7 @@ std::vector<zed::Value> scenes() {
 }
 
 /// The tables that the same edits make, and with the scenes that they stand for.
-struct Tables {
+struct EditedTables {
   std::vector<zed::Value> alone, with_scene;
   void add(const scene::Scene& scene) {
     Named both = components(tablas(scene));
@@ -63,9 +63,9 @@ struct Tables {
   }
 };
 
-Tables tables() {
+EditedTables tables() {
   scene::Scene scene;
-  Tables found;
+  EditedTables found;
   found.add(scene);
   for (const Operation& edit : edits()) {
     scene.apply(edit);
@@ -102,13 +102,13 @@ std::vector<zed::Value> numbers(std::initializer_list<double> from) {
   return found;
 }
 
-struct Look {
+struct LookCoefficients {
   double k_a, k_d, k_s, k_ps, k_t, C, M_PS, M_T, emisividad, A_G, e, indice;
 };
 
 /// Surfaces that are dull, without colour, without highlight, and that send on all of what they receive or more. The
 /// exponents are such that a power has a name in our numbers.
-constexpr Look looks[] = {
+constexpr LookCoefficients looks[] = {
     {0.25, 0.5, 0.25, 0.5, 0.5, 1, 1, 0.5, 0, 0.5, 2, 1.5},
     {0.5, 0.5, 0.5, 0, 0, 0, 1, 1, 0, 0, 4, 1},
     {0.5, 0.5, 0, 0.25, 0.25, 0.5, 1, 1, 2, 0.25, 1, 1.25},
@@ -117,7 +117,7 @@ constexpr Look looks[] = {
     {1, 1, 1, 1, 0, 1, 1, 1, 0, 0, 3, 1.5},
 };
 
-zed::Value material(const Look& m) {
+zed::Value material(const LookCoefficients& m) {
   return binding({{{"k_a", ""}, zed::Real(m.k_a)},
                   {{"k_d", ""}, zed::Real(m.k_d)},
                   {{"k_s", ""}, zed::Real(m.k_s)},
@@ -132,9 +132,9 @@ zed::Value material(const Look& m) {
                   {{"indice", ""}, zed::Real(m.indice)}});
 }
 
-std::vector<zed::Value> materials(bool (*admits)(const Look&)) {
+std::vector<zed::Value> materials(bool (*admits)(const LookCoefficients&)) {
   std::vector<zed::Value> found;
-  for (const Look& look : looks)
+  for (const LookCoefficients& look : looks)
     if (admits(look)) found.push_back(material(look));
   return found;
 }
@@ -172,7 +172,7 @@ zed::Samples samples() {
                                   {origin, Vector(1, 0, 5)},
                                   {Punto(1, 0, -2), up},
                                   {Punto(5, 0, 5), Vector(-1, 0, 0)}};
-  Tables of_edits = tables();
+  EditedTables of_edits = tables();
   return {
       {"Escena", scenes()},
       {"Init_Tablas", {of_edits.alone.front()}},
@@ -188,8 +188,9 @@ zed::Samples samples() {
       {"Rmas", numbers({4, 1, 6, 2, 0.5, 7})},
       {"Parte", numbers({0, 0.25, 0.5, 1})},
       {"Cantidad", numbers({0, 0.5, 1, 2, 5})},
-      {"Material", materials([](const Look&) { return true; })},
-      {"conserva", materials([](const Look& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T <= 1; })},  // exact: eighths
+      {"Material", materials([](const LookCoefficients&) { return true; })},
+      {"conserva",
+       materials([](const LookCoefficients& m) { return m.k_ps * m.M_PS + m.k_t * m.M_T <= 1; })},  // exact: eighths
       {"Fuente", lights()},
       {"Ventana", windows()},
   };

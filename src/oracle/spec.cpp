@@ -53,7 +53,7 @@ std::vector<Value> in_order(const std::vector<Name>& components, const Named& na
   return values;
 }
 
-Named named(const Step& step) {
+Named named(const OperationStep& step) {
   Named all = components(step.before);
   append(all, primed(components(step.after)));
   append(all, inputs(step.operation));
@@ -90,38 +90,38 @@ Judge::~Judge() = default;
 
 const zed::Evaluator& Judge::evaluator() const { return schemas_->evaluator; }
 
-bool Judge::holds(const Step& step) const {
+bool Judge::holds(const OperationStep& step) const {
   const std::string name = schema_name(step.operation);
   const zed::SchemaCheck& schema = (*schemas_)[name];
   return decided(schema.holds(in_order(schema.components(), named(step))), name);
 }
 
-bool Judge::holds_total(const Step& step) const {
+bool Judge::holds_total(const OperationStep& step) const {
   const std::string name = total_name(step.operation);
   const zed::SchemaCheck& schema = (*schemas_)[name];
   return decided(schema.holds(in_order(schema.components(), named(step))), name);
 }
 
-std::vector<zed::Finding> Judge::findings(const Step& step) const {
+std::vector<zed::ConjunctTruth> Judge::findings(const OperationStep& step) const {
   const zed::SchemaCheck& schema = (*schemas_)[schema_name(step.operation)];
   return schema.findings(in_order(schema.components(), named(step)));
 }
 
-std::vector<zed::Finding> Judge::findings(const model::Escena& before, const Operation& operation) const {
+std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& before, const Operation& operation) const {
   const zed::SchemaCheck& schema = (*schemas_)[schema_name(operation)];
   Named all = components(before);
   append(all, inputs(operation));
   return schema.findings(in_order(schema.components(), all));
 }
 
-std::vector<zed::Finding> Judge::findings(const model::Escena& escena) const {
+std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& escena) const {
   const zed::SchemaCheck& schema = (*schemas_)["Escena"];
   return schema.findings(in_order(schema.components(), components(escena)));
 }
 
 namespace {
 
-std::string told(const zed::Finding& finding) {
+std::string told(const zed::ConjunctTruth& finding) {
   return (finding.label.empty() ? std::string() : finding.label + " ") + "(" + finding.predicate + ")";
 }
 
@@ -136,7 +136,7 @@ Operation partial_of(Op in) {
   return in;
 }
 
-const zed::Finding* first(const std::vector<zed::Finding>& findings, Truth truth) {
+const zed::ConjunctTruth* first(const std::vector<zed::ConjunctTruth>& findings, Truth truth) {
   const auto found =
       std::find_if(findings.begin(), findings.end(), [&](const auto& finding) { return finding.truth == truth; });
   return found == findings.end() ? nullptr : &*found;
@@ -146,15 +146,15 @@ const zed::Finding* first(const std::vector<zed::Finding>& findings, Truth truth
 
 std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
                                              const model::Answer& answer, const model::Escena& after) const {
-  const Step step{before, operation, answer.r, after};
+  const OperationStep step{before, operation, answer.r, after};
   const Operation partial = std::visit([](const auto& in) { return partial_of(in); }, operation);
   if (answer.ok()) {
     // The general addition differs from that of its type by its answer alone.
-    const Step done{before, std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial, answer.r,
-                    after};
+    const OperationStep done{before, std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial,
+                             answer.r, after};
     if (!holds(done)) {
       const auto all = findings(done);
-      const zed::Finding* broken = first(all, Truth::no);
+      const zed::ConjunctTruth* broken = first(all, Truth::no);
       return "the contracts accept what the text refuses: " + (broken ? told(*broken) : schema_name(operation));
     }
   } else {

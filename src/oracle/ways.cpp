@@ -4,10 +4,10 @@
 
 namespace durero::oracle::spec {
 
-using zed::Given;
 using zed::Name;
 using zed::Truth;
 using zed::Type;
+using zed::Valuation;
 using zed::Value;
 
 namespace {
@@ -41,7 +41,7 @@ class Gatherer {
   Transition transition_;
 };
 
-std::pair<std::vector<Name>, std::vector<Value>> apart(const Given& known) {
+std::pair<std::vector<Name>, std::vector<Value>> apart(const Valuation& known) {
   std::pair<std::vector<Name>, std::vector<Value>> both;
   for (const auto& [name, value] : known) {
     both.first.push_back(name);
@@ -74,7 +74,7 @@ void put_neighbours(std::vector<Value>& values, const std::vector<Value>& of, co
 }  // namespace
 
 /// Adds what equations and finite sets give. Nothing where a bound was met.
-std::optional<Truth> Ways::complete(const Given& known) {
+std::optional<Truth> Ways::complete(const Valuation& known) {
   const auto [names, given] = apart(known);
   const zed::Completion& completion = parts_.completion(schema_, names);
   const bool plain_is_after = before_.empty();  // an initial schema may be one of S itself
@@ -113,7 +113,7 @@ std::vector<Value> Ways::values(const Name& name) const {
 }
 
 /// How many of its first values are not refuted: an equation refutes all but one, or all.
-std::size_t Ways::possible(Given& known, const Name& name) const {
+std::size_t Ways::possible(Valuation& known, const Name& name) const {
   constexpr std::size_t most_asked = 16;
   std::size_t count = 0;
   std::vector<Value> all = values(name);
@@ -134,7 +134,7 @@ std::size_t Ways::possible(Given& known, const Name& name) const {
 /// Of the names that are sought, the one to try values of: that which the rest leaves the most, so that none is tried
 /// that an equation gives. Of several numbers come before what is made of several: the fewer there are to try, the
 /// better. Nothing where no name has values.
-std::optional<Name> Ways::next_to_try(Given& known) const {
+std::optional<Name> Ways::next_to_try(Valuation& known) const {
   std::vector<Name> names = parts_.completion(schema_, apart(known).first).sought();
   std::erase_if(names, [&](const Name& name) { return values(name).empty(); });
   std::stable_partition(names.begin(), names.end(), [&](const Name& name) { return is_number(parts_.types.at(name)); });
@@ -146,7 +146,7 @@ std::optional<Name> Ways::next_to_try(Given& known) const {
 }
 
 /// Says whether to go on.
-bool Ways::look(Given& known) {
+bool Ways::look(Valuation& known) {
   std::optional<Truth> all = Truth::open;
   try {
     all = complete(known);
@@ -171,7 +171,7 @@ bool Ways::look(Given& known) {
   return true;
 }
 
-bool Ways::add_listed(const Given& known) {
+bool Ways::add_listed(const Valuation& known) {
   try {
     return complete(known) != Truth::open;
   } catch (const zed::EvaluationError& error) {
@@ -180,9 +180,9 @@ bool Ways::add_listed(const Given& known) {
   }
 }
 
-bool Ways::add(const Given& known) {
+bool Ways::add(const Valuation& known) {
   try {
-    Given all = known;
+    Valuation all = known;
     return look(all);
   } catch (const zed::StepsSpent&) {
     if (!found_.undecided) throw;
@@ -191,7 +191,7 @@ bool Ways::add(const Given& known) {
   }
 }
 
-void Ways::add_each(const Given& known, const std::vector<Name>& inputs) {
+void Ways::add_each(const Valuation& known, const std::vector<Name>& inputs) {
   std::vector<std::vector<Value>> samples;
   samples.reserve(inputs.size());
   for (const Name& input : inputs) samples.push_back(parts_.samples(parts_.types.at(input)));
@@ -203,7 +203,7 @@ void Ways::add_each(const Given& known, const std::vector<Name>& inputs) {
       found_.bounded = "--inputs";
       return;
     }
-    Given all = known;
+    Valuation all = known;
     for (std::size_t i = 0; i < samples.size(); ++i) all.emplace_back(inputs[i], samples[i][at[i]]);
     if (!add(all)) return;
     std::size_t digit = samples.size();
@@ -212,7 +212,7 @@ void Ways::add_each(const Given& known, const std::vector<Name>& inputs) {
   }
 }
 
-Found Ways::found() {
+ReachedTransitions Ways::found() {
   if (found_.transitions.empty() && error_) throw zed::EvaluationError(*error_);
   return std::move(found_);
 }

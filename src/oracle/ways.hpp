@@ -11,30 +11,30 @@ namespace durero::oracle::spec {
 class Ways {
  public:
   /// Of the schema of this name, `most` at most; numbers are looked for about those of `before` too. Both outlive it.
-  Ways(const Machine::Parts& parts, const std::string& schema, const zed::Given& before, std::size_t most)
+  Ways(const Machine::Parts& parts, const std::string& schema, const zed::Valuation& before, std::size_t most)
       : parts_(parts), schema_(schema), before_(before), most_(most) {}
   /// Adds those with these values. Says whether to go on: a bound was met where not.
-  bool add(const zed::Given& known);
+  bool add(const zed::Valuation& known);
   /// Adds those with these values that equations give and finite sets list. Says whether these are all, or all that a
   /// bound admits.
-  bool add_listed(const zed::Given& known);
+  bool add_listed(const zed::Valuation& known);
   /// Adds those with these values and each choice of samples for the inputs.
-  void add_each(const zed::Given& known, const std::vector<zed::Name>& inputs);
+  void add_each(const zed::Valuation& known, const std::vector<zed::Name>& inputs);
   /// Returns what was found. Throws the EvaluationError that kept it from finding anything.
-  Found found();
+  ReachedTransitions found();
 
  private:
-  std::optional<zed::Truth> complete(const zed::Given& known);
-  bool look(zed::Given& known);
-  std::optional<zed::Name> next_to_try(zed::Given& known) const;
-  std::size_t possible(zed::Given& known, const zed::Name& name) const;
+  std::optional<zed::Truth> complete(const zed::Valuation& known);
+  bool look(zed::Valuation& known);
+  std::optional<zed::Name> next_to_try(zed::Valuation& known) const;
+  std::size_t possible(zed::Valuation& known, const zed::Name& name) const;
   std::vector<zed::Value> values(const zed::Name& name) const;
 
   const Machine::Parts& parts_;
   const std::string& schema_;
-  const zed::Given& before_;
+  const zed::Valuation& before_;
   std::size_t most_, tried_ = 0;
-  Found found_{};
+  ReachedTransitions found_{};
   std::optional<zed::EvaluationError> error_{};
 };
 

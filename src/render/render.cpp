@@ -16,8 +16,8 @@
 namespace durero::render {
 namespace {
 
-void add_row(Reach& reach, const Row& row) {
-  for (const Brought& pixel : row.pixels) {
+void add_row(PathStatistics& reach, const PixelRow& row) {
+  for (const PathRadiance& pixel : row.pixels) {
     ++reach.pixels;
     reach.rays += pixel.rays;
     reach.depths += pixel.depth;
@@ -28,12 +28,12 @@ void add_row(Reach& reach, const Row& row) {
 }
 
 /// A picture and the counts of its rays, to which many threads add.
-class Drawn {
+class PictureAccumulator {
  public:
-  explicit Drawn(scene::Resolution size) : picture(size) {}
+  explicit PictureAccumulator(scene::Resolution size) : picture(size) {}
 
   /// Adds the colours and counts of these pixels.
-  void add(std::span<const scene::Pixel> pixels, const Row& row) {
+  void add(std::span<const scene::Pixel> pixels, const PixelRow& row) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
       picture.rgb[std::size_t(pixels[i].y) * picture.resolution.width + pixels[i].x] = row.pixels[i].color;
     const std::lock_guard lock(mutex_);
@@ -41,7 +41,7 @@ class Drawn {
   }
 
   Picture picture;
-  Reach reach{};
+  PathStatistics reach{};
 
  private:
   std::mutex mutex_;
@@ -53,7 +53,7 @@ std::vector<scene::Pixel> pixels_of_row(std::uint32_t width, std::uint32_t y) {
   return pixels;
 }
 
-void draw(const View& view, const Samples& samples, const Progress& progress, Drawn& drawn) {
+void draw(const View& view, const Samples& samples, const Progress& progress, PictureAccumulator& drawn) {
   const scene::Resolution size = view.crop.size;
   switch (samples.sampling) {
     case Sampling::grid:
@@ -73,10 +73,10 @@ void draw(const View& view, const Samples& samples, const Progress& progress, Dr
 
 }  // namespace
 
-Picture render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress, const Frame& frame,
-               Reach* reach) {
+Picture render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress,
+               const RenderSettings& frame, PathStatistics* reach) {
   const View view(scene, engine, frame);
-  Drawn drawn(view.crop.size);
+  PictureAccumulator drawn(view.crop.size);
   draw(view, frame.samples, progress, drawn);
   drawn.reach.max_depth = view.limits.max_depth;
   if (reach) *reach = drawn.reach;

@@ -11,11 +11,11 @@ namespace durero::scene {
 namespace {
 
 /// a + b·c rounded once, and whether it is that.
-struct Rounded {
+struct RoundedSum {
   double value;
   bool exact;
 };
-Rounded sum(double a, double b, double c) {
+RoundedSum sum(double a, double b, double c) {
   const number::Rational sum = number::exact(a) + number::exact(b) * number::exact(c);
   const double value = number::round_to_binary64(sum);
   return {value, std::isfinite(value) && number::exact(value) == sum};
@@ -56,7 +56,7 @@ class Closed {
     add(in_.top, centro, {radio, true}, c.vector);
     return std::move(lids_);
   }
-  void add(const std::string& name, const glm::dvec3& centro, const Rounded& radio, const glm::dvec3& vector) {
+  void add(const std::string& name, const glm::dvec3& centro, const RoundedSum& radio, const glm::dvec3& vector) {
     lids_.exact &= radio.exact;
     lids_.additions.push_back({addition(model::Elemento{name}, Disc{centro, radio.value, vector}), material_});
   }

@@ -141,7 +141,7 @@ class Editor {
     Table<Shape>& table = scene_.table<Shape>();
     const Sizes sizes_before = sizes();
     const Respuesta r = in.answer;
-    Row<Shape> row{shape_of<Shape>(in), {in.e, hash}};
+    TableRow<Shape> row{shape_of<Shape>(in), {in.e, hash}};
     table.reserve_one_more();
     scene_.index_.reserve_one_more();
 
@@ -186,7 +186,7 @@ class Editor {
 
     scene_.index_.erase(key.hash, gap);
     if (gap != last) scene_.index_.move(last_hash, last, gap);
-    Row<Shape> row = table.take(gap.index);
+    TableRow<Shape> row = table.take(gap.index);
     try {
       if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore) {
         const bool known = scene_.find(in.e.name(), key.hash).has_value();

@@ -7,8 +7,8 @@
 namespace durero::scene {
 namespace {
 
-Picture halved(const Picture& m) {
-  Picture half{m.width / 2, m.height / 2};
+TexelImage halved(const TexelImage& m) {
+  TexelImage half{m.width / 2, m.height / 2};
   half.texels.reserve(std::size_t{half.width} * half.height);
   for (std::uint32_t k = 0; k < half.height; ++k)
     for (std::uint32_t j = 0; j < half.width; ++j)
@@ -19,13 +19,13 @@ Picture halved(const Picture& m) {
 
 }  // namespace
 
-bool has_mipmap(const Picture& picture) noexcept {
+bool has_mipmap(const TexelImage& picture) noexcept {
   return picture.width == picture.height && std::has_single_bit(picture.width);
 }
 
-std::vector<Picture> mipmap(Picture picture) {
+std::vector<TexelImage> mipmap(TexelImage picture) {
   if (!has_mipmap(picture)) throw std::invalid_argument("a mipmap is made of 2ⁿ × 2ⁿ texels");
-  std::vector<Picture> levels{std::move(picture)};
+  std::vector<TexelImage> levels{std::move(picture)};
   while (levels.back().width > 1) levels.push_back(halved(levels.back()));
   return levels;
 }

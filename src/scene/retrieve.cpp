@@ -25,9 +25,9 @@ model::Escena retrieve(const Scene& scene) {
       escena.elementos.insert(escena.elementos.end(), e);
       escena.tipos.insert(Shape::tipo);
       escena.de_que_tipo.emplace_hint(escena.de_que_tipo.end(), e, Shape::tipo);
-      for_each_attribute<Shape, model::Escena>([&]<class Row>(const Row& attribute) {
+      for_each_attribute<Shape, model::Escena>([&]<class TableRow>(const TableRow& attribute) {
         auto& component = escena.*attribute.component;
-        component.emplace_hint(component.end(), e, input_of<typename Row::Input>(shape.*attribute.field));
+        component.emplace_hint(component.end(), e, input_of<typename TableRow::Input>(shape.*attribute.field));
       });
     });
   }

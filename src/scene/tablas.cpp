@@ -15,11 +15,11 @@ Tablas tablas(const Scene& scene) {
     const model::Elemento& e = scene.name(place);
     tables.nombres.emplace(place, e);
     if (const auto known = scene.find(e.name())) tables.lugar.emplace(e, *known);
-    for_each_attribute<Shape, model::Escena>([&]<class Row>(const Row& attribute) {
+    for_each_attribute<Shape, model::Escena>([&]<class TableRow>(const TableRow& attribute) {
       for_each_column([&](const auto& column) {
         if constexpr (std::is_same_v<decltype(column.component), decltype(attribute.component)>)
           if (column.component == attribute.component)
-            (tables.*column.values).emplace(place, input_of<typename Row::Input>(shape.*attribute.field));
+            (tables.*column.values).emplace(place, input_of<typename TableRow::Input>(shape.*attribute.field));
       });
     });
   });

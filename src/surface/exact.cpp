@@ -9,7 +9,7 @@ namespace {
 using model::Resultado;
 
 /// The nearest point so far and the elements it lies on; the elements that have no nearest point.
-struct Nearest {
+struct NearestPoint {
   std::optional<Parameter> t;
   scene::ElementSet elementos, without_minimum;
 
@@ -55,7 +55,7 @@ scene::Hit rounded_hit(const model::Rayo& rayo, const Parameter& t, scene::Eleme
 }
 
 scene::Hit first_hit(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
-  Nearest nearest;
+  NearestPoint nearest;
   scene.for_each([&](scene::ElementRef e, const auto&) { nearest.take(e, reach(scene, e, rayo, en)); });
   if (!nearest.without_minimum.empty())
     return {.resultado = Resultado::no_minimum, .elementos = nearest.without_minimum};

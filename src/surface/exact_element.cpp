@@ -9,13 +9,13 @@
 namespace durero::surface::exact {
 namespace {
 
-using number::Ball;
+using number::RealBall;
 using number::shifted;
 using number::sign;
 using number::square;
 
 /// A stretch of a line, which bounds narrow.
-struct Stretch {
+struct ClippedSegment {
   Segment segment{};
   bool empty = false;
 
@@ -48,7 +48,7 @@ struct Stretch {
 
 /// The reach of a ray inside the surface: its part within all bounds.
 Reach reach_of_line(const Coefficients& f) {
-  Stretch left;
+  ClippedSegment left;
   if (f.altura) {
     left.keep({0, shifted(f.s1, -1), f.s0});
     left.keep({0, shifted(-f.s1, -1), *f.altura - f.s0});
@@ -111,11 +111,11 @@ Coefficients coefficients_of(const Shape& shape, const model::Rayo& rayo) {
 template <class Shape>
 bool certainly_missed(const Shape& shape, const model::Rayo& rayo, bool on) {
   if constexpr (Flat<Shape>) {
-    const auto at = crossing<Ball>(shape, rayo);
+    const auto at = crossing<RealBall>(shape, rayo);
     const int slope = at.potencia.slope.decided_sign();
     if (slope == 0) return false;
     return on || at.potencia.at_zero.decided_sign() == slope ||
-           std::any_of(at.margins.begin(), at.margins.end(), [](const Ball& b) { return b.decided_sign() < 0; });
+           std::any_of(at.margins.begin(), at.margins.end(), [](const RealBall& b) { return b.decided_sign() < 0; });
   } else {
     return false;
   }

@@ -24,7 +24,7 @@ void Certified::round(Hits& hits, Rounding rounding) {
   hits.queue.count = 0;
 }
 
-void Certified::write(std::uint32_t number, scene::ElementRef e, const Rounded& rounded) {
+void Certified::write(std::uint32_t number, scene::ElementRef e, const RoundedPoint& rounded) {
   ++counts_.order[0];
   scene::Hit& hit = hits_[number];
   hit.resultado = model::Resultado::hit;
@@ -35,7 +35,7 @@ void Certified::write(std::uint32_t number, scene::ElementRef e, const Rounded& 
 }
 
 /// The lane's result where it is certain; the later steps for this ray and element where it is not.
-Rounded Certified::rounded(const Hits& hits, std::size_t lane) {
+RoundedPoint Certified::rounded(const Hits& hits, std::size_t lane) {
   if ((rounded_.certain >> lane & 1) != 0) {
     ++counts_.rounding[0];
     return {true, rounded_.t[lane], {rounded_.x[lane], rounded_.y[lane], rounded_.z[lane]}};

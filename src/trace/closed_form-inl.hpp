@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE {
 
 /// An approximation, within `error` of the exact number.
 template <class T>
-struct Known {
+struct Approximation {
   T value;
   Bound<T> error;
 };
@@ -32,7 +32,7 @@ struct Known {
 /// √D. Precondition: B_error < F, which F ≤ H. |F·H − D| ≤ error·(|F| + H) + error² ≤ 3·error·H, as error < F ≤ H; and
 /// |S − √D| = |S² − D|/(S + √D).
 template <class T>
-HWY_INLINE Known<T> root_of_discriminant(const Quadratic<T>& f) {
+HWY_INLINE Approximation<T> root_of_discriminant(const BoundedQuadratic<T>& f) {
   using std::sqrt;
   const T S = sqrt(f.F * f.H);
   return {S, 3 * f.B_error * leading(f.H) / leading(S) + 4 * Numbers<T>::roundoff * leading(S)};
@@ -55,7 +55,7 @@ HWY_INLINE Truth<T> beyond(const Root<T>& root, Bound<T> limit) {
 /// Whether a root certainly is, or certainly is not, a point of the ray and of the element; both are false where
 /// neither is known.
 template <class T>
-struct Place {
+struct RootMembership {
   Truth<T> outside, inside;
 };
 
@@ -64,7 +64,7 @@ struct Place {
 /// becomes 6ε|q| + 6ε(|t| + error)V + ε·altura. In all it is less than 16ε(|q| + altura + (|t| + error)V) + |s1|·error.
 constexpr double advance_units = 16;
 template <class T>
-HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
+HWY_INLINE Approximation<T> advance(const BoundedQuadratic<T>& f, const Root<T>& root) {
   return {f.s0 + root.t * f.s1,
           advance_units * Numbers<T>::roundoff * (f.reach + (magnitude(root.t) + root.error) * f.speed) +
               (magnitude(f.s1) * 1.0000001) * root.error};
@@ -72,16 +72,16 @@ HWY_INLINE Known<T> advance(const Quadratic<T>& f, const Root<T>& root) {
 
 /// The place of a root: inside where t > 0, and 0 ≤ avance ≤ altura or margin ≥ 0 where the element is clipped.
 template <class T>
-HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
+HWY_INLINE RootMembership<T> place(const BoundedQuadratic<T>& f, const Root<T>& root) {
   const Bound<T> t = leading(root.t);
-  const Place<T> on_ray{(t < -root.error), (t > root.error)};
+  const RootMembership<T> on_ray{(t < -root.error), (t > root.error)};
   if (f.edged) {
     const Truth<T> outside = on_ray.outside | (f.margin < -f.margin_error);
     const Truth<T> inside = on_ray.inside & (f.margin > f.margin_error);
     return {outside, inside};
   }
   if (!f.bounded) return on_ray;
-  const Known<T> s = advance(f, root);
+  const Approximation<T> s = advance(f, root);
   const Bound<T> below = leading(s.value), above = leading(T(T(f.altura) - s.value));
   const Truth<T> outside = on_ray.outside | (below < -s.error) | (above < -s.error);
   const Truth<T> inside = on_ray.inside & (below > s.error) & (above > s.error);
@@ -90,16 +90,17 @@ HWY_INLINE Place<T> place(const Quadratic<T>& f, const Root<T>& root) {
 
 /// A step's finding on the first point, in the step's own numbers.
 template <class T>
-struct Found {
-  Verdict verdict;
+struct FirstRoot {
+  Decision verdict;
   Root<T> root{};
   Bound<T> slope{}, slope_error{};  ///< A·t + B, and the bound on its error
   Bound<T> A{}, A_error{};
 };
 
 template <class T>
-HWY_INLINE Found<T> found_at(const Quadratic<T>& f, const Root<T>& root, const T& slope, Bound<T> slope_error) {
-  return {Verdict::hit, root, leading(slope), slope_error, leading(f.A), f.A_error};
+HWY_INLINE FirstRoot<T> found_at(const BoundedQuadratic<T>& f, const Root<T>& root, const T& slope,
+                                 Bound<T> slope_error) {
+  return {Decision::hit, root, leading(slope), slope_error, leading(f.A), f.A_error};
 }
 
 /// x/y, both known to their errors: |x/y − x̂/ŷ| ≤ (x_error + |x̂/ŷ|·y_error)/(|ŷ| − y_error), and a rounding. Three
@@ -120,10 +121,10 @@ template <class T>
 struct Stable {
   Truth<T> positive;  ///< σ
   T S;                ///< σS
-  Known<T> q;
+  Approximation<T> q;
 };
 template <class T>
-HWY_INLINE Stable<T> stable_sum(const Quadratic<T>& f, const Known<T>& root) {
+HWY_INLINE Stable<T> stable_sum(const BoundedQuadratic<T>& f, const Approximation<T>& root) {
   const Truth<T> positive = leading(f.B) >= 0;
   const T S = choose(positive, root.value, T(-root.value));
   const T q = -(f.B + S);
@@ -133,12 +134,12 @@ HWY_INLINE Stable<T> stable_sum(const Quadratic<T>& f, const Known<T>& root) {
 /// The first of the two roots that is a point of the element, tried in ascending order. Precondition: the discriminant
 /// is positive.
 template <class T>
-HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
+HWY_INLINE FirstRoot<T> first_of(const BoundedQuadratic<T>& f, Bound<T> limit) {
   using std::abs;
-  const Known<T> root_of_D = root_of_discriminant(f);
+  const Approximation<T> root_of_D = root_of_discriminant(f);
   const auto [positive, S, q] = stable_sum(f, root_of_D);
   const Bound<T> size = magnitude(q.value), A = leading(f.A);
-  if (!(size > 2 * q.error)) return {Verdict::undecided};
+  if (!(size > 2 * q.error)) return {Decision::undecided};
 
   const bool A_known(abs(A) > 2 * f.A_error);
   // Where A may be 0, this bounds |q/A| from below, which may exceed the element or the limit already.
@@ -147,7 +148,7 @@ HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
     const Bound<T> least = 0.9999999 * (size - q.error) / (abs(A) + f.A_error);
     const Bound<T> rate = magnitude(f.s1) - 4 * Numbers<T>::roundoff * f.speed;
     far_away = least > limit || (f.bounded && least * rate > 2 * f.reach);
-    if (!far_away) return {Verdict::undecided};
+    if (!far_away) return {Decision::undecided};
   }
   const bool A_root_first((A > 0) == positive);
   for (int turn = 0; turn < 2; ++turn) {
@@ -155,59 +156,59 @@ HWY_INLINE Found<T> first_of(const Quadratic<T>& f, Bound<T> limit) {
     if (A_root && far_away) continue;
     const Root<T> root =
         A_root ? quotient(q.value, q.error, f.A, f.A_error) : quotient(f.C, f.C_error, q.value, q.error);
-    if (beyond(root, limit)) return {Verdict::miss};
-    const Place<T> where = place(f, root);
+    if (beyond(root, limit)) return {Decision::miss};
+    const RootMembership<T> where = place(f, root);
     if (where.inside) return found_at(f, root, A_root ? T(-S) : S, root_of_D.error);
-    if (!where.outside) return {Verdict::undecided};
+    if (!where.outside) return {Decision::undecided};
   }
-  return {Verdict::miss};
+  return {Decision::miss};
 }
 
 /// The first point of a ray that starts on the element. C = 0, so the roots are 0, which is no point of the ray, and
 /// −2B/A.
 template <class T>
-HWY_INLINE Found<T> first_from_surface(const Quadratic<T>& f, Bound<T> limit) {
-  if (!(magnitude(f.A) > 2 * f.A_error)) return {Verdict::undecided};
+HWY_INLINE FirstRoot<T> first_from_surface(const BoundedQuadratic<T>& f, Bound<T> limit) {
+  if (!(magnitude(f.A) > 2 * f.A_error)) return {Decision::undecided};
   const Root<T> root = quotient(T(-(f.B + f.B)), 2 * f.B_error, f.A, f.A_error);
-  if (beyond(root, limit)) return {Verdict::miss};
-  const Place<T> where = place(f, root);
+  if (beyond(root, limit)) return {Decision::miss};
+  const RootMembership<T> where = place(f, root);
   if (where.inside) return found_at(f, root, T(-f.B), f.B_error);
-  return {where.outside ? Verdict::miss : Verdict::undecided};
+  return {where.outside ? Decision::miss : Decision::undecided};
 }
 
 /// The root where A = 0: the quadratic is 2B·t + C, and its slope there B. Precondition: |B| > 2·B_error.
 template <class T>
-HWY_INLINE Root<T> root_of_linear(const Quadratic<T>& f) {
+HWY_INLINE Root<T> root_of_linear(const BoundedQuadratic<T>& f) {
   return quotient(T(-f.C), f.C_error, T(f.B + f.B), 2 * f.B_error);
 }
 
 /// The first point where A = 0. Where B may be 0 too the ray may lie in the surface, which T cannot tell. Where the ray
 /// starts on the element C = 0, so the only root is 0.
 template <class T>
-HWY_INLINE Found<T> first_of_linear(const Quadratic<T>& f, bool on, Bound<T> limit) {
-  if (!(magnitude(f.B) > 2 * f.B_error)) return {Verdict::undecided};
-  if (on) return {Verdict::miss};
+HWY_INLINE FirstRoot<T> first_of_linear(const BoundedQuadratic<T>& f, bool on, Bound<T> limit) {
+  if (!(magnitude(f.B) > 2 * f.B_error)) return {Decision::undecided};
+  if (on) return {Decision::miss};
   const Root<T> root = root_of_linear(f);
-  if (beyond(root, limit)) return {Verdict::miss};
-  const Place<T> where = place(f, root);
+  if (beyond(root, limit)) return {Decision::miss};
+  const RootMembership<T> where = place(f, root);
   if (where.inside) return found_at(f, root, f.B, f.B_error);
-  return {where.outside ? Verdict::miss : Verdict::undecided};
+  return {where.outside ? Decision::miss : Decision::undecided};
 }
 
 /// The first point on a shape whose A is not 0 for every ray. `on`: the ray starts on the element.
 template <class T>
-HWY_INLINE Found<T> first_of_curved(const Quadratic<T>& f, bool on, Bound<T> limit) {
+HWY_INLINE FirstRoot<T> first_of_curved(const BoundedQuadratic<T>& f, bool on, Bound<T> limit) {
   if (on) return first_from_surface(f, limit);
-  if (leading(f.F) < -f.B_error) return {Verdict::miss};
-  if (!(leading(f.F) > f.B_error)) return {Verdict::undecided};
+  if (leading(f.F) < -f.B_error) return {Decision::miss};
+  if (!(leading(f.F) > f.B_error)) return {Decision::undecided};
   return first_of(f, limit);
 }
 
 /// The first point of the ray on the element; or none (none up to the limit); or that T cannot tell. `on`: the ray
 /// starts on the element. Precondition: element and ray are ordinary.
 template <class T, class Element>
-HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
-  const Quadratic<T> f = quadratic<T>(element, ray);
+HWY_INLINE FirstRoot<T> closed_form(const Element& element, const Ray& ray, bool on, double limit) {
+  const BoundedQuadratic<T> f = quadratic<T>(element, ray);
   if constexpr (is_linear(Element::tipo)) return first_of_linear<T>(f, on, limit);
   return first_of_curved<T>(f, on, limit);
 }
@@ -215,7 +216,7 @@ HWY_INLINE Found<T> closed_form(const Element& element, const Ray& ray, bool on,
 /// The finding of a step. The slope is kept for the triage's root alone; in double-double its leading part would differ
 /// from it by far more than its error.
 template <class T>
-HWY_INLINE Finding published(const Found<T>& found) {
+HWY_INLINE RootEstimate published(const FirstRoot<T>& found) {
   const auto& [t, error] = found.root;
   if constexpr (requires { t.lo; }) {
     return {found.verdict, t.hi, t.lo, error};
@@ -233,10 +234,10 @@ struct LanesFound {
   L slope, slope_error;
 };
 template <class L>
-HWY_INLINE LanesFound<L> first_in_lanes(const Quadratic<L>& f) {
+HWY_INLINE LanesFound<L> first_in_lanes(const BoundedQuadratic<L>& f) {
   const Truth<L> missed = f.F < -f.B_error;
   const Truth<L> met = f.F > f.B_error;
-  const Known<L> root_of_D = root_of_discriminant(f);
+  const Approximation<L> root_of_D = root_of_discriminant(f);
   const auto [positive, S, q] = stable_sum(f, root_of_D);
   const Truth<L> known = met & (abs(q.value) > 2 * q.error) & (abs(f.A) > 2 * f.A_error);
 
@@ -245,7 +246,7 @@ HWY_INLINE LanesFound<L> first_in_lanes(const Quadratic<L>& f) {
   const Truth<L> A_root_first = (f.A > 0) == positive;
   const Root<L> near{choose(A_root_first, of_A.t, of_C.t), choose(A_root_first, of_A.error, of_C.error)};
   const Root<L> far{choose(A_root_first, of_C.t, of_A.t), choose(A_root_first, of_C.error, of_A.error)};
-  const Place<L> at_near = place(f, near), at_far = place(f, far);
+  const RootMembership<L> at_near = place(f, near), at_far = place(f, far);
   const Truth<L> far_one = at_near.outside & at_far.inside;
 
   const Truth<L> hit = known & (at_near.inside | far_one);
@@ -259,39 +260,39 @@ HWY_INLINE LanesFound<L> first_in_lanes(const Quadratic<L>& f) {
 
 /// The first points where there is one root, in the lanes where it is known.
 template <class L>
-HWY_INLINE LanesFound<L> only_root(const Quadratic<L>& f, Truth<L> known, const Root<L>& root, L slope) {
-  const Place<L> at = place(f, root);
+HWY_INLINE LanesFound<L> only_root(const BoundedQuadratic<L>& f, Truth<L> known, const Root<L>& root, L slope) {
+  const RootMembership<L> at = place(f, root);
   const Truth<L> hit = known & at.inside, miss = known & at.outside;
   return {hit, !(hit | miss), root, slope, f.B_error};
 }
 
 /// The first points in lanes where A = 0.
 template <class L>
-HWY_INLINE LanesFound<L> first_of_linear_in_lanes(const Quadratic<L>& f) {
+HWY_INLINE LanesFound<L> first_of_linear_in_lanes(const BoundedQuadratic<L>& f) {
   return only_root<L>(f, abs(f.B) > 2 * f.B_error, root_of_linear(f), f.B);
 }
 
 /// first_from_surface in lanes.
 template <class L>
-HWY_INLINE LanesFound<L> first_from_surface_in_lanes(const Quadratic<L>& f) {
+HWY_INLINE LanesFound<L> first_from_surface_in_lanes(const BoundedQuadratic<L>& f) {
   const Root<L> root = quotient(-(f.B + f.B), 2 * f.B_error, f.A, f.A_error);
   return only_root<L>(f, abs(f.A) > 2 * f.A_error, root, -f.B);
 }
 
 /// first_of_linear in lanes for rays that start on their elements: the only root is 0, which is no point of the ray.
 template <class L>
-HWY_INLINE LanesFound<L> first_of_linear_from_surface_in_lanes(const Quadratic<L>& f) {
+HWY_INLINE LanesFound<L> first_of_linear_from_surface_in_lanes(const BoundedQuadratic<L>& f) {
   const Truth<L> known = abs(f.B) > 2 * f.B_error;
   return {known & !known, !known, {}, f.B, f.B_error};
 }
 
 /// The first points in lanes on elements of one type: for rays that do not start on them, and for rays that do.
 template <model::Tipo tipo, class L>
-HWY_INLINE LanesFound<L> found_in_lanes(const Quadratic<L>& f) {
+HWY_INLINE LanesFound<L> found_in_lanes(const BoundedQuadratic<L>& f) {
   return is_linear(tipo) ? first_of_linear_in_lanes(f) : first_in_lanes(f);
 }
 template <model::Tipo tipo, class L>
-HWY_INLINE LanesFound<L> found_in_lanes_from(const Quadratic<L>& f) {
+HWY_INLINE LanesFound<L> found_in_lanes_from(const BoundedQuadratic<L>& f) {
   return is_linear(tipo) ? first_of_linear_from_surface_in_lanes(f) : first_from_surface_in_lanes(f);
 }
 

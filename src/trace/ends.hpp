@@ -1,6 +1,7 @@
 #pragma once
-/// Bounds of the parameter of a finding, and whether one parameter is certainly less than another (proofs/Ends.v). The
-/// functions are templates over double and over the symbolic numbers that write proofs/Formas.v.
+/// Bounds of the parameter of a finding, and whether one parameter is certainly less than another
+/// (proofs/ParameterBounds.v). The functions are templates over double and over the symbolic numbers that write
+/// proofs/Formas.v.
 
 #include <cmath>
 
@@ -8,20 +9,20 @@ namespace durero::trace {
 
 /// A lower and an upper bound of a parameter.
 template <class R>
-struct Ends {
+struct ParameterBounds {
   R low, high;
 };
 
 /// The bounds of a root by the triage. They may be rounded, because the triage's error exceeds its need by three
 /// roundings of t (`quotient`).
 template <class R>
-Ends<R> ends_of(R t, R error) {
+ParameterBounds<R> ends_of(R t, R error) {
   return {t - error, t + error};
 }
 
 /// The bounds of a root hi + lo in double-double: |lo| ≤ ulp(hi)/2, for which the last term pays.
 template <class R>
-Ends<R> ends_of_pair(R hi, R error) {
+ParameterBounds<R> ends_of_pair(R hi, R error) {
   using std::abs;
   return ends_of<R>(hi, error + 0x1p-51 * abs(hi));
 }

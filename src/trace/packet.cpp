@@ -13,7 +13,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Stores the findings of a quadratic into the lanes from `at` on.
-HWY_INLINE void keep(const Quadratic<Lanes>& f, const LanesFound<Lanes>& found, std::size_t at, Findings& findings) {
+HWY_INLINE void keep(const BoundedQuadratic<Lanes>& f, const LanesFound<Lanes>& found, std::size_t at,
+                     Findings& findings) {
   found.root.t.store(&findings.t[at]);
   found.root.error.store(&findings.error[at]);
   found.slope.store(&findings.at_root[at]);
@@ -29,7 +30,7 @@ template <model::Tipo tipo, class Find>
 HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
   findings.hit = findings.undecided = 0;
   for (std::size_t at = 0; at < Packet::size; at += lanes()) {
-    const Quadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
+    const BoundedQuadratic<Lanes> f = quadratic<Lanes>(element<tipo>(packet, at), rays(packet, at));
     keep(f, find(f), at, findings);
   }
 }
@@ -37,13 +38,13 @@ HWY_INLINE void find_in(const Packet& packet, Findings& findings, Find find) {
 void triage_packet(const Packet& packet, model::Tipo tipo, Findings& findings) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
     find_in<Shape::tipo>(packet, findings,
-                         [](const Quadratic<Lanes>& f) HWY_ATTR { return found_in_lanes<Shape::tipo>(f); });
+                         [](const BoundedQuadratic<Lanes>& f) HWY_ATTR { return found_in_lanes<Shape::tipo>(f); });
   });
 }
 
 /// The lanes of `some` whose line may meet the surface. The other lanes miss it, by the first test of first_in_lanes.
 template <model::Tipo tipo>
-HWY_INLINE unsigned not_missed(const Quadratic<Lanes>& f, unsigned some) {
+HWY_INLINE unsigned not_missed(const BoundedQuadratic<Lanes>& f, unsigned some) {
   if constexpr (is_linear(tipo)) return some;
   return some & ~bits(f.F < -f.B_error);
 }
@@ -59,7 +60,7 @@ void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeVie
         const std::size_t place = eight * Packet::size + at;
         const auto used = static_cast<unsigned>(which >> at & ((1u << lanes()) - 1));
         const LaneRay some{load(rays.p, place), load(rays.v, place), Lanes::load(&rays.speed[place])};
-        const Quadratic<Lanes> f = quadratic<Lanes>(element, some);
+        const BoundedQuadratic<Lanes> f = quadratic<Lanes>(element, some);
         if (not_missed<Shape::tipo>(f, used) == 0) continue;
         keep(f, found_in_lanes<Shape::tipo>(f), at, own);
       }
@@ -80,7 +81,7 @@ std::uint64_t starting_in_columns(const RayColumns& rays, std::uint64_t which, s
 void triage_packet_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
   scene::with_shape(tipo, [&]<class Shape>(std::type_identity<Shape>) HWY_ATTR {
     find_in<Shape::tipo>(packet, findings,
-                         [](const Quadratic<Lanes>& f) HWY_ATTR { return found_in_lanes_from<Shape::tipo>(f); });
+                         [](const BoundedQuadratic<Lanes>& f) HWY_ATTR { return found_in_lanes_from<Shape::tipo>(f); });
   });
 }
 

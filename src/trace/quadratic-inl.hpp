@@ -50,7 +50,7 @@ namespace HWY_NAMESPACE {
 
 /// The quantities of the derivation above, with a bound on each error.
 template <class T>
-struct Quadratic {
+struct BoundedQuadratic {
   T A{}, B{}, C{};
   T F{}, H{};  ///< D = F·H; the error of both is at most B_error
   Bound<T> A_error{}, B_error{}, C_error{};
@@ -65,7 +65,7 @@ struct Quadratic {
 constexpr double coefficient_units = 64;
 
 template <class T>
-HWY_INLINE void set_errors(Quadratic<T>& f, Bound<T> kappa, Bound<T> V, Bound<T> E) {
+HWY_INLINE void set_errors(BoundedQuadratic<T>& f, Bound<T> kappa, Bound<T> V, Bound<T> E) {
   const Bound<T> unit = coefficient_units * Numbers<T>::roundoff * kappa;
   f.A_error = unit * V * V;
   f.B_error = unit * V * E;
@@ -73,7 +73,7 @@ HWY_INLINE void set_errors(Quadratic<T>& f, Bound<T> kappa, Bound<T> V, Bound<T>
 }
 
 template <class T>
-HWY_INLINE void set_factors(Quadratic<T>& f, const T& of_surface, const T& of_line) {
+HWY_INLINE void set_factors(BoundedQuadratic<T>& f, const T& of_surface, const T& of_line) {
   f.F = of_surface - of_line;
   f.H = of_surface + of_line;
 }
@@ -112,7 +112,7 @@ struct Axial {
   Bound<T> Q;
 };
 template <class T, class Element, class Ray>
-HWY_INLINE Axial<T> axial(const Element& element, const Ray& ray, Quadratic<T>& f) {
+HWY_INLINE Axial<T> axial(const Element& element, const Ray& ray, BoundedQuadratic<T>& f) {
   const Vec<T> q = difference<T>(ray.p, element.centro);
   const Vec<T> v = vec<T>(ray.v), d = vec<T>(element.vector);
   f.s0 = dot(q, d);

@@ -25,7 +25,7 @@ HWY_INLINE Power<R> own_quadratic_at(R t, const Element& element, const Ray& ray
 
 /// A root t = hi + lo within the error, where the slope is known not to be 0.
 template <class R>
-struct Improved {
+struct RefinedRoot {
   Truth<R> known;
   Pair<R> t;
   R error;
@@ -34,7 +34,8 @@ struct Improved {
 /// Newton's step. With δ = t* − t the way to the root t*, σ = A·t* + B and f the quadratic at t, f = −2σδ + Aδ². So δ =
 /// −f/(2σ − Aδ), and |δ| ≤ t.error bounds the last term.
 template <class R>
-HWY_INLINE Improved<R> newton(const Root<R>& t, const Known<R>& slope, const Known<R>& A, const Power<R>& f) {
+HWY_INLINE RefinedRoot<R> newton(const Root<R>& t, const Approximation<R>& slope, const Approximation<R>& A,
+                                 const Power<R>& f) {
   using std::abs;
   const R denominator = 2 * slope.value;
   const R denominator_error = 1.0000001 * (2 * slope.error + (abs(A.value) + A.error) * t.error);
@@ -45,7 +46,7 @@ HWY_INLINE Improved<R> newton(const Root<R>& t, const Known<R>& slope, const Kno
 
 /// A number rounded once, and whether that is certain.
 template <class R>
-struct Once {
+struct RoundedNumber {
   R value;
   Truth<R> certain;
 };
@@ -54,7 +55,7 @@ struct Once {
 /// ± error) is one rounded sum. The last term pays for the rounding of lo ± error. Numbers near the ends of the range
 /// are left to the exact step.
 template <class R>
-HWY_INLINE Once<R> round_once(const Pair<R>& x, R error) {
+HWY_INLINE RoundedNumber<R> round_once(const Pair<R>& x, R error) {
   using std::abs;
   const R wide = 1.0000001 * error + 0x1p-52 * abs(x.lo);
   const R low = x.hi + (x.lo - wide), high = x.hi + (x.lo + wide);
@@ -79,9 +80,9 @@ HWY_INLINE Coordinate<R> coordinate(R p, R v, const Pair<R>& t, R t_error) {
 
 /// The coordinate rounded once. Where v is 0 it is exactly p, with 0 for −0.
 template <class R>
-HWY_INLINE Once<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
+HWY_INLINE RoundedNumber<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
   const Coordinate<R> at = coordinate(p, v, t, t_error);
-  const Once<R> x = round_once(at.value, at.error);
+  const RoundedNumber<R> x = round_once(at.value, at.error);
   const Truth<R> still = v == 0, certain = still | x.certain;
   return {choose(still, R(p + 0.0), x.value), certain};
 }
@@ -89,13 +90,13 @@ HWY_INLINE Once<R> round_coordinate(R p, R v, const Pair<R>& t, R t_error) {
 /// The coordinates of a point, each rounded once.
 template <class R>
 struct Coordinates {
-  Once<R> x, y, z;
+  RoundedNumber<R> x, y, z;
 };
 template <class R, class Ray>
 HWY_INLINE Coordinates<R> round_coordinates(const Ray& ray, const Pair<R>& t, R t_error) {
-  const Once<R> x = round_coordinate<R>(ray.p.x, ray.v.x, t, t_error);
-  const Once<R> y = round_coordinate<R>(ray.p.y, ray.v.y, t, t_error);
-  const Once<R> z = round_coordinate<R>(ray.p.z, ray.v.z, t, t_error);
+  const RoundedNumber<R> x = round_coordinate<R>(ray.p.x, ray.v.x, t, t_error);
+  const RoundedNumber<R> y = round_coordinate<R>(ray.p.y, ray.v.y, t, t_error);
+  const RoundedNumber<R> z = round_coordinate<R>(ray.p.z, ray.v.z, t, t_error);
   return {x, y, z};
 }
 
@@ -106,13 +107,13 @@ struct OncePoint {
   Truth<R> certain;
 };
 template <class R>
-HWY_INLINE OncePoint<R> joined(const Once<R>& t, const Coordinates<R>& at) {
+HWY_INLINE OncePoint<R> joined(const RoundedNumber<R>& t, const Coordinates<R>& at) {
   const Truth<R> certain = t.certain & at.x.certain & at.y.certain & at.z.certain;
   return {t.value, at.x.value, at.y.value, at.z.value, certain};
 }
 template <class R, class Ray>
 HWY_INLINE OncePoint<R> round_point(const Ray& ray, const Pair<R>& t, R t_error) {
-  const Once<R> of_t = round_once(t, t_error);
+  const RoundedNumber<R> of_t = round_once(t, t_error);
   return joined(of_t, round_coordinates<R>(ray, t, t_error));
 }
 
@@ -121,12 +122,12 @@ HWY_INLINE OncePoint<R> round_point(const Ray& ray, const Pair<R>& t, R t_error)
 /// c.x) = 0. For a triangle it is the corners', where these are equal. An interval around a computed coordinate could
 /// not tell the sign of a floor at 0.
 template <class R>
-HWY_INLINE Once<R> level_of_corners(R a, R b, R c) {
+HWY_INLINE RoundedNumber<R> level_of_corners(R a, R b, R c) {
   const Truth<R> known = (a == b) & (a == c);
   return {a + 0.0, known};
 }
 template <class R>
-HWY_INLINE Once<R> level_of_centre(R c, R other, R another) {
+HWY_INLINE RoundedNumber<R> level_of_centre(R c, R other, R another) {
   const Truth<R> known = (other == 0.0) & (another == 0.0);
   return {c + 0.0, known};
 }
@@ -143,7 +144,7 @@ HWY_INLINE Coordinates<R> levels(const Element& element) {
 
 /// The first number where it is certain, else the second.
 template <class R>
-HWY_INLINE Once<R> either(const Once<R>& first, const Once<R>& second) {
+HWY_INLINE RoundedNumber<R> either(const RoundedNumber<R>& first, const RoundedNumber<R>& second) {
   const Truth<R> certain = first.certain | second.certain;
   return {choose(first.certain, first.value, second.value), certain};
 }
@@ -154,7 +155,7 @@ HWY_INLINE OncePoint<R> round_point_on(const Element& element, const Ray& ray, c
   if constexpr (!is_linear(Element::tipo)) {
     return round_point(ray, t, t_error);
   } else {
-    const Once<R> of_t = round_once(t, t_error);
+    const RoundedNumber<R> of_t = round_once(t, t_error);
     const Coordinates<R> at = round_coordinates<R>(ray, t, t_error), level = levels<R>(element);
     return joined(of_t, Coordinates<R>{either(level.x, at.x), either(level.y, at.y), either(level.z, at.z)});
   }

@@ -17,21 +17,21 @@ namespace {
 
 using model::Tipo;
 
-Rounded rounded_of(scene::ShapeView element, const Ray& ray, const Finding& finding) {
+RoundedPoint rounded_of(scene::ShapeView element, const Ray& ray, const RootEstimate& finding) {
   const Pair<double> t(finding.hi, finding.lo);
   const OncePoint<double> once =
       element.visit([&](const auto& shape) HWY_ATTR { return round_point_on(shape, ray, t, finding.error); });
   return {once.certain, once.t, {once.x, once.y, once.z}};
 }
 
-Finding improved_of(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding) {
+RootEstimate improved_of(scene::ShapeView element, const Ray& ray, bool on, const RootEstimate& finding) {
   const Slope& slope = finding.slope;
   const Power<double> at =
       element.visit([&](const auto& shape) HWY_ATTR { return quadratic_at(finding.hi, shape, ray, on); });
-  const Improved<double> better =
+  const RefinedRoot<double> better =
       newton<double>({finding.hi, finding.error}, {slope.at_root, slope.at_root_error}, {slope.A, slope.A_error}, at);
-  if (!better.known) return {Verdict::undecided};
-  return {Verdict::hit, better.t.hi, better.t.lo, better.error, slope};
+  if (!better.known) return {Decision::undecided};
+  return {Decision::hit, better.t.hi, better.t.lo, better.error, slope};
 }
 
 /// `own`: the rays start on their elements.
@@ -45,7 +45,7 @@ void round_lanes(const Packet& packet, const Findings& findings, RoundedPacket& 
     const auto load = [at](const Column& column) HWY_ATTR { return Lanes::load(&column[at]); };
     const Lanes t = load(findings.t);
     const Power<Lanes> f = own ? own_quadratic_at(t, e, ray) : power_at(t, e, ray);
-    const Improved<Lanes> better =
+    const RefinedRoot<Lanes> better =
         newton<Lanes>({t, load(findings.error)}, {load(findings.at_root), load(findings.at_root_error)},
                       {load(findings.A), load(findings.A_error)}, f);
     const OncePoint<Lanes> once = round_point_on(e, ray, better.t, better.error);
@@ -83,10 +83,10 @@ HWY_EXPORT(round_packet_from);
 
 }  // namespace
 
-Finding improved(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding) {
+RootEstimate improved(scene::ShapeView element, const Ray& ray, bool on, const RootEstimate& finding) {
   return HWY_DYNAMIC_DISPATCH(improved_of)(element, ray, on, finding);
 }
-Rounded rounded(scene::ShapeView element, const Ray& ray, const Finding& finding) {
+RoundedPoint rounded(scene::ShapeView element, const Ray& ray, const RootEstimate& finding) {
   return HWY_DYNAMIC_DISPATCH(rounded_of)(element, ray, finding);
 }
 

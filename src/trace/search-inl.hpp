@@ -35,7 +35,7 @@ namespace durero::trace {
 using surface::exact::Parameter;
 
 template <class Steps>
-Meeting point_of(const Steps& steps, Step step, const Finding& found) {
+Meeting point_of(const Steps& steps, Step step, const RootEstimate& found) {
   const auto [low, high] = steps.ends(step, found);
   return {Meeting::Kind::point, step, low, high, found};
 }
@@ -60,12 +60,12 @@ surface::exact::Reach reach_of(const Steps& steps, scene::ElementRef e) {
 /// Precondition: the element is in range.
 template <class Steps, class Element>
 std::optional<Meeting> certified_meeting_of(const Steps& steps, const Element& element, bool on, double limit) {
-  const Finding first = steps.triage(element, on, limit);
-  if (first.verdict == Verdict::miss) return Meeting{};
-  if (first.verdict == Verdict::hit) return point_of(steps, Step::triage, first);
-  const Finding second = steps.stable(element, on, limit);
-  if (second.verdict == Verdict::miss) return Meeting{.step = Step::stable};
-  if (second.verdict == Verdict::hit) return point_of(steps, Step::stable, second);
+  const RootEstimate first = steps.triage(element, on, limit);
+  if (first.verdict == Decision::miss) return Meeting{};
+  if (first.verdict == Decision::hit) return point_of(steps, Step::triage, first);
+  const RootEstimate second = steps.stable(element, on, limit);
+  if (second.verdict == Decision::miss) return Meeting{.step = Step::stable};
+  if (second.verdict == Decision::hit) return point_of(steps, Step::stable, second);
   return std::nullopt;
 }
 
@@ -97,14 +97,14 @@ bool blocks_segment(const Steps& steps, scene::ElementRef e, Search::Range range
   return steps.order(reach_of(steps, e).first(), Parameter{.x = 1}) < 0;
 }
 
-inline void drop_beyond_limit(Found& found) {
+inline void drop_beyond_limit(SearchState& found) {
   const auto beyond = [&](const Candidate& c) { return c.at.low > found.limit; };
   const auto kept = std::remove_if(found.candidates.begin(), found.candidates.end(), beyond);
   found.candidates.erase(kept, found.candidates.end());
 }
 
 template <class Steps>
-void take(const Steps& steps, Found& found, scene::ElementRef e, Search::Range range, Counts& counts) {
+void take(const Steps& steps, SearchState& found, scene::ElementRef e, Search::Range range, Counts& counts) {
   Meeting met = meeting_of(steps, e, found.limit, range, counts);
   if (met.kind == Meeting::Kind::none || met.low > found.limit) return;
   if (met.kind == Meeting::Kind::no_minimum) {
@@ -121,9 +121,9 @@ template <class Steps>
 void refine(const Steps& steps, Candidate& candidate) {
   if (candidate.at.step != Step::triage) return;
   const bool on = steps.on(candidate.e);
-  const Finding found =
+  const RootEstimate found =
       steps.visit(candidate.e, [&](const auto& element) { return steps.stable(element, on, no_limit); });
-  if (found.verdict == Verdict::hit) candidate.at = point_of(steps, Step::stable, found);
+  if (found.verdict == Decision::hit) candidate.at = point_of(steps, Step::stable, found);
 }
 
 template <class Steps>
@@ -133,7 +133,7 @@ void make_exact(const Steps& steps, Candidate& candidate) {
 
 /// Keeps the candidates that are not farther than the least one by `first`.
 template <class First, class Farther>
-void keep_not_farther(Found& found, First first, Farther farther) {
+void keep_not_farther(SearchState& found, First first, Farther farther) {
   const Meeting least = std::min_element(found.candidates.begin(), found.candidates.end(), first)->at;
   const auto dropped = [&](const Candidate& c) { return farther(least, c.at); };
   const auto kept = std::remove_if(found.candidates.begin(), found.candidates.end(), dropped);
@@ -141,7 +141,7 @@ void keep_not_farther(Found& found, First first, Farther farther) {
 }
 
 template <class Steps>
-void keep_nearest_by_stable(const Steps& steps, Found& found) {
+void keep_nearest_by_stable(const Steps& steps, SearchState& found) {
   for (Candidate& candidate : found.candidates) refine(steps, candidate);
   const auto is_stable = [](const Candidate& c) { return c.at.step == Step::stable; };
   if (!std::all_of(found.candidates.begin(), found.candidates.end(), is_stable)) return;
@@ -151,7 +151,7 @@ void keep_nearest_by_stable(const Steps& steps, Found& found) {
 }
 
 template <class Steps>
-void keep_nearest_by_exact(const Steps& steps, Found& found) {
+void keep_nearest_by_exact(const Steps& steps, SearchState& found) {
   for (Candidate& candidate : found.candidates) make_exact(steps, candidate);
   keep_not_farther(
       found, [&](const Candidate& a, const Candidate& b) { return steps.order(*a.at.t, *b.at.t) < 0; },
@@ -160,14 +160,14 @@ void keep_nearest_by_exact(const Steps& steps, Found& found) {
 
 /// Two elements of equal numbers that were found alike. Every step says the same of both, so the first stands for the
 /// second.
-struct Alike {
+struct CongruentElement {
   scene::ElementRef as, e;
 };
 
 /// An order of candidates in which those of equal numbers that were found alike are equal.
 template <class Steps>
 std::strong_ordering order_of_kinds(const Steps& steps, const Candidate& a, const Candidate& b) {
-  const Finding &f = a.at.finding, &g = b.at.finding;
+  const RootEstimate &f = a.at.finding, &g = b.at.finding;
   auto side = steps.order_of_numbers(a.e, b.e);
   if (side == 0) side = a.at.step <=> b.at.step;
   if (side == 0) side = std::strong_order(f.hi, g.hi);
@@ -178,7 +178,7 @@ std::strong_ordering order_of_kinds(const Steps& steps, const Candidate& a, cons
 /// Removes all but the first of candidates that are alike, and lists the others, so that no step computes them again.
 /// O(n log n) comparisons of stored numbers for n candidates.
 template <class Steps>
-std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
+std::vector<CongruentElement> set_alike_apart(const Steps& steps, SearchState& found) {
   auto& all = found.candidates;
   boost::container::small_vector<std::uint32_t, 16> order(all.size());
   std::iota(order.begin(), order.end(), 0);
@@ -186,7 +186,7 @@ std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
     const auto side = order_of_kinds(steps, all[i], all[j]);
     return side == 0 ? i < j : side < 0;
   });
-  std::vector<Alike> alike;
+  std::vector<CongruentElement> alike;
   std::size_t first = 0, kept = 1;  // the first of the alike; the number kept
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (order_of_kinds(steps, all[order[first]], all[order[i]]) == 0) {
@@ -205,19 +205,19 @@ std::vector<Alike> set_alike_apart(const Steps& steps, Found& found) {
 }
 
 /// Drops the listed elements whose representative was dropped.
-inline void drop_alike(std::vector<Alike>& alike, const Found& found) {
+inline void drop_alike(std::vector<CongruentElement>& alike, const SearchState& found) {
   if (alike.empty()) return;
   std::vector<scene::ElementRef> left;
   for (const Candidate& candidate : found.candidates) left.push_back(candidate.e);
   std::sort(left.begin(), left.end());
-  const auto dropped = [&](const Alike& a) { return !std::binary_search(left.begin(), left.end(), a.as); };
+  const auto dropped = [&](const CongruentElement& a) { return !std::binary_search(left.begin(), left.end(), a.as); };
   alike.erase(std::remove_if(alike.begin(), alike.end(), dropped), alike.end());
 }
 
 template <class Steps>
-void keep_nearest(const Steps& steps, Found& found, Counts& counts) {
+void keep_nearest(const Steps& steps, SearchState& found, Counts& counts) {
   Step step = Step::triage;
-  std::vector<Alike> alike;
+  std::vector<CongruentElement> alike;
   const auto several = [&] { return found.candidates.size() + alike.size() > 1; };
   if (several()) {
     step = Step::stable;
@@ -231,18 +231,18 @@ void keep_nearest(const Steps& steps, Found& found, Counts& counts) {
     drop_alike(alike, found);
   }
   ++counts.order[static_cast<std::size_t>(step)];
-  for (const Alike& a : alike) found.candidates.push_back({a.e, {}});
+  for (const CongruentElement& a : alike) found.candidates.push_back({a.e, {}});
 }
 
 template <class Steps>
-Rounded rounded_candidate(const Steps& steps, const Candidate& nearest, Counts& counts) {
+RoundedPoint rounded_candidate(const Steps& steps, const Candidate& nearest, Counts& counts) {
   const bool on = steps.on(nearest.e);
   const auto count = [&](Step step) { ++counts.rounding[static_cast<std::size_t>(step)]; };
-  const auto attempt = [&](const Finding& finding) {
-    if (finding.verdict != Verdict::hit) return Rounded{};
+  const auto attempt = [&](const RootEstimate& finding) {
+    if (finding.verdict != Decision::hit) return RoundedPoint{};
     return steps.visit(nearest.e, [&](const auto& element) { return steps.rounded(element, finding); });
   };
-  Rounded r{};
+  RoundedPoint r{};
   if (nearest.at.step == Step::triage) {
     r = attempt(
         steps.visit(nearest.e, [&](const auto& element) { return steps.improved(element, on, nearest.at.finding); }));
@@ -257,14 +257,14 @@ Rounded rounded_candidate(const Steps& steps, const Candidate& nearest, Counts& 
 }
 
 template <class Steps>
-scene::Hit published(const Steps& steps, Found& found, Counts& counts) {
+scene::Hit published(const Steps& steps, SearchState& found, Counts& counts) {
   scene::Hit hit;
   if (!found.without_minimum.empty()) {
     hit.resultado = model::Resultado::no_minimum;
     hit.elementos = std::move(found.without_minimum);
   } else if (!found.candidates.empty()) {
     keep_nearest(steps, found, counts);
-    const Rounded r = rounded_candidate(steps, found.candidates.front(), counts);
+    const RoundedPoint r = rounded_candidate(steps, found.candidates.front(), counts);
     hit.resultado = model::Resultado::hit;
     hit.t = r.t;
     hit.punto = r.punto;

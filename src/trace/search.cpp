@@ -38,13 +38,13 @@ struct CertifiedSteps {
     return ray.ordinary && (range == Search::Range::ordinary || ordinary(element));
   }
   template <class Element>
-  Finding triage(const Element& element, bool on, double limit) const {
+  RootEstimate triage(const Element& element, bool on, double limit) const {
     return trace::triage(element, ray, on, limit);
   }
-  Finding stable(scene::ShapeView element, bool on, double limit) const {
+  RootEstimate stable(scene::ShapeView element, bool on, double limit) const {
     return trace::stable(element, ray, on, limit);
   }
-  Finding improved(scene::ShapeView element, bool on, const Finding& finding) const {
+  RootEstimate improved(scene::ShapeView element, bool on, const RootEstimate& finding) const {
     return trace::improved(element, ray, on, finding);
   }
   surface::exact::Reach reach(scene::ShapeView element, bool on) const {
@@ -52,20 +52,20 @@ struct CertifiedSteps {
   }
   static std::strong_ordering order(const Parameter& a, const Parameter& b) { return surface::exact::order(a, b); }
 
-  static Ends<double> ends(Step step, const Finding& found) {
+  static ParameterBounds<double> ends(Step step, const RootEstimate& found) {
     return step == Step::triage ? ends_of(found.hi, found.error) : ends_of_pair(found.hi, found.error);
   }
-  static Ends<double> ends(const Parameter& t) {
+  static ParameterBounds<double> ends(const Parameter& t) {
     const double nearest = number::round_to_binary64(t);
     return {std::nextafter(nearest, -no_limit), std::nextafter(nearest, no_limit)};
   }
-  static bool ahead(const Finding& a, const Finding& b) { return a.hi < b.hi; }
-  static bool certainly_less(const Finding& a, const Finding& b) { return trace::certainly_less(a, b); }
+  static bool ahead(const RootEstimate& a, const RootEstimate& b) { return a.hi < b.hi; }
+  static bool certainly_less(const RootEstimate& a, const RootEstimate& b) { return trace::certainly_less(a, b); }
 
-  Rounded rounded(scene::ShapeView element, const Finding& finding) const {
+  RoundedPoint rounded(scene::ShapeView element, const RootEstimate& finding) const {
     return trace::rounded(element, ray, finding);
   }
-  Rounded rounded(const Parameter& t) const {
+  RoundedPoint rounded(const Parameter& t) const {
     const scene::Hit hit = surface::exact::rounded_hit(rayo, t, {});
     return {true, hit.t, hit.punto};
   }
@@ -82,11 +82,11 @@ void Search::test(scene::ElementRef e, Range range) {
 
 scene::Hit Search::finish() { return published(CertifiedSteps{scene_, rayo_, en_, ray_}, found_, counts_); }
 
-Rounded Search::rounded_hit(scene::ElementRef e, const Finding& by_triage) const {
+RoundedPoint Search::rounded_hit(scene::ElementRef e, const RootEstimate& by_triage) const {
   return rounded_hit(e, point_of(CertifiedSteps{scene_, rayo_, en_, ray_}, Step::triage, by_triage));
 }
 
-Rounded Search::rounded_hit(scene::ElementRef e, const Meeting& met) const {
+RoundedPoint Search::rounded_hit(scene::ElementRef e, const Meeting& met) const {
   return rounded_candidate(CertifiedSteps{scene_, rayo_, en_, ray_}, {e, met}, counts_);
 }
 

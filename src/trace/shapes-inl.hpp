@@ -20,7 +20,7 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 template <class T, class Element, class Ray>
-HWY_INLINE Quadratic<T> quadratic(const Element& element, const Ray& ray) {
+HWY_INLINE BoundedQuadratic<T> quadratic(const Element& element, const Ray& ray) {
   return quadratic_of<T>(Of<Element::tipo>(), element, ray);
 }
 

@@ -11,7 +11,7 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 namespace {
 
-Finding stable_of(scene::ShapeView element, const Ray& ray, bool on, double limit) {
+RootEstimate stable_of(scene::ShapeView element, const Ray& ray, bool on, double limit) {
   return element.visit([&](const auto& shape)
                            HWY_ATTR { return published(closed_form<DoubleDouble>(shape, ray, on, limit)); });
 }
@@ -27,7 +27,7 @@ namespace {
 HWY_EXPORT(stable_of);
 }  // namespace
 
-Finding stable(scene::ShapeView element, const Ray& ray, bool on, double limit) {
+RootEstimate stable(scene::ShapeView element, const Ray& ray, bool on, double limit) {
   return HWY_DYNAMIC_DISPATCH(stable_of)(element, ray, on, limit);
 }
 

@@ -9,13 +9,13 @@
 namespace durero::trace {
 
 /// The triage's closed form in double-double.
-Finding stable(scene::ShapeView element, const Ray& ray, bool on, double limit = no_limit);
+RootEstimate stable(scene::ShapeView element, const Ray& ray, bool on, double limit = no_limit);
 
 /// Improves a finding by one step of Newton's, with the quadratic in double-double; undecided where the slope may be 0.
 /// Precondition: the finding is a hit of this element by triage, for the same `on`.
-Finding improved(scene::ShapeView element, const Ray& ray, bool on, const Finding& finding);
+RootEstimate improved(scene::ShapeView element, const Ray& ray, bool on, const RootEstimate& finding);
 
 /// t and the point of a finding. Precondition: the finding is a hit of this element by stable or improved.
-Rounded rounded(scene::ShapeView element, const Ray& ray, const Finding& finding);
+RoundedPoint rounded(scene::ShapeView element, const Ray& ray, const RootEstimate& finding);
 
 }  // namespace durero::trace

@@ -12,7 +12,7 @@ namespace durero::trace {
 /// starts on the element. Precondition: element and ray are ordinary. The function is a template, because it is called
 /// for every candidate where the type is known.
 template <class Shape>
-Finding triage(const Shape& element, const Ray& ray, bool on, double limit = no_limit) {
+RootEstimate triage(const Shape& element, const Ray& ray, bool on, double limit = no_limit) {
   return HWY_NAMESPACE::published(HWY_NAMESPACE::closed_form<double>(element, ray, on, limit));
 }
 

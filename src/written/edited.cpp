@@ -72,7 +72,7 @@ io::EditAnswer Edited::apply_total(const scene::Edit& edit) {
   return add_if_given(edit, [&] { surface_of(*text_, of_.scene, of_.scene.find(name).value()); });
 }
 
-io::EditAnswer Edited::apply_total(const io::Step& step) {
+io::EditAnswer Edited::apply_total(const io::ScriptStep& step) {
   return std::visit(
       [&](const auto& edit) {
         const std::string* const name = element_of(edit);

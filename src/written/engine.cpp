@@ -21,9 +21,9 @@ struct Element {
 };
 
 /// The search for the nearest elements that a ray meets, and for elements without a nearest point.
-class Search {
+class PieceSearch {
  public:
-  explicit Search(const scene::Query& query) : query_(query) {}
+  explicit PieceSearch(const scene::Query& query) : query_(query) {}
 
   void ask(const Element& element) {
     First first = element.surface.first(query_.rayo, scene::Origin(query_.en).contains(element.place));
@@ -81,7 +81,7 @@ class WrittenEngine final : public engine::Engine {
 
   void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
     tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
-      Search search(queries[i]);
+      PieceSearch search(queries[i]);
       for (const Element& element : elements_) search.ask(element);
       hits[i] = search.hit();
     });

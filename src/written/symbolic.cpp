@@ -21,10 +21,12 @@ namespace {
 constexpr std::uint64_t most_steps = 1'000'000;
 constexpr unsigned most_depth = 400;
 
-ScopePtr global_scope(const std::string& section) { return std::make_shared<const Scope>(Scope{{}, nullptr, section}); }
+ScopePtr global_scope(const std::string& section) {
+  return std::make_shared<const SymbolicScope>(SymbolicScope{{}, nullptr, section});
+}
 
-const Value* find(const ScopePtr& scope, const Name& name) {
-  for (const Scope* at = scope.get(); at != nullptr; at = at->outer.get())
+const SymbolicValue* find(const ScopePtr& scope, const Name& name) {
+  for (const SymbolicScope* at = scope.get(); at != nullptr; at = at->outer.get())
     if (const auto found = at->names.find(name); found != at->names.end()) return &found->second;
   return nullptr;
 }
@@ -39,21 +41,22 @@ bool is_equation(const Term& term) {
 }
 
 /// The equation f(x) = e under its ∀.
-std::optional<Parameters> clause(const zed::Axiomatic& form, const Name& function) {
+std::optional<FunctionParameters> clause(const zed::Axiomatic& form, const Name& function) {
   for (const zed::Predicate& predicate : form.text.predicates) {
     if (predicate.term->kind != Kind::forall || !is_equation(predicate.term->children[0])) continue;
     const Term& left = predicate.term->children[0]->children[0];
     if (left->kind != Kind::application || left->children[0]->kind != Kind::reference ||
         left->children[0]->name != function)
       continue;
-    return Parameters{*predicate.term->text, parts_of(left->children[1]), predicate.term->children[0]->children[1], ""};
+    return FunctionParameters{*predicate.term->text, parts_of(left->children[1]),
+                              predicate.term->children[0]->children[1], ""};
   }
   return std::nullopt;
 }
 
 /// The definition λ D • e, whose argument is the characteristic tuple of D.
-Parameters of_lambda(const Term& lambda) {
-  Parameters found{*lambda->text, {}, lambda->children[0], ""};
+FunctionParameters of_lambda(const Term& lambda) {
+  FunctionParameters found{*lambda->text, {}, lambda->children[0], ""};
   for (const zed::Declaration& declaration : lambda->text->declarations) {
     for (const Name& name : declaration.names) found.formal.push_back(zed::reference(name));
     if (declaration.form == zed::Declaration::Form::included)
@@ -85,11 +88,11 @@ const zed::Paragraph* Symbolic::paragraph_of(const zed::Global& global) const {
   return nullptr;
 }
 
-std::optional<Parameters> Symbolic::parameters(const std::string& section, const Name& function) const {
+std::optional<FunctionParameters> Symbolic::parameters(const std::string& section, const Name& function) const {
   const zed::Global* const known = typing_.find(section, function);
   const zed::Paragraph* const paragraph = known ? paragraph_of(*known) : nullptr;
   if (paragraph == nullptr) return std::nullopt;
-  std::optional<Parameters> found;
+  std::optional<FunctionParameters> found;
   if (const auto* const box = std::get_if<zed::Axiomatic>(&paragraph->form)) found = clause(*box, function);
   if (const auto* const definition = std::get_if<zed::Definition>(&paragraph->form))
     if (definition->value->kind == Kind::lambda) found = of_lambda(definition->value);
@@ -97,7 +100,7 @@ std::optional<Parameters> Symbolic::parameters(const std::string& section, const
   return found;
 }
 
-Value Symbolic::apply(const std::string& section, const Name& function, const Tuple& arguments) {
+SymbolicValue Symbolic::apply(const std::string& section, const Name& function, const Tuple& arguments) {
   steps_ = zed::Steps(most_steps);
   depth_ = 0;
   return call(parameters(section, function).value(), arguments, {});
@@ -116,7 +119,7 @@ Outside Symbolic::outside(const Fields& names, const Term& schema, const ScopePt
     if (declaration.form == zed::Declaration::Form::included && !member_of({names}, declaration.term, there).is(true))
       return outside(names, declaration.term, there);
   }
-  const ScopePtr inner = std::make_shared<const Scope>(Scope{names, there, there->section});
+  const ScopePtr inner = std::make_shared<const SymbolicScope>(SymbolicScope{names, there, there->section});
   for (const zed::Predicate& predicate : box->text.predicates)
     if (!condition(predicate.term, inner).is(true)) return {{}, zed::to_unicode(predicate.term)};
   return {{}, zed::to_unicode(schema)};
@@ -124,8 +127,8 @@ Outside Symbolic::outside(const Fields& names, const Term& schema, const ScopePt
 
 /// The value of a call. The parameters have the arguments as values, which must be in the sets of the head and satisfy
 /// it.
-Value Symbolic::call(const Parameters& function, const Tuple& arguments, const Fields& around) {
-  const ScopePtr outer = std::make_shared<const Scope>(Scope{around, nullptr, function.section});
+SymbolicValue Symbolic::call(const FunctionParameters& function, const Tuple& arguments, const Fields& around) {
+  const ScopePtr outer = std::make_shared<const SymbolicScope>(SymbolicScope{around, nullptr, function.section});
   Fields names;
   for (std::size_t i = 0; i < function.formal.size(); ++i) {
     const Term& formal = function.formal[i];
@@ -139,7 +142,8 @@ Value Symbolic::call(const Parameters& function, const Tuple& arguments, const F
   }
   for (const zed::Declaration& declaration : function.head.declarations) {
     if (declaration.form == zed::Declaration::Form::included) {
-      if (!member_of(Value{names}, declaration.term, outer).is(true)) throw outside(names, declaration.term, outer);
+      if (!member_of(SymbolicValue{names}, declaration.term, outer).is(true))
+        throw outside(names, declaration.term, outer);
     }
     for (const Name& name : declaration.names) {
       if (!names.contains(name) || member_of(names.at(name), declaration.term, outer).is(true)) continue;
@@ -148,13 +152,13 @@ Value Symbolic::call(const Parameters& function, const Tuple& arguments, const F
       throw Outside{name, fmt::format("{} ∈ {}", name.text(), zed::to_unicode(declaration.term))};
     }
   }
-  const ScopePtr scope = std::make_shared<const Scope>(Scope{names, outer, function.section});
+  const ScopePtr scope = std::make_shared<const SymbolicScope>(SymbolicScope{names, outer, function.section});
   for (const zed::Predicate& predicate : function.head.predicates)
     if (!condition(predicate.term, scope).is(true)) throw Outside{{}, zed::to_unicode(predicate.term)};
   return value(function.body, scope);
 }
 
-Value Symbolic::value(const Term& term, const ScopePtr& scope) {
+SymbolicValue Symbolic::value(const Term& term, const ScopePtr& scope) {
   steps_.take();
   if (++depth_ > most_depth) refuse(scope, term->place, "definitions are nested too deeply", "expected fewer");
   const auto rise = std::shared_ptr<void>(nullptr, [this](void*) { --depth_; });
@@ -198,11 +202,11 @@ ScopePtr Symbolic::let_scope(const Term& term, const ScopePtr& scope) {
   Fields names;
   for (const zed::Declaration& declaration : term->text->declarations)
     names.insert_or_assign(declaration.names[0], value(declaration.term, scope));
-  return std::make_shared<const Scope>(Scope{std::move(names), scope, scope->section});
+  return std::make_shared<const SymbolicScope>(SymbolicScope{std::move(names), scope, scope->section});
 }
 
-Value Symbolic::reference(const Term& term, const ScopePtr& scope) {
-  if (const Value* const local = find(scope, term->name)) return *local;
+SymbolicValue Symbolic::reference(const Term& term, const ScopePtr& scope) {
+  if (const SymbolicValue* const local = find(scope, term->name)) return *local;
   const zed::Global* const known = global(scope, term->name);
   const zed::Paragraph* const paragraph = known ? paragraph_of(*known) : nullptr;
   if (paragraph == nullptr) return {Suspended{term, scope}};  // of the toolkit
@@ -211,11 +215,11 @@ Value Symbolic::reference(const Term& term, const ScopePtr& scope) {
     return value(definition->value, global_scope(known->section));
   const bool is_number = known->scheme.formals.empty() && known->form == zed::Global::Form::axiom &&
                          !parameters(scope->section, term->name) && !known->scheme.type.is(zed::Type::Kind::power);
-  return is_number ? constant(term, scope) : Value{Suspended{term, global_scope(scope->section)}};
+  return is_number ? constant(term, scope) : SymbolicValue{Suspended{term, global_scope(scope->section)}};
 }
 
 /// The value of a name that the axioms determine.
-Value Symbolic::constant(const Term& term, const ScopePtr& scope) {
+SymbolicValue Symbolic::constant(const Term& term, const ScopePtr& scope) {
   try {
     return converted(evaluator_.value(term->name), term, scope);
   } catch (const zed::EvaluationError& error) {
@@ -223,7 +227,7 @@ Value Symbolic::constant(const Term& term, const ScopePtr& scope) {
   }
 }
 
-Value Symbolic::converted(const zed::Value& known, const Term& term, const ScopePtr& scope) const {
+SymbolicValue Symbolic::converted(const zed::Value& known, const Term& term, const ScopePtr& scope) const {
   if (const zed::Real* const real = known.real(); real && real->is_surd()) {
     const number::Surd surd = real->surd();
     if (surd.y == 0) return {Formula(surd.x)};
@@ -238,13 +242,13 @@ Value Symbolic::converted(const zed::Value& known, const Term& term, const Scope
          "expected a rational number, or a binding of such");
 }
 
-Value Symbolic::theta(const Term& term, const ScopePtr& scope) {
+SymbolicValue Symbolic::theta(const Term& term, const ScopePtr& scope) {
   const auto type = typing_.type_of(term);
   Fields fields;
   if (type && type->is(zed::Type::Kind::schema)) {
     const zed::Type settled = type->settled();  // which holds the names
     for (const Name& name : settled.fields()) {
-      const Value* const local = find(scope, {name.word, name.strokes + term->name.strokes});
+      const SymbolicValue* const local = find(scope, {name.word, name.strokes + term->name.strokes});
       if (local == nullptr) refuse(scope, term->place, name.text() + " has no value here", "expected one");
       fields.emplace(name, *local);
     }
@@ -252,25 +256,25 @@ Value Symbolic::theta(const Term& term, const ScopePtr& scope) {
   return {std::move(fields)};
 }
 
-Value Symbolic::selected(const Term& term, const ScopePtr& scope) {
-  const Value whole = value(term->children[0], scope);
+SymbolicValue Symbolic::selected(const Term& term, const ScopePtr& scope) {
+  const SymbolicValue whole = value(term->children[0], scope);
   if (const auto* const fields = std::get_if<Fields>(&whole.form))
     if (const auto found = fields->find(term->name); found != fields->end()) return found->second;
   if (const auto* const tuple = std::get_if<Tuple>(&whole.form)) return tuple->at(std::stoul(term->name.word) - 1);
   refuse(scope, term->place, zed::to_unicode(term) + " is not followed", "expected a part of something that is known");
 }
 
-const Formula& Symbolic::formula(const Value& value, const Term& term, const ScopePtr& scope) const {
+const Formula& Symbolic::formula(const SymbolicValue& value, const Term& term, const ScopePtr& scope) const {
   if (const auto* const found = std::get_if<Formula>(&value.form)) return *found;
   refuse(scope, term->place, zed::to_unicode(term) + " is no polynomial in the coordinates of the point",
          "expected sums, differences and products");
 }
 
-Value Symbolic::arithmetic(const Term& term, const ScopePtr& scope) {
+SymbolicValue Symbolic::arithmetic(const Term& term, const ScopePtr& scope) {
   const std::string& word = term->children[0]->name.word;
   const std::vector<Term> parts = parts_of(term->children[1]);
   const auto part = [&](std::size_t i) {
-    const Value known = value(parts[i], scope);
+    const SymbolicValue known = value(parts[i], scope);
     return formula(known, parts[i], scope);
   };
   try {
@@ -284,7 +288,7 @@ Value Symbolic::arithmetic(const Term& term, const ScopePtr& scope) {
   }
 }
 
-Value Symbolic::application(const Term& term, const ScopePtr& scope) {
+SymbolicValue Symbolic::application(const Term& term, const ScopePtr& scope) {
   const Term& of = term->children[0];
   const bool is_global = of->kind == Kind::reference && find(scope, of->name) == nullptr;
   if (is_global && !global(scope, of->name)) {
@@ -293,22 +297,22 @@ Value Symbolic::application(const Term& term, const ScopePtr& scope) {
         return arithmetic(term, scope);
     return {Suspended{term, scope}};  // of the toolkit: maybe a union
   }
-  std::optional<Parameters> function = is_global ? parameters(scope->section, of->name) : std::nullopt;
+  std::optional<FunctionParameters> function = is_global ? parameters(scope->section, of->name) : std::nullopt;
   Fields around;
   if (!function) {
-    const Value known = value(of, scope);
+    const SymbolicValue known = value(of, scope);
     const auto* const lambda = std::get_if<Suspended>(&known.form);
     if (lambda && lambda->term->kind == Kind::lambda) {
       function = of_lambda(lambda->term);
       function->section = lambda->scope->section;
-      for (const Scope* at = lambda->scope.get(); at; at = at->outer.get())
+      for (const SymbolicScope* at = lambda->scope.get(); at; at = at->outer.get())
         around.insert(at->names.begin(), at->names.end());
     }
   }
   if (!function)
     refuse(scope, term->place, zed::to_unicode(of) + " is defined by no equation that gives its value",
            fmt::format("expected ∀ … • {}(…) = …", zed::to_unicode(of)));
-  const Value argument = value(term->children[1], scope);
+  const SymbolicValue argument = value(term->children[1], scope);
   const auto* const tuple = std::get_if<Tuple>(&argument.form);
   const Tuple arguments = function->formal.size() == 1 || tuple == nullptr ? Tuple{argument} : *tuple;
   try {

@@ -17,8 +17,8 @@
 
 namespace durero::written {
 
-struct Scope;
-using ScopePtr = std::shared_ptr<const Scope>;
+struct SymbolicScope;
+using ScopePtr = std::shared_ptr<const SymbolicScope>;
 
 /// A set or a function as the text writes it, with the names around it.
 struct Suspended {
@@ -26,16 +26,16 @@ struct Suspended {
   ScopePtr scope;
 };
 
-struct Value;
-using Tuple = std::vector<Value>;
-using Fields = std::map<zed::Name, Value>;
+struct SymbolicValue;
+using Tuple = std::vector<SymbolicValue>;
+using Fields = std::map<zed::Name, SymbolicValue>;
 
-struct Value {
+struct SymbolicValue {
   std::variant<Formula, Tuple, Fields, Suspended> form;
 };
 
 /// The names that a term sees: local ones, and behind the last of these the globals of a section.
-struct Scope {
+struct SymbolicScope {
   Fields names;
   ScopePtr outer;       ///< null: the globals come next
   std::string section;  ///< whose globals they are
@@ -53,7 +53,7 @@ struct Outside {
 };
 
 /// The definition of a function of the text: its parameters, in the order in which it takes them, and its value.
-struct Parameters {
+struct FunctionParameters {
   zed::SchemaText head;           ///< it declares them, and may state more of them
   std::vector<zed::Term> formal;  ///< the argument, or its parts: references, or θ S of an included S
   zed::Term body;                 ///< its value
@@ -66,41 +66,41 @@ class Symbolic {
   Symbolic(const zed::Specification& specification, const zed::Typing& typing);
 
   /// The parameters of a global that the section sees; nothing where no equation defines it as a function.
-  std::optional<Parameters> parameters(const std::string& section, const zed::Name& function) const;
+  std::optional<FunctionParameters> parameters(const std::string& section, const zed::Name& function) const;
   /// The value f(arguments). Throws Outside where an argument is not in its set, Refusal where a term cannot be
   /// evaluated.
-  Value apply(const std::string& section, const zed::Name& function, const Tuple& arguments);
+  SymbolicValue apply(const std::string& section, const zed::Name& function, const Tuple& arguments);
   /// Whether the value is a member of the set. Throws Refusal.
-  Condition member(const Value& value, const Suspended& set) { return member_of(value, set.term, set.scope); }
+  Condition member(const SymbolicValue& value, const Suspended& set) { return member_of(value, set.term, set.scope); }
 
  private:
   [[noreturn]] void refuse(const ScopePtr& scope, const zed::Place& place, const std::string& what,
                            const std::string& expected) const;
 
   // Expressions: symbolic.cpp.
-  Value value(const zed::Term& term, const ScopePtr& scope);
-  Value reference(const zed::Term& term, const ScopePtr& scope);
-  Value constant(const zed::Term& term, const ScopePtr& scope);
-  Value converted(const zed::Value& known, const zed::Term& term, const ScopePtr& scope) const;
-  Value theta(const zed::Term& term, const ScopePtr& scope);
-  Value selected(const zed::Term& term, const ScopePtr& scope);
-  Value application(const zed::Term& term, const ScopePtr& scope);
-  Value arithmetic(const zed::Term& term, const ScopePtr& scope);
-  Value call(const Parameters& function, const Tuple& arguments, const Fields& around);
+  SymbolicValue value(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue reference(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue constant(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue converted(const zed::Value& known, const zed::Term& term, const ScopePtr& scope) const;
+  SymbolicValue theta(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue selected(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue application(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue arithmetic(const zed::Term& term, const ScopePtr& scope);
+  SymbolicValue call(const FunctionParameters& function, const Tuple& arguments, const Fields& around);
   /// The part of a schema that the binding does not satisfy.
   Outside outside(const Fields& names, const zed::Term& schema, const ScopePtr& scope);
   ScopePtr let_scope(const zed::Term& term, const ScopePtr& scope);
-  const Formula& formula(const Value& value, const zed::Term& term, const ScopePtr& scope) const;
+  const Formula& formula(const SymbolicValue& value, const zed::Term& term, const ScopePtr& scope) const;
 
   // Predicates and sets: symbolic_sets.cpp.
   Condition condition(const zed::Term& term, const ScopePtr& scope);
   Condition relation(const std::string& word, const zed::Term& a, const zed::Term& b, const ScopePtr& scope);
-  Condition equal(const Value& a, const Value& b, const zed::Term& term, const ScopePtr& scope) const;
-  Condition member_of(const Value& value, const zed::Term& set, const ScopePtr& scope);
-  Condition member_of_name(const Value& value, const zed::Term& set, const ScopePtr& scope);
-  Condition member_of_application(const Value& value, const zed::Term& set, const ScopePtr& scope);
+  Condition equal(const SymbolicValue& a, const SymbolicValue& b, const zed::Term& term, const ScopePtr& scope) const;
+  Condition member_of(const SymbolicValue& value, const zed::Term& set, const ScopePtr& scope);
+  Condition member_of_name(const SymbolicValue& value, const zed::Term& set, const ScopePtr& scope);
+  Condition member_of_application(const SymbolicValue& value, const zed::Term& set, const ScopePtr& scope);
   /// The condition that a value, the characteristic tuple of a comprehension or a schema's binding, satisfies the text.
-  Condition satisfies(const Value& value, const zed::SchemaText& text, bool is_schema, const zed::Term& set,
+  Condition satisfies(const SymbolicValue& value, const zed::SchemaText& text, bool is_schema, const zed::Term& set,
                       const ScopePtr& scope);
   Condition declared(const zed::Declaration& declaration, const Fields& names, const zed::Term& set,
                      const ScopePtr& scope);

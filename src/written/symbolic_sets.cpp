@@ -55,7 +55,7 @@ Condition Symbolic::condition(const Term& term, const ScopePtr& scope) {
 Condition Symbolic::relation(const std::string& word, const Term& a, const Term& b, const ScopePtr& scope) {
   if (word == "_∈_") return member_of(value(a, scope), b, scope);
   if (word == "_∉_") return negated(member_of(value(a, scope), b, scope));
-  const Value left = value(a, scope), right = value(b, scope);
+  const SymbolicValue left = value(a, scope), right = value(b, scope);
   if (word == "_=_") return equal(left, right, a, scope);
   if (word == "_≠_") return negated(equal(left, right, a, scope));
   static const std::map<std::string, Signs> orders{{"_<_", {true, false, false}},
@@ -67,7 +67,8 @@ Condition Symbolic::relation(const std::string& word, const Term& a, const Term&
   return compared(formula(left, a, scope) - formula(right, b, scope), order->second);
 }
 
-Condition Symbolic::equal(const Value& a, const Value& b, const Term& term, const ScopePtr& scope) const {
+Condition Symbolic::equal(const SymbolicValue& a, const SymbolicValue& b, const Term& term,
+                          const ScopePtr& scope) const {
   Condition all = always(true);
   if (const auto *const x = std::get_if<Formula>(&a.form), *const y = std::get_if<Formula>(&b.form); x && y)
     return compared(*x - *y, {false, true, false});
@@ -83,7 +84,7 @@ Condition Symbolic::equal(const Value& a, const Value& b, const Term& term, cons
          "expected sums, differences and products");
 }
 
-Condition Symbolic::member_of(const Value& value, const Term& set, const ScopePtr& scope) {
+Condition Symbolic::member_of(const SymbolicValue& value, const Term& set, const ScopePtr& scope) {
   steps_.take();
   switch (set->kind) {
     case Kind::reference:
@@ -97,7 +98,7 @@ Condition Symbolic::member_of(const Value& value, const Term& set, const ScopePt
       return member_of_application(value, set, scope);
     case Kind::conditional:
     case Kind::let: {
-      const Value known = this->value(set, scope);
+      const SymbolicValue known = this->value(set, scope);
       if (const auto* const other = std::get_if<Suspended>(&known.form)) return member(value, *other);
       break;
     }
@@ -107,23 +108,23 @@ Condition Symbolic::member_of(const Value& value, const Term& set, const ScopePt
   refuse(scope, set->place, zed::to_unicode(set) + " is not followed", expected_set);
 }
 
-Condition Symbolic::member_of_name(const Value& value, const Term& set, const ScopePtr& scope) {
+Condition Symbolic::member_of_name(const SymbolicValue& value, const Term& set, const ScopePtr& scope) {
   const zed::Global* const known = global(scope, set->name);
   const zed::Paragraph* const paragraph = known ? paragraph_of(*known) : nullptr;
   const bool is_number = std::holds_alternative<Formula>(value.form);
   if ((set->name.text() == "ℝ" || set->name.text() == "𝔸") && is_number) return always(true);
   if (paragraph != nullptr) {
-    const ScopePtr there = std::make_shared<const Scope>(Scope{{}, nullptr, known->section});
+    const ScopePtr there = std::make_shared<const SymbolicScope>(SymbolicScope{{}, nullptr, known->section});
     if (const auto* const schema = std::get_if<zed::Schema>(&paragraph->form); schema && schema->formals.empty())
       return satisfies(value, schema->text, true, set, there);
   }
-  const Value other = this->value(set, scope);
+  const SymbolicValue other = this->value(set, scope);
   if (const auto* const suspended = std::get_if<Suspended>(&other.form); suspended && suspended->term != set)
     return member(value, *suspended);
   refuse(scope, set->place, zed::to_unicode(set) + " is not followed", expected_set);
 }
 
-Condition Symbolic::member_of_application(const Value& value, const Term& set, const ScopePtr& scope) {
+Condition Symbolic::member_of_application(const SymbolicValue& value, const Term& set, const ScopePtr& scope) {
   const Term& of = set->children[0];
   const Term& argument = set->children[1];
   if (of->kind == Kind::reference && argument->kind == Kind::tuple && argument->children.size() == 2) {
@@ -132,13 +133,13 @@ Condition Symbolic::member_of_application(const Value& value, const Term& set, c
     if (of->name.word == "_∩_") return both(part(0), part(1));
     if (of->name.word == "_∖_") return both(part(0), negated(part(1)));
   }
-  const Value known = this->value(set, scope);
+  const SymbolicValue known = this->value(set, scope);
   if (const auto* const other = std::get_if<Suspended>(&known.form); other && other->term != set)
     return member(value, *other);
   refuse(scope, set->place, zed::to_unicode(set) + " is not followed", expected_set);
 }
 
-Condition Symbolic::satisfies(const Value& value, const zed::SchemaText& text, bool is_schema, const Term& set,
+Condition Symbolic::satisfies(const SymbolicValue& value, const zed::SchemaText& text, bool is_schema, const Term& set,
                               const ScopePtr& scope) {
   Fields names;
   const auto& first = text.declarations[0];
@@ -154,7 +155,7 @@ Condition Symbolic::satisfies(const Value& value, const zed::SchemaText& text, b
   Condition all = always(true);
   for (const zed::Declaration& declaration : text.declarations)
     all = both(std::move(all), declared(declaration, names, set, scope));
-  const ScopePtr inner = std::make_shared<const Scope>(Scope{names, scope, scope->section});
+  const ScopePtr inner = std::make_shared<const SymbolicScope>(SymbolicScope{names, scope, scope->section});
   for (const zed::Predicate& predicate : text.predicates) all = both(std::move(all), condition(predicate.term, inner));
   return all;
 }
@@ -169,7 +170,7 @@ Condition Symbolic::declared(const zed::Declaration& declaration, const Fields& 
       return all;
     }
     case zed::Declaration::Form::included:
-      return member_of(Value{names}, declaration.term, scope);
+      return member_of(SymbolicValue{names}, declaration.term, scope);
     case zed::Declaration::Form::defined:
       break;
   }

@@ -56,13 +56,13 @@ std::optional<io::WrittenKind> kind_of(const Type& type) {
   return std::nullopt;
 }
 
-Value number_value(double x) { return {Formula(number::exact(x))}; }
+SymbolicValue number_value(double x) { return {Formula(number::exact(x))}; }
 
-Value triple_value(const glm::dvec3& v) {
+SymbolicValue triple_value(const glm::dvec3& v) {
   return {Fields{{{"x", ""}, number_value(v.x)}, {{"y", ""}, number_value(v.y)}, {{"z", ""}, number_value(v.z)}}};
 }
 
-Value value_of(const io::WrittenValue& value) {
+SymbolicValue value_of(const io::WrittenValue& value) {
   if (const auto* const x = std::get_if<double>(&value)) return number_value(*x);
   if (const auto* const v = std::get_if<glm::dvec3>(&value)) return triple_value(*v);
   const auto& corners = std::get<scene::Corners>(value);
@@ -71,7 +71,7 @@ Value value_of(const io::WrittenValue& value) {
                  {{"c", ""}, triple_value(corners[2])}}};
 }
 
-Value any_point() {
+SymbolicValue any_point() {
   return {Fields{{{"x", ""}, {Formula::coordinate(0)}},
                  {{"y", ""}, {Formula::coordinate(1)}},
                  {{"z", ""}, {Formula::coordinate(2)}}}};
@@ -116,7 +116,8 @@ struct Text::State {
 
   /// Checks that the names of attributes do not clash with the keys of an element in a scene file, and that they are
   /// not too many.
-  void check_keys(const std::vector<io::WrittenAttribute>& attributes, const Parameters& of, const Name& name) const {
+  void check_keys(const std::vector<io::WrittenAttribute>& attributes, const FunctionParameters& of,
+                  const Name& name) const {
     constexpr std::size_t most = 32;
     const auto refuse = [&](const std::string& what, const std::string& expected) {
       fail({specification.find(of.section)->file, of.body->place, what, expected});
@@ -138,7 +139,7 @@ struct Text::State {
     return result.is(Type::Kind::power) && is_triple(result.parts()[0]);
   }
 
-  std::optional<Type> type_of(const Parameters& function, const zed::Term& formal) const {
+  std::optional<Type> type_of(const FunctionParameters& function, const zed::Term& formal) const {
     zed::Term set;
     if (formal->kind == zed::Kind::theta) set = formal->children[0];
     for (const zed::Declaration& declaration : function.head.declarations)
@@ -149,7 +150,7 @@ struct Text::State {
   }
 
   /// The attributes of a function; nothing where one is of a type that scene files do not have.
-  std::optional<std::vector<io::WrittenAttribute>> attributes_of(const Parameters& function) const {
+  std::optional<std::vector<io::WrittenAttribute>> attributes_of(const FunctionParameters& function) const {
     std::vector<io::WrittenAttribute> attributes;
     const auto add = [&](const Name& name, const Type& type) {
       const auto kind = kind_of(type);
@@ -170,18 +171,18 @@ struct Text::State {
   }
 
   /// Whether the one parameter is a schema whose components are the attributes.
-  static bool is_whole(const Parameters& function, const Type& type) {
+  static bool is_whole(const FunctionParameters& function, const Type& type) {
     return function.formal.size() == 1 && type.is(Type::Kind::schema) && !kind_of(type);
   }
 
-  Tuple arguments(const Parameters& function, const std::vector<io::WrittenValue>& attributes) const {
+  Tuple arguments(const FunctionParameters& function, const std::vector<io::WrittenValue>& attributes) const {
     Tuple values;
     for (const io::WrittenValue& attribute : attributes) values.push_back(value_of(attribute));
     const auto type = type_of(function, function.formal[0]);
     if (!type || !is_whole(function, *type)) return values;
     Fields fields;
     for (std::size_t i = 0; i < values.size(); ++i) fields.emplace(type->fields()[i], values[i]);
-    return {Value{std::move(fields)}};
+    return {SymbolicValue{std::move(fields)}};
   }
 
   std::string file, section;
@@ -215,7 +216,7 @@ Surface Text::surface(const std::string& type, const std::vector<io::WrittenValu
     fail({where, place, fmt::format("{} takes {} arguments", function.text(), parameters->formal.size()),
           fmt::format("expected {}, the attributes of {}", arguments.size(), type)});
   try {
-    const Value set = state_->symbolic->apply(state_->section, function, arguments);
+    const SymbolicValue set = state_->symbolic->apply(state_->section, function, arguments);
     const auto* const suspended = std::get_if<Suspended>(&set.form);
     const Condition points = suspended ? state_->symbolic->member(any_point(), *suspended) : always(true);
     const std::size_t pieces = Surface::pieces(points);

@@ -15,10 +15,10 @@
 
 using namespace durero;
 using namespace durero::test;
+using accel::AxisRay;
 using accel::Bsp;
-using accel::Crossing;
-using accel::Line;
 using accel::Placing;
+using accel::PlaneCrossing;
 using accel::Work;
 
 static_assert(accel::Structure<Bsp> && accel::Structure<accel::BspByLocation>);
@@ -33,8 +33,8 @@ using Visits = std::map<std::size_t, int>;
 std::vector<int> walked(const Bsp& bsp, const model::Rayo& rayo, Visits& visits) {
   std::vector<int> leaves;
   bsp.walk(
-      Line(trace::Ray(rayo)),
-      [&](std::size_t leaf, const Crossing&) { return leaves.push_back(static_cast<int>(leaf)), false; },
+      AxisRay(trace::Ray(rayo)),
+      [&](std::size_t leaf, const PlaneCrossing&) { return leaves.push_back(static_cast<int>(leaf)), false; },
       [&](std::size_t place) { ++visits[place]; });
   return leaves;
 }
@@ -42,8 +42,8 @@ std::vector<int> walked(const Bsp& bsp, const model::Rayo& rayo, Visits& visits)
 std::vector<int> walked_by_location(const Bsp& bsp, const model::Rayo& rayo, Visits& visits) {
   std::vector<int> leaves;
   bsp.walk_by_location(
-      Line(trace::Ray(rayo)),
-      [&](std::size_t leaf, const Crossing&) { return leaves.push_back(static_cast<int>(leaf)), false; },
+      AxisRay(trace::Ray(rayo)),
+      [&](std::size_t leaf, const PlaneCrossing&) { return leaves.push_back(static_cast<int>(leaf)), false; },
       [&](std::size_t place) { ++visits[place]; });
   return leaves;
 }
@@ -135,10 +135,10 @@ TEST_CASE("every element that a ray meets is visited, once, by both walks of a B
       for (int i = 0; i < 60; ++i) {
         const model::Rayo rayo = random_ray(random);
         std::vector<scene::ElementRef> elements, by_location;
-        accel::Source<Bsp>(bsp).any(trace::Ray(rayo), no_limit,
-                                    [&](scene::ElementRef e) { return elements.push_back(e), false; });
-        accel::Source(bsp).any(trace::Ray(rayo), no_limit,
-                               [&](scene::ElementRef e) { return by_location.push_back(e), false; });
+        accel::CandidateSource<Bsp>(bsp).any(trace::Ray(rayo), no_limit,
+                                             [&](scene::ElementRef e) { return elements.push_back(e), false; });
+        accel::CandidateSource(bsp).any(trace::Ray(rayo), no_limit,
+                                        [&](scene::ElementRef e) { return by_location.push_back(e), false; });
         REQUIRE(elements == by_location);
         std::ranges::sort(elements);
         REQUIRE(std::ranges::adjacent_find(elements) == elements.end());

@@ -35,7 +35,7 @@ void check(const Classification& lists, const model::Rayo& rayo, Work& work) {
   lists.scene().for_each([&](ElementRef e, const auto&) {
     if (search.blocks(e) && !met.contains(e)) FAIL(lists.scene().name(e).name() << " is met and not handed over");
   });
-  if (first_hit_among(accel::Source(lists), rayo, {}, unseen) != trace::first_hit(lists.scene(), rayo))
+  if (first_hit_among(accel::CandidateSource(lists), rayo, {}, unseen) != trace::first_hit(lists.scene(), rayo))
     FAIL("another first hit");
 }
 

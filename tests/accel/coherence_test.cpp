@@ -94,7 +94,7 @@ TEST_CASE("no point of the one ball is nearer to one of the other than the bound
   for (int i = 0; i < 1000; ++i) {
     const Ball from{random.in_cube(1), random.uniform(0.1, 1)}, to{random.in_cube(6), random.uniform(0.1, 1)};
     const double gap = glm::length(to.centre - from.centre) - from.radius - to.radius;
-    const accel::Seen seen = accel::seen_from_within(from, to);
+    const accel::ApparentBall seen = accel::seen_from_within(from, to);
     CHECK(seen.around == !(gap > 1e-12));
     if (seen.around) continue;
     CHECK(seen.near <= gap);

@@ -8,12 +8,12 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Place;
+using accel::CubePoint;
 using accel::Square;
 
 namespace {
 
-bool holds(const Square& square, const Place& place) {
+bool holds(const Square& square, const CubePoint& place) {
   const auto between = [&](double least, double x) {
     return least <= x && (x < least + square.side || (x == 1 && least + square.side == 1));
   };
@@ -33,7 +33,7 @@ glm::dvec3 random_direction(conform::Random& random, int number) {
 static void check_quarters(int directions) {
   conform::Random random(1);
   for (int i = 0; i < directions; ++i) {
-    const Place place = accel::place_of(random_direction(random, i));
+    const CubePoint place = accel::place_of(random_direction(random, i));
     Square square = accel::whole(place.face);
     for (int depth = 0; depth < 12; ++depth) {
       const std::uint32_t chosen = accel::quarter_of(square, place);
@@ -53,21 +53,21 @@ TEST_CASE("each of ten million directions lies in exactly one square, at any dep
 }
 
 TEST_CASE("faces are those of the greatest component, the first of equal ones") {
-  CHECK(accel::place_of({2, 1, -1}) == Place{0, 0.5, -0.5});
-  CHECK(accel::place_of({-2, 1, -1}) == Place{1, 0.5, -0.5});
-  CHECK(accel::place_of({1, 2, -1}) == Place{2, -0.5, 0.5});
-  CHECK(accel::place_of({1, -2, -1}) == Place{3, -0.5, 0.5});
-  CHECK(accel::place_of({1, -1, 2}) == Place{4, 0.5, -0.5});
-  CHECK(accel::place_of({1, -1, -2}) == Place{5, 0.5, -0.5});
-  CHECK(accel::place_of({-3, 3, -3}) == Place{1, 1, -1});
-  CHECK(accel::place_of({0, 3, -3}) == Place{2, -1, 0});
+  CHECK(accel::place_of({2, 1, -1}) == CubePoint{0, 0.5, -0.5});
+  CHECK(accel::place_of({-2, 1, -1}) == CubePoint{1, 0.5, -0.5});
+  CHECK(accel::place_of({1, 2, -1}) == CubePoint{2, -0.5, 0.5});
+  CHECK(accel::place_of({1, -2, -1}) == CubePoint{3, -0.5, 0.5});
+  CHECK(accel::place_of({1, -1, 2}) == CubePoint{4, 0.5, -0.5});
+  CHECK(accel::place_of({1, -1, -2}) == CubePoint{5, 0.5, -0.5});
+  CHECK(accel::place_of({-3, 3, -3}) == CubePoint{1, 1, -1});
+  CHECK(accel::place_of({0, 3, -3}) == CubePoint{2, -1, 0});
 }
 
 TEST_CASE("a dyadic place is the place of its direction") {
   for (std::uint32_t face = 0; face < 6; ++face)
     for (double u = -1 + 0x1p-4; u < 1; u += 0x1p-4)
       for (double v = -1 + 0x1p-4; v < 1; v += 0x1p-4) {
-        const Place place{face, u, v};
+        const CubePoint place{face, u, v};
         CHECK(accel::place_of(accel::direction_of(place)) == place);
         CHECK(accel::place_of(accel::direction_of(place) * 0x1.8p7) == place);
       }
@@ -79,11 +79,11 @@ TEST_CASE("the cone of a square holds its directions, and little more") {
     const glm::dvec3 direction = random_direction(random, i);
     Square square = accel::whole(accel::place_of(direction).face);
     for (int depth = 0; depth < 9; ++depth) {
-      const accel::Cone cone = accel::cone_of(square, 0);
+      const accel::DirectionCone cone = accel::cone_of(square, 0);
       const double at = accel::cosine_between(cone.axis, accel::direction(direction));
       if (!(at >= cone.cosine)) FAIL(i << " at depth " << depth);
       if (depth > 0 && !(std::acos(cone.cosine) < 1.5 * square.side)) FAIL("the cone is wide at depth " << depth);
-      const accel::Cone wider = accel::cone_of(square, 0x1p-10);
+      const accel::DirectionCone wider = accel::cone_of(square, 0x1p-10);
       if (!(std::acos(wider.cosine) - std::acos(cone.cosine) > 0x1.fp-11)) FAIL("no wider at depth " << depth);
       square = accel::quarter(square, accel::quarter_of(square, accel::place_of(direction)));
     }

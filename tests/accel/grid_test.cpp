@@ -209,7 +209,7 @@ TEST_CASE("a hit outside the current cell does not end the walk") {
   CHECK(visited(grid, rayo, work) == std::vector{wall, ball});
   trace::Counts unseen;
   CHECK(surface::exact::reach(scene, wall, rayo).count == 1);
-  CHECK(trace::first_hit_among(accel::Source(grid), rayo, {}, unseen).elementos == scene::ElementSet{ball});
+  CHECK(trace::first_hit_among(accel::CandidateSource(grid), rayo, {}, unseen).elementos == scene::ElementSet{ball});
 }
 
 TEST_CASE("cells that begin beyond the limit are passed over, and no cell before it") {

@@ -138,7 +138,7 @@ TEST_CASE("rays that are none of the camera's, and those that start on elements,
   CHECK_FALSE(cells({model::Punto(0, 0, 0x1p-60), middle.v()}));
   std::vector<ElementRef> met;
   const auto visit = [&](ElementRef e) { return met.push_back(e), false; };
-  accel::Source(buffer).any(
+  accel::CandidateSource(buffer).any(
       trace::Ray(middle), [] { return trace::no_limit; }, visit);
   CHECK(met == std::vector{near, ElementRef{near.tipo, 1}});  // once each, where the limit does not fall
   Work work;

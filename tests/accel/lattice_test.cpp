@@ -8,19 +8,19 @@
 using namespace durero;
 using namespace durero::test;
 using accel::Cell;
-using accel::Crossing;
 using accel::Lattice;
+using accel::PlaneCrossing;
 
 namespace {
 
 struct Walked {
   std::vector<Cell> cells;
-  std::vector<Crossing> events;
+  std::vector<PlaneCrossing> events;
 };
 
 Walked walked(const model::Rayo& rayo, const Lattice& lattice) {
   Walked result;
-  walk(accel::Line(trace::Ray(rayo)), lattice, [&](const Cell& cell, const Crossing& event) {
+  walk(accel::AxisRay(trace::Ray(rayo)), lattice, [&](const Cell& cell, const PlaneCrossing& event) {
     result.cells.push_back(cell);
     result.events.push_back(event);
     return false;
@@ -97,7 +97,7 @@ TEST_CASE("steps are no more than there are planes to cross, and cells are enter
   for (int i = 0; i < 500; ++i) {
     const model::Rayo rayo = drawn(random, sixths);
     const Walked subject = walked(rayo, sixths);
-    const accel::Line line{trace::Ray(rayo)};
+    const accel::AxisRay line{trace::Ray(rayo)};
     CHECK(subject.cells.size() <= 6 + 5 + 4);
     for (std::size_t k = 1; k < subject.events.size(); ++k)
       REQUIRE(line.order(subject.events[k - 1], subject.events[k]) < 0);

@@ -31,7 +31,7 @@ model::Rayo segment(const glm::dvec3& from, const glm::dvec3& light) { return ra
 bool occluded(const LightBuffer& buffer, const model::Rayo& rayo, scene::Origin en = {}) {
   trace::Counts unseen;
   return buffer.is_certainly_occluded(trace::Ray(rayo), en) ||
-         occluded_segment_among(accel::Source(buffer), rayo, en, unseen);
+         occluded_segment_among(accel::CandidateSource(buffer), rayo, en, unseen);
 }
 
 /// Every element that the segment meets is handed over, or a record knows that it is met; what it is, and no other, is
@@ -187,8 +187,8 @@ TEST_CASE("what a sphere covers is in shadow with no test, from where it is cert
   for (const double x : {1.0, 3.5, 4.5, 6.0, 8.0, 12.0})
     for (const double y : {0.0, 0.1, 3.0}) check(scene, buffer, segment({x, y, 0}, {0, 0, 0}));
   std::size_t seen = 0;
-  accel::Source(buffer).any(trace::Ray(segment({3.9, 0.1, 0}, {0, 0, 0})), one,
-                            [&](ElementRef e) { return seen += e.index + 1, false; });
+  accel::CandidateSource(buffer).any(trace::Ray(segment({3.9, 0.1, 0}, {0, 0, 0})), one,
+                                     [&](ElementRef e) { return seen += e.index + 1, false; });
   CHECK(seen == 1);
 }
 

@@ -8,17 +8,17 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Crossing;
-using accel::Line;
+using accel::AxisRay;
+using accel::PlaneCrossing;
 using number::exact;
 
 namespace {
 
-Line line(const glm::dvec3& p, const glm::dvec3& v) { return Line(trace::Ray(ray(p, v))); }
+AxisRay line(const glm::dvec3& p, const glm::dvec3& v) { return AxisRay(trace::Ray(ray(p, v))); }
 
 /// By fractions.
-int order(const glm::dvec3& p, const glm::dvec3& v, const Crossing& a, const Crossing& b) {
-  const auto t = [&](const Crossing& c) {
+int order(const glm::dvec3& p, const glm::dvec3& v, const PlaneCrossing& a, const PlaneCrossing& b) {
+  const auto t = [&](const PlaneCrossing& c) {
     return number::Rational((exact(c.plane) - exact(p[c.axis])) / exact(v[c.axis]));
   };
   const int by_t = number::sign(number::Rational(t(a) - t(b)));
@@ -37,11 +37,11 @@ TEST_CASE("crossings come in the order of their parameters, also where these are
     glm::dvec3 p = corner + far * way;
     const glm::dvec3 v = scale * way;
     if (p.x != 0 && random.chance(1, 3)) p.x = std::nextafter(p.x, random.sign() * 100);
-    const Line subject = line(p, v);
+    const AxisRay subject = line(p, v);
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) {
         if (v[a] == 0 || v[b] == 0) continue;
-        const Crossing one = subject.crossing(a, corner[a]), other = subject.crossing(b, corner[b]);
+        const PlaneCrossing one = subject.crossing(a, corner[a]), other = subject.crossing(b, corner[b]);
         REQUIRE(subject.order(one, other) == order(p, v, one, other));
         if (a != b && subject.order(one, other) == 0) ++ties;
         if (a != b && one.backwards != other.backwards && one.t == other.t) ++unlike;
@@ -55,7 +55,7 @@ TEST_CASE("a crossing is computed within four units of the last place, as its or
   conform::Random random(2);
   for (int i = 0; i < 2000; ++i) {
     const double p = random.number(-60, 60), v = random.number(-60, 60), plane = random.number(-60, 60);
-    const Crossing crossing = line({p, 0, 0}, {v, 1, 1}).crossing(0, plane);
+    const PlaneCrossing crossing = line({p, 0, 0}, {v, 1, 1}).crossing(0, plane);
     const number::Rational t = (exact(plane) - exact(p)) / exact(v),
                            error = abs(number::Rational(exact(crossing.t) - t));
     REQUIRE(error <= exact(0x1p-51) * abs(exact(crossing.t)));
@@ -64,22 +64,22 @@ TEST_CASE("a crossing is computed within four units of the last place, as its or
 
 TEST_CASE("a ray along a plane is above it or below it, and crosses it never") {
   for (const double zero : {0.0, -0.0}) {
-    const Line subject = line({0, 1, 2}, {1, zero, 0});
-    for (const Crossing& event : {subject.start(), subject.crossing(0, 5), subject.crossing(0, 0x1p100)}) {
+    const AxisRay subject = line({0, 1, 2}, {1, zero, 0});
+    for (const PlaneCrossing& event : {subject.start(), subject.crossing(0, 5), subject.crossing(0, 0x1p100)}) {
       CHECK(subject.above(1, 1, event));
       CHECK(subject.above(1, 0.5, event));
       CHECK_FALSE(subject.above(1, 1.5, event));
       CHECK(subject.order(subject.crossing(1, 1.5), event) > 0);
-      CHECK(subject.order(event, Line::end()) < 0);
+      CHECK(subject.order(event, AxisRay::end()) < 0);
     }
     CHECK(subject.order(subject.crossing(1, 7), subject.crossing(2, 8)) == 0);
-    CHECK(subject.order(subject.crossing(1, 7), Line::end()) < 0);
+    CHECK(subject.order(subject.crossing(1, 7), AxisRay::end()) < 0);
   }
 }
 
 TEST_CASE("in a plane a forward ray is above it, and a backward one is until right after") {
-  const Line subject = line({0, 0, 0}, {1, -1, 0});
-  const Crossing forward = subject.crossing(0, 1), backward = subject.crossing(1, -1);
+  const AxisRay subject = line({0, 0, 0}, {1, -1, 0});
+  const PlaneCrossing forward = subject.crossing(0, 1), backward = subject.crossing(1, -1);
   CHECK(subject.order(forward, backward) < 0);
   CHECK(subject.above(0, 1, forward));
   CHECK(subject.above(1, -1, forward));
@@ -89,10 +89,10 @@ TEST_CASE("in a plane a forward ray is above it, and a backward one is until rig
 }
 
 TEST_CASE("what begins beyond the limit is passed over only where it surely does") {
-  const Line subject = line({0, 0, 0}, {3, 1, 1});
-  const Crossing third = subject.crossing(0, 1);
-  CHECK_FALSE(Line::beyond(third, std::nextafter(1.0 / 3, 0.0)));
-  CHECK_FALSE(Line::beyond(third, 1.0 / 3));
-  CHECK(Line::beyond(third, 0.333));
-  CHECK_FALSE(Line::beyond(subject.start(), 0));
+  const AxisRay subject = line({0, 0, 0}, {3, 1, 1});
+  const PlaneCrossing third = subject.crossing(0, 1);
+  CHECK_FALSE(AxisRay::beyond(third, std::nextafter(1.0 / 3, 0.0)));
+  CHECK_FALSE(AxisRay::beyond(third, 1.0 / 3));
+  CHECK(AxisRay::beyond(third, 0.333));
+  CHECK_FALSE(AxisRay::beyond(subject.start(), 0));
 }

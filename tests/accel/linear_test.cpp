@@ -11,7 +11,7 @@ TEST_CASE("without a structure every ball is tried, and what a ray may meet is h
   for (int z = 5; z < 15; z += 3) add(scene, scene::Sphere{{0, 0, double(z)}, 1});
   add(scene, scene::Sphere{{9, 0, 5}, 1});
   add(scene, scene::Sphere{{0, 0, 0}, 1e300});
-  const accel::Linear linear(scene);
+  const accel::LinearList linear(scene);
   CHECK(linear.size() == accel::Size{.elements = 5, .apart = 1, .bytes = 5 * 40 + 8});
   accel::Work work;
   std::size_t seen = 0;

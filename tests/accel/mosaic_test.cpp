@@ -209,7 +209,7 @@ TEST_CASE("what a ray meets lies in a cube of the mosaic, and no farther than th
       if (first == met.end() || !first->segment.begin) continue;
       ++hits;
       std::size_t cubes = 0, holding = 0;
-      accel::walk(accel::Line(trace::Ray(rayo)), finest, [&](const accel::Cell& cell, const accel::Crossing&) {
+      accel::walk(accel::AxisRay(trace::Ray(rayo)), finest, [&](const accel::Cell& cell, const accel::PlaneCrossing&) {
         const auto found = filled.find(finest.number(cell));
         if (found == filled.end()) return false;
         ++cubes;

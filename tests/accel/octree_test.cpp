@@ -16,9 +16,9 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Crossing;
-using accel::Line;
+using accel::AxisRay;
 using accel::Octree;
+using accel::PlaneCrossing;
 using accel::Work;
 
 static_assert(accel::Structure<Octree> && accel::Structure<accel::OctreeByLocation>);
@@ -37,8 +37,8 @@ std::vector<int> walked(const Octree& octree, const model::Rayo& rayo, std::arra
   std::vector<int> leaves;
   Work work;
   octree.walk(
-      Line(trace::Ray(rayo)),
-      [&](std::size_t leaf, const Crossing&) {
+      AxisRay(trace::Ray(rayo)),
+      [&](std::size_t leaf, const PlaneCrossing&) {
         leaves.push_back(static_cast<int>(leaf));
         return false;
       },
@@ -50,8 +50,8 @@ std::vector<int> walked_by_location(const Octree& octree, const model::Rayo& ray
   std::vector<int> leaves;
   Work work;
   octree.walk_by_location(
-      Line(trace::Ray(rayo)),
-      [&](std::size_t leaf, const Crossing&) {
+      AxisRay(trace::Ray(rayo)),
+      [&](std::size_t leaf, const PlaneCrossing&) {
         leaves.push_back(static_cast<int>(leaf));
         return false;
       },
@@ -255,10 +255,10 @@ TEST_CASE("every element that a ray meets is visited, once, by both") {
     for (int i = 0; i < 60; ++i) {
       const model::Rayo rayo = random_ray(random);
       std::vector<scene::ElementRef> elements, by_location;
-      accel::Source<Octree>(octree).any(trace::Ray(rayo), no_limit,
-                                        [&](scene::ElementRef e) { return elements.push_back(e), false; });
-      accel::Source(octree).any(trace::Ray(rayo), no_limit,
-                                [&](scene::ElementRef e) { return by_location.push_back(e), false; });
+      accel::CandidateSource<Octree>(octree).any(trace::Ray(rayo), no_limit,
+                                                 [&](scene::ElementRef e) { return elements.push_back(e), false; });
+      accel::CandidateSource(octree).any(trace::Ray(rayo), no_limit,
+                                         [&](scene::ElementRef e) { return by_location.push_back(e), false; });
       REQUIRE(elements == by_location);
       std::ranges::sort(elements);
       REQUIRE(std::ranges::adjacent_find(elements) == elements.end());

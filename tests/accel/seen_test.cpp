@@ -9,8 +9,8 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Cone;
-using accel::Seen;
+using accel::ApparentBall;
+using accel::DirectionCone;
 using surface::Ball;
 
 TEST_CASE("from within a ball it is seen everywhere, from outside where it lies") {
@@ -18,7 +18,7 @@ TEST_CASE("from within a ball it is seen everywhere, from outside where it lies"
   CHECK(accel::seen({{1, 2, 3}, 1}, {1, 3, 3}).around);
   CHECK(accel::seen({{1, 2, 3}, HUGE_VAL}, {0, 0, 0}).around);
   CHECK(accel::seen({{1, 2, 3}, 0}, {1, 2, 3}).around);
-  const Seen ball = accel::seen({{4, 0, 0}, 2}, {0, 0, 0});
+  const ApparentBall ball = accel::seen({{4, 0, 0}, 2}, {0, 0, 0});
   CHECK_FALSE(ball.around);
   CHECK(ball.towards == glm::dvec3(1, 0, 0));
   CHECK(ball.sine == Approx(0.5));
@@ -35,8 +35,8 @@ TEST_CASE("a ball in whose direction a cone has a direction is seen in the cone"
     const glm::dvec3 from = random.in_cube(2), middle = random.in_cube(4);
     const Ball ball{middle, random.uniform(0.01, 1.5)};
     const double angle = random.uniform(0.001, 1.5);
-    const Cone cone = accel::cone(random.direction(), std::cos(angle), 0);
-    const Seen as_seen = accel::seen(ball, from);
+    const DirectionCone cone = accel::cone(random.direction(), std::cos(angle), 0);
+    const ApparentBall as_seen = accel::seen(ball, from);
     const glm::dvec3 point = middle + random.direction() * ball.radius * 0.999999;
     const double away = std::acos(accel::cosine_between(cone.axis, accel::direction(point - from)));
     if (away < angle && !accel::may_be_seen(as_seen, cone)) FAIL("missed: " << i);
@@ -52,7 +52,7 @@ TEST_CASE("a ball in whose direction a cone has a direction is seen in the cone"
 }
 
 TEST_CASE("a cone is covered where all of it is within an angle of the centre") {
-  const Seen ball = accel::seen({{2, 0, 0}, 1}, {0, 0, 0});  // 30° about the axis
+  const ApparentBall ball = accel::seen({{2, 0, 0}, 1}, {0, 0, 0});  // 30° about the axis
   CHECK(is_covered(accel::cone({1, 0, 0}, std::cos(0.5), 0), ball, 0.5));
   CHECK_FALSE(is_covered(accel::cone({1, 0, 0}, std::cos(0.53), 0), ball, 0.5));
   CHECK_FALSE(is_covered(accel::cone({1, 0.1, 0}, std::cos(0.5), 0), ball, 0.5));

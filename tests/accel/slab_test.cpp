@@ -14,14 +14,14 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const surface::Box unit{{-1, -1, -1}, {1, 1, 1}};
 
-accel::Stretch of(const glm::dvec3& p, const glm::dvec3& v, double limit = infinity) {
+accel::BoxInterval of(const glm::dvec3& p, const glm::dvec3& v, double limit = infinity) {
   return stretch(unit, accel::Beam(trace::Ray(ray(p, v))), limit);
 }
 
 }  // namespace
 
 TEST_CASE("a box is entered and left where its planes are crossed") {
-  const accel::Stretch through = of({-3, 0, 0}, {1, 0, 0});
+  const accel::BoxInterval through = of({-3, 0, 0}, {1, 0, 0});
   CHECK(through.entry == 2);
   CHECK(through.exit == 4);
   CHECK(through.meets());

@@ -21,10 +21,10 @@ struct Uncounted {
 }  // namespace
 
 TEST_CASE("a structure counts, and is a source of candidates for who asks what it does and who does not") {
-  STATIC_REQUIRE(accel::Structure<accel::Linear>);
-  STATIC_REQUIRE_FALSE(trace::Candidates<accel::Linear>);
-  STATIC_REQUIRE(trace::Candidates<accel::Source<accel::Linear>>);
-  STATIC_REQUIRE(trace::Candidates<accel::Counted<accel::Linear>>);
+  STATIC_REQUIRE(accel::Structure<accel::LinearList>);
+  STATIC_REQUIRE_FALSE(trace::Candidates<accel::LinearList>);
+  STATIC_REQUIRE(trace::Candidates<accel::CandidateSource<accel::LinearList>>);
+  STATIC_REQUIRE(trace::Candidates<accel::Counted<accel::LinearList>>);
   STATIC_REQUIRE(trace::Candidates<Uncounted>);
   STATIC_REQUIRE_FALSE(accel::Structure<Uncounted>);
 }
@@ -32,7 +32,7 @@ TEST_CASE("a structure counts, and is a source of candidates for who asks what i
 TEST_CASE("rays are counted, and those for which nothing is left to test") {
   scene::Scene scene;
   const scene::ElementRef ball = add(scene, scene::Sphere{{0, 0, 5}, 1});
-  const accel::Linear linear(scene);
+  const accel::LinearList linear(scene);
   accel::Work work;
   trace::Counts unseen;
   const accel::Counted counted(linear, work);
@@ -41,5 +41,6 @@ TEST_CASE("rays are counted, and those for which nothing is left to test") {
   CHECK(work == accel::Work{.rays = 1, .volumes = 1, .candidates = 1});
   CHECK(trace::first_hit_among(counted, aside, {}, unseen).elementos.empty());
   CHECK(work == accel::Work{.rays = 2, .volumes = 2, .candidates = 1, .untested = 1});
-  CHECK(trace::first_hit_among(accel::Source(linear), forwards, {}, unseen).elementos == scene::ElementSet{ball});
+  CHECK(trace::first_hit_among(accel::CandidateSource(linear), forwards, {}, unseen).elementos ==
+        scene::ElementSet{ball});
 }

@@ -16,7 +16,7 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Kind;
+using accel::VolumeKind;
 using accel::Volumes;
 using accel::Work;
 
@@ -53,7 +53,7 @@ TEST_CASE("answers depend on no kind; more slabs never let more elements through
   std::vector<model::Rayo> rays;
   for (std::size_t i = 0; i < fewer_when_sanitized(1000); ++i) rays.push_back(random_ray(random));
   std::vector<std::uint64_t> m;
-  for (const Kind& kind : accel::kinds()) {
+  for (const VolumeKind& kind : accel::kinds()) {
     const Volumes volumes(scene, kind);
     Work work;
     for (const model::Rayo& rayo : rays) REQUIRE(first_hit(volumes, rayo, work) == trace::first_hit(scene, rayo));
@@ -70,7 +70,7 @@ TEST_CASE("answers depend on no kind; more slabs never let more elements through
 TEST_CASE("composed volumes give the same answers: an intersection lets through what both would, a union either") {
   Random random(3);
   const scene::Scene scene = random_scene(random, 100);
-  const Kind &ball = accel::kinds()[0], &oriented = accel::kinds()[2];
+  const VolumeKind &ball = accel::kinds()[0], &oriented = accel::kinds()[2];
   const Volumes balls(scene, ball), boxes(scene, oriented);
   Volumes all(scene, ball), any(scene, ball);
   for (std::size_t i = 0; i < all.bounded().size(); ++i) {
@@ -102,10 +102,10 @@ double counted_cost(const Volumes& volumes, std::size_t lines) {
   for (std::size_t i = 0; i < lines; ++i) {
     const glm::dvec3 along = glm::normalize(random.direction()), through = random.in_cube(1);
     const trace::Ray line(model::Rayo{model::Punto(through - 100.0 * along), model::Vector(along)});
-    const accel::Asked asked(line, accel::most_slabs);
+    const accel::PrecomputedRay asked(line, accel::most_slabs);
     for (const auto& [element, volume] : volumes.bounded()) {
       Work work;
-      if (verdict(volume, asked, trace::no_limit, work) == accel::Verdict::met) sum += accel::I;
+      if (verdict(volume, asked, trace::no_limit, work) == accel::VolumeTest::met) sum += accel::I;
       for (std::size_t k = 0; k < work.volumes; ++k) sum += kind_of(volume.parts[k]).B;
     }
   }
@@ -132,7 +132,7 @@ TEST_CASE("with what is chosen a scene costs less than with the best kind for al
   CHECK(made.contains("box ∩ ellipsoid"));
   const std::size_t lines = fewer_when_sanitized(4000);
   double best = trace::no_limit;
-  for (const Kind& kind : accel::kinds()) {
+  for (const VolumeKind& kind : accel::kinds()) {
     const double cost = counted_cost(Volumes(mixed, kind), lines);
     UNSCOPED_INFO(kind.name << ": " << cost);
     best = std::min(best, cost);

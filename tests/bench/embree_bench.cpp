@@ -412,7 +412,7 @@ struct Asking {
 void run(RTCDevice device, std::size_t n, const Asking& asking) {
   Scenes scenes = made(n);
   std::unique_ptr<const engine::Engine> fast;
-  const engine::Row* row = engine::find("fast");
+  const engine::EngineRow* row = engine::find("fast");
   std::unique_ptr<Embree> native, callbacks;
   double building = HUGE_VAL, native_building = HUGE_VAL, callbacks_building = HUGE_VAL;
   for (int turn = 0; turn < turns; ++turn) {

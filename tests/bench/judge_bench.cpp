@@ -18,7 +18,7 @@ constexpr std::size_t rays_a_case = conform::rays_of_a_case;
 
 constexpr std::uint64_t case_count = 64;
 
-conform::SuiteCase answered_case(std::uint64_t number, conform::Format numbers) {
+conform::SuiteCase answered_case(std::uint64_t number, conform::NumberFormat numbers) {
   const conform::SuiteOptions options{.rays = case_count * rays_a_case, .numbers = numbers};
   conform::SuiteCase of = conform::suite_case(options, *conform::find_family("generic"), number);
   conform::answer(of);
@@ -29,7 +29,7 @@ const std::vector<conform::SuiteCase>& generic_cases() {
   static const std::vector<conform::SuiteCase> cases = [] {
     std::vector<conform::SuiteCase> drawn;
     for (std::uint64_t number = 0; number < case_count; ++number)
-      drawn.push_back(answered_case(number, conform::Format::binary32));
+      drawn.push_back(answered_case(number, conform::NumberFormat::binary32));
     return drawn;
   }();
   return cases;
@@ -39,7 +39,7 @@ void count_rays(benchmark::State& state, std::size_t rays) {
   state.counters["rays/s"] = benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
 }
 
-void make(benchmark::State& state, conform::Format numbers) {
+void make(benchmark::State& state, conform::NumberFormat numbers) {
   std::uint64_t number = 0;
   for (auto _ : state) benchmark::DoNotOptimize(answered_case(number++ % case_count, numbers));
   count_rays(state, number * rays_a_case);
@@ -55,14 +55,14 @@ std::vector<conform::Claim> claims_of(const conform::SuiteCase& of) {
 
 /// The tracer's own time is outside.
 template <class N>
-void make_and_judge(benchmark::State& state, conform::Format format) {
+void make_and_judge(benchmark::State& state, conform::NumberFormat format) {
   const conform::Profile profile = test::wide_profile(format);
   std::vector<std::vector<conform::Claim>> claims;
   for (const conform::SuiteCase& of : generic_cases()) claims.push_back(claims_of<N>(of));
   std::uint64_t number = 0;
   for (auto _ : state) {
     const std::uint64_t place = number++ % case_count;
-    const conform::SuiteCase of = answered_case(place, conform::Format::binary32);
+    const conform::SuiteCase of = answered_case(place, conform::NumberFormat::binary32);
     for (std::size_t ray = 0; ray < rays_a_case; ++ray)
       benchmark::DoNotOptimize(conform::judge(of, ray, claims[place][ray], profile));
   }
@@ -71,7 +71,7 @@ void make_and_judge(benchmark::State& state, conform::Format format) {
 
 /// change(claim) of every claim of a right tracer, judged over and over. Without a change each must be right.
 template <class N, class Change>
-void judge_all(benchmark::State& state, conform::Format format, bool are_right, Change change) {
+void judge_all(benchmark::State& state, conform::NumberFormat format, bool are_right, Change change) {
   const conform::Profile profile = test::wide_profile(format);
   std::vector<std::vector<conform::Claim>> claims;
   for (const conform::SuiteCase& of : generic_cases()) {
@@ -81,7 +81,7 @@ void judge_all(benchmark::State& state, conform::Format format, bool are_right, 
   std::size_t judged = 0;
   for (auto _ : state) {
     const std::size_t place = judged / rays_a_case % claims.size(), ray = judged % rays_a_case;
-    const conform::Judgement judgement = conform::judge(generic_cases()[place], ray, claims[place][ray], profile);
+    const conform::ClaimJudgement judgement = conform::judge(generic_cases()[place], ray, claims[place][ray], profile);
     if (are_right && judgement.verdict > conform::Verdict::right) throw std::logic_error("a right tracer is off");
     benchmark::DoNotOptimize(judgement);
     ++judged;
@@ -95,13 +95,15 @@ conform::Claim off(conform::Claim claim) {
   return claim;
 }
 
-void right_binary64(benchmark::State& state) { judge_all<double>(state, conform::Format::binary64, true, same); }
-void right_binary32(benchmark::State& state) { judge_all<float>(state, conform::Format::binary32, true, same); }
-void off_binary64(benchmark::State& state) { judge_all<double>(state, conform::Format::binary64, false, off); }
-void make_binary64(benchmark::State& state) { make(state, conform::Format::binary64); }
-void make_binary32(benchmark::State& state) { make(state, conform::Format::binary32); }
-void make_and_judge_binary64(benchmark::State& state) { make_and_judge<double>(state, conform::Format::binary64); }
-void make_and_judge_binary32(benchmark::State& state) { make_and_judge<float>(state, conform::Format::binary32); }
+void right_binary64(benchmark::State& state) { judge_all<double>(state, conform::NumberFormat::binary64, true, same); }
+void right_binary32(benchmark::State& state) { judge_all<float>(state, conform::NumberFormat::binary32, true, same); }
+void off_binary64(benchmark::State& state) { judge_all<double>(state, conform::NumberFormat::binary64, false, off); }
+void make_binary64(benchmark::State& state) { make(state, conform::NumberFormat::binary64); }
+void make_binary32(benchmark::State& state) { make(state, conform::NumberFormat::binary32); }
+void make_and_judge_binary64(benchmark::State& state) {
+  make_and_judge<double>(state, conform::NumberFormat::binary64);
+}
+void make_and_judge_binary32(benchmark::State& state) { make_and_judge<float>(state, conform::NumberFormat::binary32); }
 BENCHMARK(make_binary64);
 BENCHMARK(make_binary32);
 BENCHMARK(make_and_judge_binary64);

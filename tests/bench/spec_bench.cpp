@@ -24,7 +24,7 @@ struct Transition {
   model::Escena before, after;
   model::Operation operation;
   model::Respuesta r;
-  oracle::spec::Step step() const { return {before, operation, r, after}; }
+  oracle::spec::OperationStep step() const { return {before, operation, r, after}; }
 };
 
 Transition addition_to_ten() {

@@ -57,11 +57,11 @@ struct Writer {
 };
 
 template <class T>
-HWY_ATTR void write_quantities(const Quadratic<T>& f, Writer put) {
+HWY_ATTR void write_quantities(const BoundedQuadratic<T>& f, Writer put) {
   put(f.A), put(f.B), put(f.C), put(f.F), put(f.H);
   put(f.A_error), put(f.B_error), put(f.C_error);
   put(f.s0), put(f.s1), put(f.margin), put(f.margin_error);
-  const Known<T> S = root_of_discriminant(f);
+  const Approximation<T> S = root_of_discriminant(f);
   const Stable<T> sum = stable_sum(f, S);
   put(S.value), put(S.error), put(sum.q.value), put(sum.q.error);
   const Root<T> of_A = quotient(sum.q.value, sum.q.error, f.A, f.A_error);

@@ -13,9 +13,9 @@
 namespace durero::test {
 
 namespace steps = trace::HWY_NAMESPACE;
-using trace::Finding;
+using trace::Decision;
 using trace::Ray;
-using trace::Verdict;
+using trace::RootEstimate;
 
 inline Dyadic exact(double x) { return x; }
 inline Dyadic exact(const steps::DoubleDouble& x) { return Dyadic(x.hi) + Dyadic(x.lo); }
@@ -36,7 +36,7 @@ class Measurement {
   Ratios ratios() && {
     closed_form<double>("triage");
     closed_form<steps::DoubleDouble>("stable");
-    const Finding first = triage(shape_, traced_, on_), second = stable(shape_, traced_, on_);
+    const RootEstimate first = triage(shape_, traced_, on_), second = stable(shape_, traced_, on_);
     if (is_right_hit("triage", first)) improvement(first);
     if (is_right_hit("stable", second)) rounding("stable", second);
     if (!on_) in_lanes();
@@ -107,9 +107,9 @@ class Measurement {
   }
 
   /// The answer of a whole step, a hit or a miss, must be the exact one. Whether it is a hit, and right.
-  bool is_right_hit(std::string_view step, const Finding& finding) {
-    if (finding.verdict == Verdict::undecided) return false;
-    const bool hit = finding.verdict == Verdict::hit;
+  bool is_right_hit(std::string_view step, const RootEstimate& finding) {
+    if (finding.verdict == Decision::undecided) return false;
+    const bool hit = finding.verdict == Decision::hit;
     const bool right = hit ? !reach_.empty() && !reach_.no_minimum() : reach_.empty();
     note(step, "t", !right ? wrong : !hit ? 0 : of_t(finding));
     if (!hit || !right) return false;
@@ -125,7 +125,7 @@ class Measurement {
     note(step, "A of the slope", ratio(Dyadic(computed.A) - exact_.A, computed.A_error));
   }
 
-  double of_t(const Finding& finding) const {
+  double of_t(const RootEstimate& finding) const {
     return fraction(reach_.first()).ratio(Dyadic(finding.hi) + Dyadic(finding.lo), finding.error);
   }
 
@@ -134,7 +134,7 @@ class Measurement {
     for (std::size_t lane = 0; lane < trace::Packet::size; ++lane) packet.set(lane, traced_, shape_);
     trace::Findings findings;
     triage(packet, tipo, findings);
-    const Finding finding = findings[trace::Packet::size - 1];
+    const RootEstimate finding = findings[trace::Packet::size - 1];
     if (!is_right_hit("lanes", finding)) return;
     trace::RoundedPacket rounded;
     improve_and_round(packet, tipo, findings, rounded);
@@ -158,26 +158,26 @@ class Measurement {
          ratio(on_the_way.n, magnitude((end - hi) * on_the_way.w)));
   }
 
-  void improvement(const Finding& first) {
+  void improvement(const RootEstimate& first) {
     const auto f = steps::quadratic_at(first.hi, shape_, traced_, on_);
     Exact from = exact_;
     if (on_) from.C = Dyadic();
     note("improved", "potencia", ratio(exact(f.value) - from.quadratic(first.hi), f.error));
-    const Finding better = improved(shape_, traced_, on_, first);
-    if (better.verdict != Verdict::hit) return;
+    const RootEstimate better = improved(shape_, traced_, on_, first);
+    if (better.verdict != Decision::hit) return;
     note("improved", "t", of_t(better));
     rounding("improved", better);
   }
 
   /// The coordinates of the point, and what is said to be certain of them.
-  void rounding(std::string_view step, const Finding& finding) {
+  void rounding(std::string_view step, const RootEstimate& finding) {
     const Fraction t = fraction(reach_.first());
     for (int axis = 0; axis < 3; ++axis) {
       const auto at =
           steps::coordinate<double>(traced_.p[axis], traced_.v[axis], {finding.hi, finding.lo}, finding.error);
       note(step, "point", t.linear(traced_.p[axis], traced_.v[axis]).ratio(exact(at.value), at.error));
     }
-    const trace::Rounded once = rounded(shape_, traced_, finding);
+    const trace::RoundedPoint once = rounded(shape_, traced_, finding);
     if (once.certain) rounded_right(step, once.t, once.punto);
   }
 

@@ -131,7 +131,7 @@ TEST_CASE("no ray passes between triangles that share an edge, however near to t
 TEST_CASE("no ray leaves a closed mesh, whatever edge or vertex it goes to, in either format") {
   std::size_t at_vertices = 0;
   const conform::Family& family = *conform::find_family("vertex");
-  for (const conform::Format numbers : {conform::Format::binary32, conform::Format::binary64}) {
+  for (const conform::NumberFormat numbers : {conform::NumberFormat::binary32, conform::NumberFormat::binary64}) {
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       const Case drawn = conform::generate(family, seed, 60, {.numbers = numbers})->the_case;
       const std::vector<scene::Hit> hits = trace::first_hits(trace::Tables(drawn.scene), drawn.rays);

@@ -24,7 +24,7 @@ inline conform::SuiteCase sphere_case(const glm::dvec3& p, const glm::dvec3& v) 
 
 inline conform::Finding finding_of(conform::SuiteCase of, const conform::Claim& claim,
                                    const conform::Profile& profile) {
-  const conform::Judgement judgement = conform::judge(of, 0, claim, profile);
+  const conform::ClaimJudgement judgement = conform::judge(of, 0, claim, profile);
   return {std::move(of), 0, claim, judgement};
 }
 

@@ -22,7 +22,7 @@ inline conform::SuiteCase answered_case(const char* family, std::uint64_t number
 }
 
 /// What a right system says: the exact answer; of no minimum, that it hits at 0.
-inline conform::Claim right_claim(const conform::Truth& truth) {
+inline conform::Claim right_claim(const conform::ExactAnswer& truth) {
   using Outcome = conform::Claim::Outcome;
   if (truth.hit.resultado == model::Resultado::miss) return {Outcome::miss};
   if (truth.hit.resultado == model::Resultado::no_minimum) return {Outcome::hit, truth.hit.elementos[0], 0.0, {}};
@@ -31,7 +31,7 @@ inline conform::Claim right_claim(const conform::Truth& truth) {
 
 inline conform::Claims right_claims(const conform::SuiteCase& of) {
   conform::Claims claims;
-  for (const conform::Truth& truth : of.truths) claims.push_back(right_claim(truth));
+  for (const conform::ExactAnswer& truth : of.truths) claims.push_back(right_claim(truth));
   return claims;
 }
 

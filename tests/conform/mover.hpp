@@ -14,8 +14,8 @@
 
 namespace durero::test {
 
-inline double narrowed(double x, conform::Format format) {
-  return format == conform::Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
+inline double narrowed(double x, conform::NumberFormat format) {
+  return format == conform::NumberFormat::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
 
 inline double longest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
@@ -51,10 +51,10 @@ enum class Draw { anywhere, ends, one };
 /// Moves numbers by parts of what is allowed, less the rounding of the sum that each is for.
 class Mover {
  public:
-  Mover(conform::Random& random, conform::Format format, Draw draw, double thickness = 0)
+  Mover(conform::Random& random, conform::NumberFormat format, Draw draw, double thickness = 0)
       : random_(&random),
         draw_(draw),
-        u_(format == conform::Format::binary32 ? 0x1p-20 : 0x1p-49),
+        u_(format == conform::NumberFormat::binary32 ? 0x1p-20 : 0x1p-49),
         thickness_(thickness) {}
 
   /// Where M is the largest magnitude.

@@ -24,7 +24,7 @@ inline conform::SuiteCase answered(const conform::Family& family, conform::Case 
 }
 
 /// Of every type, in that format, with names.
-inline conform::Profile wide_profile(conform::Format format) {
+inline conform::Profile wide_profile(conform::NumberFormat format) {
   conform::Profile profile;
   profile.format = format;
   for (std::size_t i = 0; i < model::tipo_count; ++i) profile.tipos.push_back(static_cast<model::Tipo>(i));
@@ -33,7 +33,7 @@ inline conform::Profile wide_profile(conform::Format format) {
 
 class Perturbation {
  public:
-  Perturbation(std::uint64_t seed, conform::Format format) : random_(seed), format_(format) {}
+  Perturbation(std::uint64_t seed, conform::NumberFormat format) : random_(seed), format_(format) {}
 
   /// The claim that is the exact answer of moved data; nothing where the draw left no element or ray, or left what is
   /// allowed since its answer lies before the distance that it was drawn for.
@@ -132,7 +132,7 @@ class Perturbation {
   }
 
   conform::Random random_;
-  conform::Format format_;
+  conform::NumberFormat format_;
 };
 
 }  // namespace durero::test

@@ -119,7 +119,7 @@ class RightTrace {
   Shape by_ends(const Shape& shape, double M) const {
     const Shape plain = rounded(shape);
     if constexpr (requires { shape.altura; }) {
-      const double most = 0.875 * (tracer_->profile.format == conform::Format::binary32 ? 0x1p-20 : 0x1p-49);
+      const double most = 0.875 * (tracer_->profile.format == conform::NumberFormat::binary32 ? 0x1p-20 : 0x1p-49);
       Shape result = plain;
       const glm::dvec3 along = rounded(shape.centro + shape.altura * shape.vector) - result.centro;
       result.altura = length_of(1, along);

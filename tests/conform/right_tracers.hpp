@@ -107,7 +107,7 @@ inline std::optional<conform::Claim> claim_of(const RightTracer& tracer, std::ve
   conform::Claim claim{.outcome = conform::Claim::Outcome::hit};
   if (tracer.profile.names_elements) claim.element = first->element;
   if (tracer.answers_element && claim.element) return claim;
-  const conform::Format format = tracer.profile.format;
+  const conform::NumberFormat format = tracer.profile.format;
   if (tracer.profile.measure == conform::Measure::point) {
     const glm::dvec3 w =
         first->t ? surface::exact::rounded_hit(first->rayo, *first->t, {first->element}).punto : first->rayo.p().xyz();

@@ -56,7 +56,7 @@ Profile drawn_profile(Random& random, const SuiteCase& of) {
   const scene::Scene& scene = of.the_case.scene;
   const std::vector<double> lengths = sizes(scene);
   Profile profile{.system = "right"};
-  profile.format = static_cast<Format>(random.below(2));
+  profile.format = static_cast<NumberFormat>(random.below(2));
   profile.tipos = tipos_of(scene, random.chance(1, 2));
   profile.caps = random.chance(7, 8) == !of.solids.empty() ? Caps::solid : Caps::open;
   profile.measure = static_cast<Measure>(random.below(3));
@@ -87,7 +87,7 @@ RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
 }
 
 /// Limits at something that is met by the tracer, or by the data given, or beside it, or anywhere.
-void draw_limits(Random& random, RightTracer& tracer, const std::vector<Met>& all, const Truth& truth) {
+void draw_limits(Random& random, RightTracer& tracer, const std::vector<Met>& all, const ExactAnswer& truth) {
   std::vector<double> numbers{std::abs(random.number(-30, 30))};
   for (const Met& met : all) numbers.push_back(distance(tracer, met));
   if (truth.hit.resultado == model::Resultado::hit) numbers.push_back(truth.hit.t);
@@ -147,7 +147,7 @@ void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64
 Judged judge_population(std::uint64_t suite_seed, std::uint64_t cases_of_each, std::size_t tracers) {
   Judged judged;
   std::uint64_t seed = suite_seed << 32U;
-  for (const Format numbers : {Format::binary32, Format::binary64}) {
+  for (const NumberFormat numbers : {NumberFormat::binary32, NumberFormat::binary64}) {
     for (const Caps caps : {Caps::open, Caps::solid}) {
       const SuiteOptions options{
           .seed = suite_seed, .rays = cases_of_each * rays_of_a_case, .caps = caps, .numbers = numbers};

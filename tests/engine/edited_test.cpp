@@ -46,7 +46,7 @@ void check_as_never_edited(const scene::Scene& edited, const accel::Bvh& followe
     queries.push_back(query);
   }
   const auto expected = named(other, engine::first_hits(*engine::find("analytic")->prepare(other), queries));
-  for (const engine::Row& row : engine::engines()) {
+  for (const engine::EngineRow& row : engine::engines()) {
     if (!row.exact_bytes || row.name == "exact") continue;
     INFO(row.name << " over " << edited.size() << " elements");
     REQUIRE(named(edited, engine::first_hits(*row.prepare(edited), queries)) == expected);
@@ -54,7 +54,7 @@ void check_as_never_edited(const scene::Scene& edited, const accel::Bvh& followe
   std::vector<scene::Hit> hits;
   trace::Counts unseen;
   for (const scene::Query& query : queries) {
-    const scene::Hit hit = trace::first_hit_among(accel::Source(followed), query.rayo, query.en, unseen);
+    const scene::Hit hit = trace::first_hit_among(accel::CandidateSource(followed), query.rayo, query.en, unseen);
     hits.push_back(hit);
   }
   REQUIRE(named(edited, hits) == expected);

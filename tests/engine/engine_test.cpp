@@ -12,7 +12,7 @@
 
 using namespace durero;
 using namespace durero::test;
-using engine::Row;
+using engine::EngineRow;
 
 namespace {
 
@@ -41,7 +41,7 @@ std::vector<scene::Query> random_queries(int count) {
 
 TEST_CASE("an engine is found by its name, and every name is one engine's") {
   std::set<std::string_view> names;
-  for (const Row& row : engine::engines()) {
+  for (const EngineRow& row : engine::engines()) {
     CHECK(names.insert(row.name).second);
     CHECK(engine::find(row.name) == &row);
     CHECK_FALSE(row.what.empty());
@@ -57,7 +57,7 @@ TEST_CASE("an engine that promises the bytes of exact has them, on any number of
     const auto exact = engine::find("exact")->prepare(scene);
     const std::vector<scene::Hit> hits = engine::first_hits(*exact, queries);
     const auto blocked = occluded(*exact, queries);
-    for (const Row& row : engine::engines()) {
+    for (const EngineRow& row : engine::engines()) {
       if (!row.exact_bytes) continue;
       RC_ASSERT(row.honours_origins);
       const auto other = row.prepare(scene);
@@ -74,7 +74,7 @@ TEST_CASE("an engine without origins answers as if there were none") {
   scene::Scene scene;
   const scene::ElementRef ball = add(scene, scene::Sphere{{0, 0, 0}, 1});
   const scene::Query leaves{ray({0, 0, -1}, {0, 0, -1}), {ball}};
-  for (const Row& row : engine::engines()) {
+  for (const EngineRow& row : engine::engines()) {
     const auto engine = row.prepare(scene);
     CAPTURE(row.name);
     if (row.honours_origins)

@@ -21,7 +21,7 @@ void check_identical(std::uint32_t elements) {
   scene.stage().lights.push_back({{0, 0, -9}, {1, 1, 1}});
   const std::vector<scene::Query> queries{{ray({0, 0, -5}, {0, 0, 1}), {}}, {ray({0, 3, -5}, {0, 0, 1}), {}}};
   const std::span past(queries.data() + 1, 1);
-  for (const engine::Row& row : engine::engines()) {
+  for (const engine::EngineRow& row : engine::engines()) {
     if (row.measure == nullptr) continue;
     INFO(row.name);
     const auto engine = row.prepare(scene);

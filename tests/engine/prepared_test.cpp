@@ -28,7 +28,7 @@ scene::GroupedScene across() {
 
 TEST_CASE("an engine is made ready with the hierarchy that is asked for, and answers the same") {
   const scene::GroupedScene input = across();
-  const engine::Row& bvh = *engine::find("bvh");
+  const engine::EngineRow& bvh = *engine::find("bvh");
   const auto own = engine::prepared(bvh, engine::automatic, input),
              hand = engine::prepared(bvh, engine::by_hand, input);
   Random random(1);
@@ -48,7 +48,7 @@ const scene::Groups* followed = nullptr;
 
 TEST_CASE("by hand an engine is given the groups of the scene, and otherwise none") {
   const scene::GroupedScene input = across();
-  engine::Row watched = *engine::find("bvh");
+  engine::EngineRow watched = *engine::find("bvh");
   watched.prepare_by_hand = [](const scene::Scene& scene, const scene::Groups& groups) {
     followed = &groups;
     return engine::find("bvh")->prepare(scene);
@@ -61,7 +61,7 @@ TEST_CASE("by hand an engine is given the groups of the scene, and otherwise non
 
 TEST_CASE("who follows no groups says so, and which engines do") {
   const scene::GroupedScene input = across();
-  for (const engine::Row& row : engine::engines()) {
+  for (const engine::EngineRow& row : engine::engines()) {
     CAPTURE(row.name);
     CHECK(engine::prepared(row, engine::automatic, input) != nullptr);
     CHECK_THROWS_WITH(engine::prepared(row, "none", input),

@@ -23,7 +23,7 @@ inline void check_same(const scene::Scene& scene, const Queries& queries, const 
   const auto analytic = engine::find("analytic")->prepare(scene);
   const std::vector<scene::Hit> hits = engine::first_hits(*analytic, queries);
   const auto blocked = occluded(*analytic, queries);
-  for (const engine::Row& row : engine::engines()) {
+  for (const engine::EngineRow& row : engine::engines()) {
     if (!row.exact_bytes || row.name == "exact" || row.name == "analytic") continue;
     const auto engine = row.prepare(scene);
     const std::vector<scene::Hit> own = engine::first_hits(*engine, queries);

@@ -124,7 +124,7 @@ double met_of_tried(const accel::Volumes& volumes, const Queries& queries) {
   for (const auto& [rayo, en] : queries) {
     const trace::Ray ray(rayo);
     const trace::Search search(volumes.scene(), rayo, en, unseen);
-    accel::Source(volumes).any(
+    accel::CandidateSource(volumes).any(
         ray, [] { return trace::no_limit; },
         [&](scene::ElementRef e) {
           ++tried;

@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return test::fuzz([&] {
     written::Edited edited;
     edited.stage().materials = {{"red", {1, 0, 0}}};
-    for (const io::Step& step : io::read_script(test::as_source(data, size), edited.stage())) {
+    for (const io::ScriptStep& step : io::read_script(test::as_source(data, size), edited.stage())) {
       const std::size_t before = edited.of().scene.size();
       const io::EditAnswer answer = edited.apply_total(step);
       test::must(answer.ok() || edited.of().scene.size() == before);

@@ -16,12 +16,12 @@
 #include "support/property.hpp"
 
 using namespace durero;
-using io::Line;
+using io::TextLine;
 
 namespace {
 
-std::vector<Line> all_lines(std::string_view text) {
-  std::vector<Line> all;
+std::vector<TextLine> all_lines(std::string_view text) {
+  std::vector<TextLine> all;
   io::Lines lines(text);
   while (const auto line = lines.next()) all.push_back(*line);
   return all;
@@ -30,9 +30,9 @@ std::vector<Line> all_lines(std::string_view text) {
 }  // namespace
 
 TEST_CASE("A line ends as any system ends it") {
-  CHECK(all_lines("ab\ncd\r\nef\rg") == std::vector<Line>{{1, 0, 2}, {2, 3, 5}, {3, 7, 9}, {4, 10, 11}});
-  CHECK(all_lines("\n\r\r\n\n") == std::vector<Line>{{1, 0, 0}, {2, 1, 1}, {3, 2, 2}, {4, 4, 4}});
-  CHECK(all_lines("a\r") == std::vector<Line>{{1, 0, 1}});
+  CHECK(all_lines("ab\ncd\r\nef\rg") == std::vector<TextLine>{{1, 0, 2}, {2, 3, 5}, {3, 7, 9}, {4, 10, 11}});
+  CHECK(all_lines("\n\r\r\n\n") == std::vector<TextLine>{{1, 0, 0}, {2, 1, 1}, {3, 2, 2}, {4, 4, 4}});
+  CHECK(all_lines("a\r") == std::vector<TextLine>{{1, 0, 1}});
   CHECK(all_lines("").empty());
   CHECK(io::count_lines("a\rb\r\n") == 2);
   CHECK(io::count_lines("a\n\n") == 2);
@@ -54,8 +54,8 @@ TEST_CASE("Lines and places count alike") {
     std::string text;
     for (const auto& p : *rc::gen::container<std::vector<std::string>>(piece)) text += p;
     const io::Source source("f", text);
-    for (const Line& line : all_lines(text)) {
-      RC_ASSERT(source.place(line.begin) == io::Place({line.number, 1}));
+    for (const TextLine& line : all_lines(text)) {
+      RC_ASSERT(source.place(line.begin) == io::TextPosition({line.number, 1}));
       RC_ASSERT(source.place(line.end).line == line.number);
     }
   });

@@ -78,7 +78,7 @@ inline void set_any_textures(scene::Stage& stage) {
     t.filter = static_cast<scene::Filter>(*rc::gen::inRange<std::size_t>(0, scene::filter_words.size()));
     if (t.filter == scene::Filter::mipmap) t.near = number();
     if (flip()) t.edges = scene::Edges::clamp;
-    if (flip()) t.curve = scene::Curve::linear;
+    if (flip()) t.curve = scene::TransferFunction::linear;
   }
   for (scene::Material& m : stage.materials) {
     for (const scene::Texture& t : stage.textures) {

@@ -17,13 +17,13 @@ using namespace durero::io;
 
 TEST_CASE("A place counts lines and characters from 1") {
   const Source source("f", "ab\ncñd\r\n\nx");
-  CHECK(source.place(0) == Place{1, 1});
-  CHECK(source.place(2) == Place{1, 3});
-  CHECK(source.place(3) == Place{2, 1});
-  CHECK(source.place(6) == Place{2, 3});  // d: ñ takes two bytes and one column
-  CHECK(source.place(9) == Place{3, 1});
-  CHECK(source.place(10) == Place{4, 1});
-  CHECK(source.place(11) == Place{4, 2});  // the end
+  CHECK(source.place(0) == TextPosition{1, 1});
+  CHECK(source.place(2) == TextPosition{1, 3});
+  CHECK(source.place(3) == TextPosition{2, 1});
+  CHECK(source.place(6) == TextPosition{2, 3});  // d: ñ takes two bytes and one column
+  CHECK(source.place(9) == TextPosition{3, 1});
+  CHECK(source.place(10) == TextPosition{4, 1});
+  CHECK(source.place(11) == TextPosition{4, 2});  // the end
 }
 
 TEST_CASE("Places of a long text are those of its lines, in whatever order they are asked for") {
@@ -36,14 +36,14 @@ TEST_CASE("Places of a long text are those of its lines, in whatever order they 
   const Source source("f", text, 5);
   for (std::size_t i = 0; i < begins.size(); ++i) {
     const std::size_t line = i * 7919 % begins.size();
-    CHECK(source.place(begins[line]) == Place{line + 6, 1});
-    CHECK(Source(source).place(begins[line] + (line + 1) % 37 + 2) == Place{line + 6, (line + 1) % 37 + 2});
+    CHECK(source.place(begins[line]) == TextPosition{line + 6, 1});
+    CHECK(Source(source).place(begins[line] + (line + 1) % 37 + 2) == TextPosition{line + 6, (line + 1) % 37 + 2});
   }
 }
 
 TEST_CASE("A hundred thousand places of a line of ten million bytes are told of") {  // counted one by one: an hour
   const Source source("f", std::string(10'000'000, 'x'));
-  for (std::size_t i = 0; i < 100'000; ++i) REQUIRE(source.place(100 * i) == Place{1, 100 * i + 1});
+  for (std::size_t i = 0; i < 100'000; ++i) REQUIRE(source.place(100 * i) == TextPosition{1, 100 * i + 1});
 }
 
 TEST_CASE("An error is one line: place, what is wrong, what is expected") {
@@ -53,7 +53,7 @@ TEST_CASE("An error is one line: place, what is wrong, what is expected") {
     FAIL("nothing was thrown");
   } catch (const InputError& error) {
     CHECK(std::string(error.what()) == "scene.json:2:3: radio is 0; expected r > 0");
-    CHECK(error.place() == Place{2, 3});
+    CHECK(error.place() == TextPosition{2, 3});
     CHECK(error.message() == "radio is 0; expected r > 0");
     CHECK(error.offset() == 4);
     CHECK(error.broken() == nullptr);

@@ -20,7 +20,7 @@ Rational any_number() { return number::exact(*rc::gen::oneOf(moderate(), dyadicG
 TEST_CASE("where a concave polynomial is not negative, of the t > 0") {
   property("parameter by parameter", [] {
     const Rational a = -abs(any_number());
-    const Quadratic q{*rc::gen::arbitrary<bool>() ? a : Rational(0), any_number(), any_number()};
+    const RationalQuadratic q{*rc::gen::arbitrary<bool>() ? a : Rational(0), any_number(), any_number()};
     const auto interval = not_negative(q);
     const Parameters inside = interval ? Parameters{{}, interval} : Parameters{};
     const Surd t = *rc::gen::arbitrary<bool>() || q.is_zero() || roots(q).empty()
@@ -73,7 +73,7 @@ TEST_CASE("the parameters that two intervals share") {
 }
 
 TEST_CASE("the zeros inside an interval: the roots that it holds, or all of it") {
-  const Quadratic one_and_three{1, -4, 3};
+  const RationalQuadratic one_and_three{1, -4, 3};
   CHECK(zeros(one_and_three, positive).points == std::vector<Surd>{1, 3});
   CHECK(zeros(one_and_three, {1, true, Surd(2)}).points == std::vector<Surd>{1});
   CHECK(zeros(one_and_three, {1, false, Surd(3)}).points == std::vector<Surd>{3});

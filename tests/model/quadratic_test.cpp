@@ -12,14 +12,14 @@ namespace {
 
 Rational any_coefficient() { return number::exact(*rc::gen::oneOf(moderate(), dyadicGrid())); }
 
-Surd at(const Quadratic& q, const Surd& t) { return Surd(q.a) * t * t + Surd(q.b) * t + Surd(q.c); }
+Surd at(const RationalQuadratic& q, const Surd& t) { return Surd(q.a) * t * t + Surd(q.b) * t + Surd(q.c); }
 
 }  // namespace
 
 TEST_CASE("a polynomial is known by its values at -1, 0 and 1") {
   property("any", [] {
-    const Quadratic q{any_coefficient(), any_coefficient(), any_coefficient()};
-    const Quadratic again = through(q.a - q.b + q.c, q.c, q.a + q.b + q.c);
+    const RationalQuadratic q{any_coefficient(), any_coefficient(), any_coefficient()};
+    const RationalQuadratic again = through(q.a - q.b + q.c, q.c, q.a + q.b + q.c);
     RC_ASSERT(again.a == q.a && again.b == q.b && again.c == q.c);
   });
   CHECK(through(0, 0, 0).is_zero());
@@ -39,7 +39,7 @@ TEST_CASE("a function of points, restricted to a line, has the function's values
 
 TEST_CASE("the roots are where it is 0: all of them, ascending, each once") {
   property("of any coefficients", [] {
-    const Quadratic q{any_coefficient(), any_coefficient(), any_coefficient()};
+    const RationalQuadratic q{any_coefficient(), any_coefficient(), any_coefficient()};
     RC_PRE(!q.is_zero());
     const std::vector<Surd> all = roots(q);
     const Rational discriminant = q.b * q.b - 4 * q.a * q.c;

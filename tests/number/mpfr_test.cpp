@@ -134,7 +134,7 @@ TEST_CASE("an enclosure holds the number, and is not much wider than need be") {
     const int range = i % 3 == 0 ? 300 : 2;
     const Dyadic a(numbers.number(range)), b(numbers.number(range));
     const DyadicSurd value{a * a - b * b, numbers.number(range), a * a + b * b, numbers.number(range)};
-    const number::Ball ball = enclosure(value);
+    const number::RealBall ball = enclosure(value);
     const Fraction meant{value.x + value.y * root(value.delta), value.w};
     worst = std::max(worst, meant.ratio(number::shifted(Dyadic(ball.middle), ball.exponent),
                                         number::shifted(Dyadic(ball.radius), ball.exponent)));

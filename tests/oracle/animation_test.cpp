@@ -32,12 +32,12 @@ Setup two_people() {
   return setup;
 }
 
-zed::Given input(const Machine& machine, const std::string& name, const std::string& value) {
+zed::Valuation input(const Machine& machine, const std::string& name, const std::string& value) {
   const zed::Name of{name, "?"};
   return {{of, machine.typed(value, of)}};
 }
 
-std::string component(const Machine& machine, const zed::Given& state, const std::string& name) {
+std::string component(const Machine& machine, const zed::Valuation& state, const std::string& name) {
   for (const auto& [of, value] : state)
     if (of.text() == name) return machine.written(of, value);
   return "nothing";
@@ -58,22 +58,22 @@ TEST_CASE("a text is a machine by its conventions") {
 
 TEST_CASE("an operation goes on by its text, and finds the inputs that are not given") {
   const Machine machine(book(), two_people());
-  const Found first = machine.initial(5);
+  const ReachedTransitions first = machine.initial(5);
   REQUIRE(first.transitions.size() == 1);
   CHECK_FALSE(first.undecided);
-  const zed::Given empty = first.transitions[0].after;
+  const zed::Valuation empty = first.transitions[0].after;
   CHECK(component(machine, empty, "birthday") == "∅[NAME × DATE]");
   const auto& add = *machine.find("AddBirthday");
-  const Found all = machine.steps(empty, add, {}, 10);
+  const ReachedTransitions all = machine.steps(empty, add, {}, 10);
   CHECK(all.transitions.size() == 4);  // two people, two dates
   CHECK(all.bounded.empty());
-  const Found of_ann = machine.steps(empty, add, input(machine, "name", "ann"), 10);
+  const ReachedTransitions of_ann = machine.steps(empty, add, input(machine, "name", "ann"), 10);
   REQUIRE(of_ann.transitions.size() == 2);
-  const zed::Given after = of_ann.transitions[0].after;
+  const zed::Valuation after = of_ann.transitions[0].after;
   CHECK(component(machine, after, "birthday") == "{ann ↦ DATE1}");
   CHECK(component(machine, after, "known") == "{ann}");
   CHECK(machine.steps(after, add, input(machine, "name", "ann"), 10).transitions.empty());
-  const Found found = machine.steps(after, *machine.find("FindBirthday"), {}, 10);
+  const ReachedTransitions found = machine.steps(after, *machine.find("FindBirthday"), {}, 10);
   REQUIRE(found.transitions.size() == 1);
   CHECK(machine.written({"date", "!"}, found.transitions[0].outputs[0].second) == "DATE1");
   CHECK(found.transitions[0].after[1].first.text() == "birthday");
@@ -93,8 +93,8 @@ zed::Specification loose(const std::string& predicates) {
 
 TEST_CASE("what equations leave open is tried near the state before, and judged by the text") {
   const Machine machine(loose("x' > x \\land n! = x'"), {});
-  const zed::Given ten = machine.initial(1).transitions[0].after;
-  const Found found = machine.steps(ten, *machine.find("Op"), {}, 9);
+  const zed::Valuation ten = machine.initial(1).transitions[0].after;
+  const ReachedTransitions found = machine.steps(ten, *machine.find("Op"), {}, 9);
   CHECK(found.undecided);  // there are 13, 14 and so on
   CHECK(name_list(found.tried) == "x'");
   REQUIRE(found.transitions.size() == 2);
@@ -117,7 +117,7 @@ TEST_CASE("an input from a finite set of numbers has all of them") {
                      "finite.tex");
   REQUIRE(read.ok());
   const Machine machine(read, {});
-  const Found found = machine.steps(machine.initial(1).transitions[0].after, *machine.find("Op"), {}, 9);
+  const ReachedTransitions found = machine.steps(machine.initial(1).transitions[0].after, *machine.find("Op"), {}, 9);
   CHECK(found.transitions.size() == 4);
   CHECK(found.bounded.empty());
 }
@@ -131,8 +131,8 @@ TEST_CASE("of what is left open no name is tried that an equation gives") {
                              "loose.tex");
   REQUIRE(read.ok());
   const Machine machine(read, {});
-  const zed::Given begun = machine.initial(1).transitions[0].after;
-  const Found found = machine.steps(begun, *machine.find("Op"), {}, 9);
+  const zed::Valuation begun = machine.initial(1).transitions[0].after;
+  const ReachedTransitions found = machine.steps(begun, *machine.find("Op"), {}, 9);
   CHECK(name_list(found.tried) == "left', other'");
   REQUIRE(found.transitions.size() == 4);
   for (const Transition& step : found.transitions) CHECK(component(machine, step.after, "given") == "1000");
@@ -142,8 +142,8 @@ TEST_CASE("what is tried of a loose operation is bounded") {
   Setup few;
   few.inputs = 3;
   const Machine machine(loose("x' > x \\land n! < x'"), few);
-  const zed::Given ten = machine.initial(1).transitions[0].after;
-  const Found found = machine.steps(ten, *machine.find("Op"), {}, 1000);
+  const zed::Valuation ten = machine.initial(1).transitions[0].after;
+  const ReachedTransitions found = machine.steps(ten, *machine.find("Op"), {}, 1000);
   CHECK(found.bounded == "--inputs");
   few.inputs = 1000;
   few.steps = 40;
@@ -153,9 +153,9 @@ TEST_CASE("what is tried of a loose operation is bounded") {
 
 TEST_CASE("a total operation goes on by whichever side of the disjunction holds") {
   const Machine machine(book(), two_people());
-  const zed::Given empty = machine.initial(1).transitions[0].after;
+  const zed::Valuation empty = machine.initial(1).transitions[0].after;
   const auto& find = *machine.find("RFindBirthday");
-  const Found none = machine.steps(empty, find, input(machine, "name", "bob"), 10);
+  const ReachedTransitions none = machine.steps(empty, find, input(machine, "name", "bob"), 10);
   REQUIRE_FALSE(none.transitions.empty());
   for (const Transition& step : none.transitions) {
     CHECK(machine.is_step(empty, step) == Truth::yes);
@@ -165,8 +165,8 @@ TEST_CASE("a total operation goes on by whichever side of the disjunction holds"
 
 TEST_CASE("each predicate says its truth, and a wrong step is none") {
   const Machine machine(book(), two_people());
-  const zed::Given empty = machine.initial(1).transitions[0].after;
-  for (const zed::Finding& finding : machine.invariant(empty)) CHECK(finding.truth == Truth::yes);
+  const zed::Valuation empty = machine.initial(1).transitions[0].after;
+  for (const zed::ConjunctTruth& finding : machine.invariant(empty)) CHECK(finding.truth == Truth::yes);
   const auto findings = machine.preconditions(empty, *machine.find("FindBirthday"), input(machine, "name", "ann"));
   const auto refused = std::find_if(findings.begin(), findings.end(),
                                     [](const auto& finding) { return finding.label == "FindBirthday.pre.1"; });
@@ -282,7 +282,7 @@ TEST_CASE("a conjecture of a state and of more is tried in the state, for all th
         std::pair("\\vdash? \\forall BirthdayBook; n : NAME @ n \\in known", Truth::no),
         std::pair("\\vdash? \\forall BirthdayBook; k : \\nat @ k * k * k \\geq k", Truth::open)}) {
     INFO(claim);
-    const Tried last = claims(claim, 1000000).back();
+    const ConjectureResult last = claims(claim, 1000000).back();
     CHECK(last.of_states);
     CHECK(last.truth == truth);
   }
@@ -297,11 +297,12 @@ TEST_CASE("the program's own text is a machine too") {
   setup.numbers = 1;
   const Machine machine(text(), setup);
   CHECK(machine.state() == "Escena");
-  const Found first = machine.initial(5);
+  const ReachedTransitions first = machine.initial(5);
   REQUIRE(first.transitions.size() == 1);
-  const zed::Given empty = first.transitions[0].after;
+  const zed::Valuation empty = first.transitions[0].after;
   CHECK(component(machine, empty, "mi_centro") == "∅[Elemento × [x : 𝔸; y : 𝔸; z : 𝔸]]");
-  const Found ball = machine.steps(empty, *machine.find("Agregar_Esfera"), input(machine, "radio", "1"), 3);
+  const ReachedTransitions ball =
+      machine.steps(empty, *machine.find("Agregar_Esfera"), input(machine, "radio", "1"), 3);
   REQUIRE(ball.transitions.size() == 3);
   CHECK(ball.bounded == "--choices");
   CHECK(component(machine, ball.transitions[0].after, "mi_radio") == "{bola ↦ 1}");

@@ -107,7 +107,7 @@ TEST_CASE("each ball holds its samples, and its halves share them out") {
   REQUIRE(cover.balls.front().first == 0);
   REQUIRE(cover.balls.front().last == cover.samples.size());
   for (std::size_t i = 0; i < cover.balls.size(); ++i) {
-    const oracle::Ball& ball = cover.balls[i];
+    const oracle::BallNode& ball = cover.balls[i];
     for (std::uint32_t n = ball.first; n < ball.last; ++n)
       CHECK(glm::length(cover.samples[n] - ball.center) <= ball.radius);
     if (ball.right == 0) continue;
@@ -130,16 +130,16 @@ TEST_CASE("an outline says of a cover what it is before it is made") {
     const scene::Scene scene = test::random_scene(random, 6);
     scene.for_each([](scene::ElementRef, const auto& shape) {
       const oracle::Parametrisation surface{scene::ShapeView(shape)};
-      const oracle::Outline outline = oracle::outline(surface, fineness);
+      const oracle::CoverPlan outline = oracle::outline(surface, fineness);
       const oracle::Cover cover = oracle::cover(surface, fineness);
-      const oracle::Ball& all = cover.balls.front();
+      const oracle::BallNode& all = cover.balls.front();
       CHECK(outline.ball.center == all.center);
       CHECK(outline.ball.radius == all.radius);
       CHECK(outline.ball.first == 0);
       CHECK(outline.ball.last == cover.samples.size());
       CHECK(outline.delta == cover.delta);
       CHECK(outline.bytes ==
-            cover.samples.capacity() * sizeof(glm::dvec3) + cover.balls.capacity() * sizeof(oracle::Ball));
+            cover.samples.capacity() * sizeof(glm::dvec3) + cover.balls.capacity() * sizeof(oracle::BallNode));
     });
   }
   CHECK_THROWS_AS(oracle::outline(scene::Sphere{{0, 0, 0}, 1}, 1e-9), std::length_error);

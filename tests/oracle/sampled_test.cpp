@@ -14,7 +14,7 @@
 #include "support/scenes.hpp"
 
 using namespace durero;
-using oracle::sampled::Verdict;
+using oracle::sampled::SampledVerdict;
 
 namespace {
 
@@ -40,21 +40,21 @@ const scene::ElementRef sphere{model::Tipo::soy_esfera, 0}, cylinder{model::Tipo
 TEST_CASE("the right hit agrees, for each type") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);
-  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 4, sphere)) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(5, 1), hit(5, 1, 4, cylinder)) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(-5, 1), hit(-5, 1, 4.5, cone)) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(9, 9), {}) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 4, sphere)) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(5, 1), hit(5, 1, 4, cylinder)) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(-5, 1), hit(-5, 1, 4.5, cone)) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(9, 9), {}) == SampledVerdict::agrees);
 }
 
 TEST_CASE("wrong hits are seen: a miss, the far root, another element, a point in the air") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);
-  CHECK(oracle.judge(towards_z(0, 0), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(5, 1), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(-5, 1), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 6, sphere)) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 4, cone)) == Verdict::incomplete);
-  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 2, sphere)) == Verdict::incomplete);
+  CHECK(oracle.judge(towards_z(0, 0), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(5, 1), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(-5, 1), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 6, sphere)) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 4, cone)) == SampledVerdict::incomplete);
+  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 2, sphere)) == SampledVerdict::incomplete);
 }
 
 TEST_CASE("of a plane a patch is judged, wide enough for what stands about it; beyond it nothing is said") {
@@ -64,13 +64,13 @@ TEST_CASE("of a plane a patch is judged, wide enough for what stands about it; b
   const oracle::sampled::Oracle oracle(scene);
   const double reach = std::sqrt(50.0) + 3;  // from (0, 0, 10) to the axis of the cylinder, and its size
   for (const double x : {3.0, 7 * reach}) {
-    CHECK(oracle.judge(towards_z(x, 3), hit(x, 3, 10, plane)) == Verdict::agrees);
-    CHECK(oracle.judge(towards_z(x, 3), {}) == Verdict::unsound);
-    CHECK(oracle.judge(towards_z(x, 3), hit(x, 3, 40, plane)) == Verdict::incomplete);
+    CHECK(oracle.judge(towards_z(x, 3), hit(x, 3, 10, plane)) == SampledVerdict::agrees);
+    CHECK(oracle.judge(towards_z(x, 3), {}) == SampledVerdict::unsound);
+    CHECK(oracle.judge(towards_z(x, 3), hit(x, 3, 40, plane)) == SampledVerdict::incomplete);
   }
   for (const double z : {10.0, 40.0})
-    CHECK(oracle.judge(towards_z(9 * reach, 3), hit(9 * reach, 3, z, plane)) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 10, plane)) == Verdict::unsound);  // the sphere is before it
+    CHECK(oracle.judge(towards_z(9 * reach, 3), hit(9 * reach, 3, z, plane)) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(0, 0), hit(0, 0, 10, plane)) == SampledVerdict::unsound);  // the sphere is before it
 }
 
 TEST_CASE("of a disc and of a triangle right hits agree, wrong ones are seen, and near misses explained") {
@@ -79,43 +79,43 @@ TEST_CASE("of a disc and of a triangle right hits agree, wrong ones are seen, an
   scene.apply(model::Agregar_Triangulo{model::Elemento("t"), {{9, 0, 5}, {13, 0, 5}, {9, 4, 7}}});
   const scene::ElementRef disc{model::Tipo::soy_disco, 0}, triangle{model::Tipo::soy_triangulo, 0};
   const oracle::sampled::Oracle oracle(scene);
-  CHECK(oracle.judge(towards_z(1, 1), hit(1, 1, 5, disc)) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(10, 1), hit(10, 1, 5.5, triangle)) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(0, 2.5), {}) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(12.5, 3.5), {}) == Verdict::agrees);
-  CHECK(oracle.judge(towards_z(1, 1), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(10, 1), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(10, 1), hit(10, 1, 6.5, triangle)) == Verdict::incomplete);
-  CHECK(oracle.judge(towards_z(12.5, 3.5), hit(12.5, 3.5, 7, triangle)) == Verdict::incomplete);
-  CHECK(oracle.judge(towards_z(0, 1.99999), {}) == Verdict::rim);
-  CHECK(oracle.judge(towards_z(10, 0.00001), {}) == Verdict::rim);
-  CHECK(oracle.judge(towards_z(9.00001, 3.99998), {}) == Verdict::rim);
+  CHECK(oracle.judge(towards_z(1, 1), hit(1, 1, 5, disc)) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(10, 1), hit(10, 1, 5.5, triangle)) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(0, 2.5), {}) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(12.5, 3.5), {}) == SampledVerdict::agrees);
+  CHECK(oracle.judge(towards_z(1, 1), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(10, 1), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(10, 1), hit(10, 1, 6.5, triangle)) == SampledVerdict::incomplete);
+  CHECK(oracle.judge(towards_z(12.5, 3.5), hit(12.5, 3.5, 7, triangle)) == SampledVerdict::incomplete);
+  CHECK(oracle.judge(towards_z(0, 1.99999), {}) == SampledVerdict::rim);
+  CHECK(oracle.judge(towards_z(10, 0.00001), {}) == SampledVerdict::rim);
+  CHECK(oracle.judge(towards_z(9.00001, 3.99998), {}) == SampledVerdict::rim);
 }
 
 TEST_CASE("a near miss is explained, each by its reason") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);
-  CHECK(oracle.judge(towards_z(1.01, 0), {}) == Verdict::grazing);
-  CHECK(oracle.judge(towards_z(5, 2.00001), {}) == Verdict::rim);
-  CHECK(oracle.judge(towards_z(-5, 2.00001), {}) == Verdict::rim);  // the apex
-  CHECK(oracle.judge({{0, 0, 6.00001}, {0, 0, 1}}, {}) == Verdict::origin);
+  CHECK(oracle.judge(towards_z(1.01, 0), {}) == SampledVerdict::grazing);
+  CHECK(oracle.judge(towards_z(5, 2.00001), {}) == SampledVerdict::rim);
+  CHECK(oracle.judge(towards_z(-5, 2.00001), {}) == SampledVerdict::rim);  // the apex
+  CHECK(oracle.judge({{0, 0, 6.00001}, {0, 0, 1}}, {}) == SampledVerdict::origin);
 }
 
 TEST_CASE("a miss that finer points tell from a near miss agrees") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);
-  CHECK(oracle.judge(towards_z(5, 2.001), {}) == Verdict::agrees);
-  CHECK(oracle.judge({{0, 0, 6.001}, {0, 0, 1}}, {}) == Verdict::agrees);
+  CHECK(oracle.judge(towards_z(5, 2.001), {}) == SampledVerdict::agrees);
+  CHECK(oracle.judge({{0, 0, 6.001}, {0, 0, 1}}, {}) == SampledVerdict::agrees);
 }
 
 TEST_CASE("a hit that is taken away is missed, just inside a rim, before the apex and at 60 degrees from the normal") {
   const scene::Scene scene = one_of_each();
   const oracle::sampled::Oracle oracle(scene);
-  CHECK(oracle.judge(towards_z(0.98, 0), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(5.98, 1), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(5, 1.99), {}) == Verdict::unsound);
-  CHECK(oracle.judge(towards_z(-5, 1.99), {}) == Verdict::unsound);
-  CHECK(oracle.judge({{0, 0, 5.99}, {0, 0, 1}}, {}) == Verdict::unsound);
+  CHECK(oracle.judge(towards_z(0.98, 0), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(5.98, 1), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(5, 1.99), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge(towards_z(-5, 1.99), {}) == SampledVerdict::unsound);
+  CHECK(oracle.judge({{0, 0, 5.99}, {0, 0, 1}}, {}) == SampledVerdict::unsound);
 }
 
 TEST_CASE("the exact hits of random rays stand, and nearly all are missed once they are taken away") {
@@ -132,7 +132,7 @@ TEST_CASE("the exact hits of random rays stand, and nearly all are missed once t
       CHECK(agrees(oracle.judge(ray, hit)));
       if (hit.resultado != model::Resultado::hit) continue;
       ++taken;
-      missed += oracle.judge(ray, {}) == Verdict::unsound;
+      missed += oracle.judge(ray, {}) == SampledVerdict::unsound;
     }
   }
   CAPTURE(taken, missed);
@@ -148,9 +148,9 @@ TEST_CASE("the verdict is the same at every scale in range, and however long the
       scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 5 * scale}, scale});
       const oracle::sampled::Oracle oracle(scene);
       const model::Rayo ray{{0, 0, 0}, {0, 0, speed}};
-      CHECK(oracle.judge(ray, {model::Resultado::hit, 4, {0, 0, 4 * scale}, {sphere}}) == Verdict::agrees);
-      CHECK(oracle.judge(ray, {}) == Verdict::unsound);
-      CHECK(oracle.judge(ray, {model::Resultado::hit, 4, {0, 0, 3 * scale}, {sphere}}) == Verdict::incomplete);
+      CHECK(oracle.judge(ray, {model::Resultado::hit, 4, {0, 0, 4 * scale}, {sphere}}) == SampledVerdict::agrees);
+      CHECK(oracle.judge(ray, {}) == SampledVerdict::unsound);
+      CHECK(oracle.judge(ray, {model::Resultado::hit, 4, {0, 0, 3 * scale}, {sphere}}) == SampledVerdict::incomplete);
       const scene::Hit found = oracle.first_hit(ray);
       CHECK(found.punto.z / scale == Approx(4).margin(1.0 / 16));
       if (scale == 1 && speed >= 1e-200) CHECK(found.t * speed == Approx(4).margin(1.0 / 16));
@@ -207,8 +207,8 @@ TEST_CASE("a claimed point has delta and 2^-40 of the lengths at hand, no more a
     const scene::Hit claim{model::Resultado::hit, far, claimed, {sphere}};
     return oracle::sampled::Oracle(scene, fineness).judge({{-far, 0, 0}, {1, 0, 0}}, claim);
   };
-  CHECK(judged(0.9) != Verdict::incomplete);
-  CHECK(judged(1.1) == Verdict::incomplete);
+  CHECK(judged(0.9) != SampledVerdict::incomplete);
+  CHECK(judged(1.1) == SampledVerdict::incomplete);
 }
 
 TEST_CASE("samples that are made part by part judge as those that are kept, many rays at once and one by one") {
@@ -228,10 +228,10 @@ TEST_CASE("samples that are made part by part judge as those that are kept, many
   }
   const double fineness = oracle::sampled::default_fineness;
   const oracle::sampled::Oracle kept(scene);
-  const std::vector<Verdict> verdicts = kept.judge(rays, claims);
+  const std::vector<SampledVerdict> verdicts = kept.judge(rays, claims);
   std::vector<scene::Hit> hits(rays.size()), others(rays.size());
   kept.first_hits(rays, hits);
-  for (const Verdict verdict : {Verdict::agrees, Verdict::incomplete, Verdict::unsound})
+  for (const SampledVerdict verdict : {SampledVerdict::agrees, SampledVerdict::incomplete, SampledVerdict::unsound})
     CHECK(std::ranges::count(verdicts, verdict) > 10);
   for (const std::size_t bytes : {std::size_t{0}, std::size_t{200'000}, std::size_t{500'000}}) {
     const oracle::sampled::Oracle parts(scene, fineness, bytes);

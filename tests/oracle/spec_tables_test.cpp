@@ -37,7 +37,7 @@ std::set<std::string> broken(const std::string& schema, const Named& values) {
   const auto [at, fresh] = checks.try_emplace(schema, judge.evaluator().schema({schema, ""}));
   const auto ordered = in_order(at->second.components(), values);
   std::set<std::string> labels;
-  for (const zed::Finding& finding : at->second.findings(ordered))
+  for (const zed::ConjunctTruth& finding : at->second.findings(ordered))
     if (finding.truth != Truth::yes) labels.insert(finding.label + finding.strokes);
   CHECK(at->second.holds(ordered) == (labels.empty() ? Truth::yes : Truth::no));
   return labels;

@@ -150,9 +150,9 @@ void spoil(Random& random, Escena& escena) {
 }
 
 /// The truth of each labelled conjunct, by label and state.
-std::map<std::string, bool> truths(const std::vector<zed::Finding>& findings) {
+std::map<std::string, bool> truths(const std::vector<zed::ConjunctTruth>& findings) {
   std::map<std::string, bool> found;
-  for (const zed::Finding& one : findings) {
+  for (const zed::ConjunctTruth& one : findings) {
     if (one.label.empty()) continue;
     if (one.truth == Truth::open) throw std::logic_error(one.label + " is left open");
     found[one.label + one.strokes] = one.truth == Truth::yes;
@@ -180,7 +180,7 @@ std::optional<Specific> specific(const Escena& before, const Operation& operatio
 }
 
 /// What the contracts say of a transition.
-std::map<std::string, bool> contracts(const Step& step) {
+std::map<std::string, bool> contracts(const OperationStep& step) {
   std::map<std::string, bool> said;
   add(said, model::inv(step.before));
   add(said, model::inv(step.after), "'");
@@ -194,10 +194,10 @@ std::map<std::string, bool> contracts(const Step& step) {
 
 /// What the text says of a transition. Of a general operation: what its schema adds to those of the types, which it
 /// joins by ∨, and the predicates of that of its own type, whose answer it hides.
-std::map<std::string, bool> text_says(const Judge& judge, const Step& step) {
+std::map<std::string, bool> text_says(const Judge& judge, const OperationStep& step) {
   const auto one_type = specific(step.before, step.operation);
   if (!one_type) return truths(judge.findings(step));
-  auto said = truths(judge.findings(Step{step.before, one_type->operation, one_type->r, step.after}));
+  auto said = truths(judge.findings(OperationStep{step.before, one_type->operation, one_type->r, step.after}));
   for (const auto& [label, holds] : truths(judge.findings(step))) {
     if (label.starts_with("Elemento_")) said[label] = holds;  // Elemento_Agregado, Elemento_Eliminado
   }
@@ -231,7 +231,7 @@ void judge_one(Random& random, const Judge& judge, Counts& counts) {
   if (!honest && random.below(8) == 0)
     answer.r = static_cast<model::Respuesta>(random.below(model::respuesta_names.size()));
   if (!honest) spoil(random, after);
-  const Step step{before, operation, answer.r, after};
+  const OperationStep step{before, operation, answer.r, after};
   if (honest) {
     CHECK(judge.holds_total(step));
     CHECK_FALSE(judge.difference(before, operation, answer, after));
@@ -260,7 +260,7 @@ void judge_many(std::uint64_t seed, std::size_t transitions) {
                              "Agregar_Disco", "Eliminar_Disco", "Agregar_Triangulo", "Eliminar_Triangulo", "Escena"}) {
     const zed::SchemaCheck check = judge.evaluator().schema({schema, ""});
     const std::vector<zed::Value> open(check.components().size(), zed::Open{});
-    for (const zed::Finding& one : check.findings(open)) {
+    for (const zed::ConjunctTruth& one : check.findings(open)) {
       CAPTURE(one.label);
       // The before-state was always a scene.
       if (!one.label.empty() && !(one.label.starts_with("Escena.") && one.strokes.empty())) {

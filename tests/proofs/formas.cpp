@@ -51,10 +51,10 @@ Arguments Miss {T}. Arguments Undecided {T}. Arguments Hit {T}.
 /// Any quadratic of that kind, its parts by their names.
 enum class Kind { free, axial, edged };
 template <class T>
-Quadratic<T> any_quadratic(Kind kind) {
+BoundedQuadratic<T> any_quadratic(Kind kind) {
   const auto of = [](const char* name) { return variable<T>(std::string(name) + " f"); };
   const auto bound = [](const char* name) { return real(std::string(name) + " f"); };
-  Quadratic<T> f;
+  BoundedQuadratic<T> f;
   f.A = of("A"), f.B = of("B"), f.C = of("C"), f.F = of("F"), f.H = of("H"), f.s0 = of("s0"), f.s1 = of("s1");
   f.A_error = bound("A_error"), f.B_error = bound("B_error"), f.C_error = bound("C_error");
   f.altura = bound("altura"), f.reach = bound("reach"), f.speed = bound("speed");
@@ -75,7 +75,7 @@ std::string suffix(Kind kind) {
 }
 
 template <class T>
-Built of_quadratic(const Quadratic<T>& f) {
+Built of_quadratic(const BoundedQuadratic<T>& f) {
   return {"Quadratic",
           {f.A.node, f.B.node, f.C.node, f.F.node, f.H.node, f.A_error.node, f.B_error.node, f.C_error.node, f.s0.node,
            f.s1.node, f.altura.node, f.reach.node, f.speed.node, f.margin.node, f.margin_error.node},
@@ -91,13 +91,13 @@ Built of_lanes(const LanesFound<Term>& found) {
 }
 
 template <class T>
-Built of_found(const Found<T>& found) {
+Built of_found(const FirstRoot<T>& found) {
   switch (found.verdict) {
-    case Verdict::miss:
+    case Decision::miss:
       return {"Miss", {}};
-    case Verdict::undecided:
+    case Decision::undecided:
       return {"Undecided", {}};
-    case Verdict::hit:
+    case Decision::hit:
       return {"Hit",
               {known(found.root.t, found.root.error), known(found.slope, found.slope_error),
                known(found.A, found.A_error)}};
@@ -120,7 +120,7 @@ void steps(const std::string& type) {
   const auto f = any_quadratic<T>(Kind::free);
   const std::string of_f = " (f : quadratic " + type + ")";
   const std::string result = " : known " + type;
-  const Known<T> D{variable<T>("value D"), real("error D")};
+  const Approximation<T> D{variable<T>("value D"), real("error D")};
   const Root<T> root{variable<T>("value t"), real("error t")};
   define("", "root_of_discriminant" + of_f + result, [&] {
     const auto found = root_of_discriminant(f);
@@ -203,7 +203,7 @@ void twofold() {
 }
 
 /// The ends around a root, and which root is certainly less.
-Built of_ends(const Ends<Term>& at) { return {"Ends", {at.low.node, at.high.node}}; }
+Built of_ends(const ParameterBounds<Term>& at) { return {"Ends", {at.low.node, at.high.node}}; }
 void order() {
   struct Root {
     Term hi, lo, error;
@@ -223,13 +223,13 @@ void once() {
       "Record once := Once { rounded : R; certain : bool }.\n"
       "Record once_point := Once_point { of_t : R; of_x : R; of_y : R; of_z : R; all_certain : bool }.\n");
   define("", "newton (t slope A : known R) (f : known twofold) : improved", [&] {
-    const Improved<Term> found =
+    const RefinedRoot<Term> found =
         newton<Term>({real("value t"), real("error t")}, {real("value slope"), real("error slope")},
                      {real("value A"), real("error A")}, {at, real("error f")});
     return Built{"Improved", {found.known.node, node_of(found.t), found.error.node}};
   });
   define("", "round_once (t : twofold) (error : R) : once", [&] {
-    const Once<Term> found = round_once(t, error);
+    const RoundedNumber<Term> found = round_once(t, error);
     return Built{"Once", {found.value.node, found.certain.node}};
   });
   define("", "coordinate (p v : R) (t : twofold) (error : R) : known twofold", [&] {
@@ -237,7 +237,7 @@ void once() {
     return Built{"Known", {node_of(found.value), found.error.node}};
   });
   define("", "round_coordinate (p v : R) (t : twofold) (error : R) : once", [&] {
-    const Once<Term> found = round_coordinate(p, v, t, error);
+    const RoundedNumber<Term> found = round_coordinate(p, v, t, error);
     return Built{"Once", {found.value.node, found.certain.node}};
   });
   const auto whole = [](const OncePoint<Term>& found) {

@@ -158,7 +158,7 @@ std::vector<Way> drawn(const Scene& scene, std::uint32_t depth, int goes) {
                         {"hierarchy, item buffer, adaptive depth", least_weight, with<accel::ItemBuffer>}};
   for (int go = 0; go < goes; ++go)
     for (Way& way : ways) {
-      render::Reach reach;
+      render::PathStatistics reach;
       const double before = processor_seconds();
       const auto engine = way.make(scene);
       render::render(scene, *engine, {}, {.max_depth = depth, .min_weight = way.min_weight}, &reach);

@@ -15,7 +15,7 @@ TEST_CASE("what counts too little is not followed: two mirrors of a half end at 
   const auto seen = [&](double min_weight) {
     return render::brought(scene, *engine, {&query, 1}, {15, min_weight}).at(0);
   };
-  const render::Brought all = seen(0), some = seen(0.05);  // 0.5⁴ = 0.0625 ≥ 0.05 > 0.5⁵
+  const render::PathRadiance all = seen(0), some = seen(0.05);  // 0.5⁴ = 0.0625 ≥ 0.05 > 0.5⁵
   CHECK(all.depth == 15);
   CHECK(all.left_out == black);
   CHECK(some.depth == 5);
@@ -74,7 +74,7 @@ TEST_CASE("what may be left out counts a background that is brighter than all th
   add_wall(scene, "mirror", 1, -1, {.k_d = 0, .k_ps = 0.5});
   const auto engine = engine::find("exact")->prepare(scene);
   const scene::Query query{along};
-  const render::Brought at = render::brought(scene, *engine, {&query, 1}, {9, 0.75}).at(0);
+  const render::PathRadiance at = render::brought(scene, *engine, {&query, 1}, {9, 0.75}).at(0);
   CHECK(at.color == black);
   for (int k = 0; k < 3; ++k) CHECK(at.left_out[k] == Approx(0.5 * (*scene.stage().background)[k]).epsilon(1e-8));
 }

@@ -51,7 +51,7 @@ TEST_CASE("every engine that honours origins draws the same image") {
   std::set<double> reds;
   for (const glm::dvec3& color : truth.rgb) reds.insert(color.x);
   CHECK(reds.size() > 10);  // something is to be seen
-  for (const engine::Row& row : engine::engines()) {
+  for (const engine::EngineRow& row : engine::engines()) {
     if (!row.exact_bytes) continue;
     CAPTURE(row.name);
     CHECK(row.honours_origins);
@@ -64,7 +64,7 @@ TEST_CASE("a crop has the pixels that the whole picture has there, whatever its 
   scene.stage().camera = scene::Camera{{0, 2, -5}, {0, 0, 0}, {0, 1, 0}, 45};
   scene.stage().resolution = scene::Resolution{3, 2};
   const auto engine = engine::find("analytic")->prepare(scene);
-  const render::Frame whole{.size = scene::Resolution{32, 24}};
+  const render::RenderSettings whole{.size = scene::Resolution{32, 24}};
   const render::Picture image = render::render(scene, *engine, {}, whole);
   CHECK(image.resolution == scene::Resolution{32, 24});
   for (const render::Crop& crop : {render::Crop{10, 5, {12, 11}}, {31, 23, {1, 1}}, {0, 0, {32, 24}}}) {
@@ -87,20 +87,20 @@ TEST_CASE("a crop has the pixels that the whole picture has there, whatever its 
 namespace {
 
 /// A picture that is followed to depth 15, and one of the rays of that that count for so much.
-struct Followed {
-  render::Reach whole{}, some{};
+struct TracingContext {
+  render::PathStatistics whole{}, some{};
   double lost = 0;  ///< of a component, at most
 
   double depth() const { return double(some.depths) / double(some.pixels); }
 };
 
-Followed followed(const scene::Scene& scene, scene::Resolution size, double min_weight) {
+TracingContext followed(const scene::Scene& scene, scene::Resolution size, double min_weight) {
   const auto engine = engine::find("fast")->prepare(scene);
-  const auto drawn = [&](double weight, render::Reach& reach) {
-    const render::Frame frame{.size = size, .max_depth = 15, .min_weight = weight};
+  const auto drawn = [&](double weight, render::PathStatistics& reach) {
+    const render::RenderSettings frame{.size = size, .max_depth = 15, .min_weight = weight};
     return render::render(scene, *engine, {}, frame, &reach);
   };
-  Followed found;
+  TracingContext found;
   const render::Picture all = drawn(0, found.whole), some = drawn(min_weight, found.some);
   for (std::size_t i = 0; i < all.rgb.size(); ++i)
     for (int k = 0; k < 3; ++k) found.lost = std::max(found.lost, all.rgb[i][k] - some.rgb[i][k]);
@@ -108,7 +108,7 @@ Followed followed(const scene::Scene& scene, scene::Resolution size, double min_
 }
 
 /// The mean depth is that of few rays, and no pixel lost more than was said.
-void check_bounded(const Followed& at) {
+void check_bounded(const TracingContext& at) {
   INFO("mean depth " << at.depth() << " of " << double(at.whole.depths) / double(at.whole.pixels) << ", rays "
                      << at.some.rays << " of " << at.whole.rays << "; lost " << at.lost << ", at most "
                      << at.some.left_out);
@@ -123,7 +123,7 @@ void check_bounded(const Followed& at) {
 TEST_CASE(
     "where each ray counts for a twentieth, Whitted's scene has a mean depth below 2 of 15, and the bound holds") {
   const scene::Scene scene = io::read_scene(io::read_source(test::source_dir() + "/demo/gallery/whitted.json"));
-  const Followed at = followed(scene, {96, 72}, 0.05);
+  const TracingContext at = followed(scene, {96, 72}, 0.05);
   check_bounded(at);
   CHECK(50 * at.some.rays < at.whole.rays);
 }
@@ -135,7 +135,7 @@ TEST_CASE("the databases that are full of mirrors have a mean depth below 2 of 1
     const scene::Scene scene = std::move(io::read_nff(io::read_source(*path)).scene);
     for (const double min_weight : {0.01, 0.05}) {
       CAPTURE(name, min_weight);
-      const Followed at = followed(scene, {160, 160}, min_weight);
+      const TracingContext at = followed(scene, {160, 160}, min_weight);
       check_bounded(at);
       CHECK(at.some.left_out < 7 * at.lost);
     }
@@ -147,11 +147,11 @@ TEST_CASE(
     "rays that count for less than a hundredth each are more than a tenth of a pixel together, and the bound says so") {
   const scene::Scene scene = io::read_scene(io::read_source(test::source_dir() + "/demo/gallery/ghosts.json"));
   const auto engine = engine::find("fast")->prepare(scene);
-  const auto drawn = [&](double min_weight, render::Reach& reach) {
-    const render::Frame frame{.size = scene::Resolution{64, 48}, .min_weight = min_weight};
+  const auto drawn = [&](double min_weight, render::PathStatistics& reach) {
+    const render::RenderSettings frame{.size = scene::Resolution{64, 48}, .min_weight = min_weight};
     return render::render(scene, *engine, {}, frame, &reach);
   };
-  render::Reach whole, reach;
+  render::PathStatistics whole, reach;
   const render::Picture all = drawn(0, whole), some = drawn(0.01, reach);
   CHECK(whole.left_out == 0);
   double lost = 0, share = 0;

@@ -79,10 +79,10 @@ TEST_CASE("a texture on k_ps and on k_t: what is sent on, and none where it is 0
 TEST_CASE("a relief turns the normal: by 45 degrees it is lit by what stands 45 degrees aside") {
   scene::Scene scene;
   // One texel a unit, rising by 1 a texel from 0 to 3 along u, which is +x on a floor.
-  scene::Picture ramp{4, 1};
+  scene::TexelImage ramp{4, 1};
   for (int i = 0; i < 4; ++i) ramp.texels.emplace_back(i / 4.0);
   scene.stage().textures = {{.name = "ramp", .pattern = scene::Pattern::image, .repeat = {0.25, 1}}};
-  scene.stage().textures[0].image.levels = std::make_shared<const std::vector<scene::Picture>>(1, ramp);
+  scene.stage().textures[0].image.levels = std::make_shared<const std::vector<scene::TexelImage>>(1, ramp);
   scene.stage().directional_lights = {{{1, -1, 0}, {1, 1, 1}}};
   scene.stage().materials = {{.name = "floor", .color = {1, 1, 1}}};
   scene.stage().materials[0].bump = scene::Bump{"ramp", 4};
@@ -120,11 +120,12 @@ TEST_CASE("no relief sees a light behind its surface, nor does it mirror through
 
 TEST_CASE("the distance of a mipmap is the whole way from the eye, along mirrors and through glass") {
   scene::Scene scene;
-  scene::Picture checker{4, 4};
+  scene::TexelImage checker{4, 4};
   for (int i = 0; i < 16; ++i) checker.texels.emplace_back((i % 4 + i / 4) % 2);
   scene.stage().textures = {
       {.name = "t", .pattern = scene::Pattern::image, .filter = scene::Filter::mipmap, .near = 3}};
-  scene.stage().textures[0].image.levels = std::make_shared<const std::vector<scene::Picture>>(scene::mipmap(checker));
+  scene.stage().textures[0].image.levels =
+      std::make_shared<const std::vector<scene::TexelImage>>(scene::mipmap(checker));
   scene::Material wall{.name = "wall", .color = {0, 0, 0}, .emission = {1, 1, 1}};
   wear(wall, Coefficient::emission, "t");
   add_wall(scene, "wall", -1, 1, wall);

@@ -14,8 +14,9 @@ TEST_CASE("the inputs of a shape's addition are its attributes, each of the type
     for_each_attribute<Shape>([&](const auto& attribute) { words.push_back(attribute.word); });
     for_each_input<Shape>([&](const auto& attribute) { of_inputs.push_back(attribute.word); });
     CHECK(words == of_inputs);
-    const auto alike = []<class... Row, class... Input>(const std::tuple<Row...>&, const std::tuple<Input...>&) {
-      return (std::is_same_v<typename Row::Input, typename Input::Input> && ...);
+    const auto alike = []<class... TableRow, class... Input>(const std::tuple<TableRow...>&,
+                                                             const std::tuple<Input...>&) {
+      return (std::is_same_v<typename TableRow::Input, typename Input::Input> && ...);
     };
     CHECK(alike(attributes_of<Shape>, inputs_of<Shape>));
   });

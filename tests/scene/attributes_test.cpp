@@ -43,8 +43,8 @@ TEST_CASE("a shape has the attributes of its table, by the components of the spe
 
 TEST_CASE("what stands for the scene of the specification has its components, for every attribute") {
   for_each_shape([]<class Shape>(std::type_identity<Shape>) {
-    const auto alike = []<class... Any, class... Row>(const std::tuple<Any...>&, const std::tuple<Row...>&) {
-      return (std::is_same_v<typename Any::Value, typename Row::Value> && ...);
+    const auto alike = []<class... Any, class... TableRow>(const std::tuple<Any...>&, const std::tuple<TableRow...>&) {
+      return (std::is_same_v<typename Any::Value, typename TableRow::Value> && ...);
     };
     CHECK(alike(attributes_of<Shape>, attributes_of<Shape, Escena>));
   });

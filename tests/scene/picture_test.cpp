@@ -7,15 +7,15 @@ using namespace durero::scene;
 namespace {
 
 /// 2ⁿ × 2ⁿ texels of eighths of bytes, so that the sums below are exact; all different from their neighbours.
-Picture exact(std::uint32_t side) {
-  Picture picture{side, side};
+TexelImage exact(std::uint32_t side) {
+  TexelImage picture{side, side};
   for (std::uint32_t i = 0; i < side * side; ++i)
     picture.texels.emplace_back((i * 37 % 256) / 256.0, (i * 101 % 256) / 256.0, i % 2);
   return picture;
 }
 
 /// Exact: fewer than 2²⁰ numbers of 8 bits, or means of them by powers of four.
-glm::dvec3 sum(const Picture& picture) {
+glm::dvec3 sum(const TexelImage& picture) {
   glm::dvec3 all(0);
   for (const glm::dvec3& texel : picture.texels) all += texel;
   return all;
@@ -25,8 +25,8 @@ glm::dvec3 sum(const Picture& picture) {
 
 TEST_CASE("M_n is the mean of M_0, every level has that mean, and there are (4^(n+1) - 1)/3 texels") {
   for (std::uint32_t n = 0, side = 1; n <= 8; ++n, side *= 2) {
-    const Picture original = exact(side);
-    const std::vector<Picture> levels = mipmap(original);
+    const TexelImage original = exact(side);
+    const std::vector<TexelImage> levels = mipmap(original);
     REQUIRE(levels.size() == n + 1);
     CHECK(levels[0] == original);
     const glm::dvec3 mean = sum(original) / double(side * side);
@@ -43,8 +43,8 @@ TEST_CASE("M_n is the mean of M_0, every level has that mean, and there are (4^(
 }
 
 TEST_CASE("a texel of the next level is the mean of the four of its place") {
-  const Picture m = exact(4);
-  const Picture half = mipmap(m)[1];
+  const TexelImage m = exact(4);
+  const TexelImage half = mipmap(m)[1];
   for (std::uint32_t k : {0U, 1U})
     for (std::uint32_t j : {0U, 1U})
       CHECK(half.at(j, k) ==
@@ -52,17 +52,17 @@ TEST_CASE("a texel of the next level is the mean of the four of its place") {
 }
 
 TEST_CASE("a checker of single texels is one half from the first level on") {
-  Picture checker{8, 8};
+  TexelImage checker{8, 8};
   for (std::uint32_t k = 0; k < 8; ++k)
     for (std::uint32_t j = 0; j < 8; ++j) checker.texels.emplace_back((j + k) % 2);
-  const std::vector<Picture> levels = mipmap(checker);
+  const std::vector<TexelImage> levels = mipmap(checker);
   for (std::size_t i = 1; i < levels.size(); ++i)
     for (const glm::dvec3& texel : levels[i].texels) CHECK(texel == glm::dvec3(0.5));
 }
 
 TEST_CASE("only 2^n by 2^n texels have a mipmap") {
   for (const auto& [width, height] : {std::pair{3U, 3U}, {4U, 2U}, {2U, 4U}, {0U, 0U}, {6U, 6U}}) {
-    Picture picture{width, height};
+    TexelImage picture{width, height};
     picture.texels.resize(std::size_t{width} * height);
     CHECK_FALSE(has_mipmap(picture));
     CHECK_THROWS_AS(mipmap(picture), std::invalid_argument);
@@ -71,7 +71,7 @@ TEST_CASE("only 2^n by 2^n texels have a mipmap") {
 }
 
 TEST_CASE("picture files are equal by their names, read or not") {
-  const auto levels = std::make_shared<const std::vector<Picture>>(1, exact(1));
+  const auto levels = std::make_shared<const std::vector<TexelImage>>(1, exact(1));
   CHECK(PictureFile{"a.png", levels} == PictureFile{"a.png"});
   CHECK_FALSE(PictureFile{"a.png"} == PictureFile{"b.png"});
 }

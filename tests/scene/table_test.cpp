@@ -15,7 +15,7 @@ namespace {
 using Spheres = Table<Sphere>;
 
 /// A row that is known by its number.
-Row<Sphere> row(std::uint32_t number) {
+TableRow<Sphere> row(std::uint32_t number) {
   return {{glm::dvec3(number), 1.0 + number}, {model::Elemento("e" + std::to_string(number)), number, number}};
 }
 
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> numbers(const Spheres& table) {
   REQUIRE(table.shapes.size() == table.labels.size());
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     const std::uint32_t number = table.labels[i].material;
-    const Row<Sphere> expected = row(number);
+    const TableRow<Sphere> expected = row(number);
     CHECK(table.shapes[i].centro == expected.shape.centro);
     CHECK(table.shapes[i].radio == expected.shape.radio);
     CHECK(table.labels[i].name == expected.label.name);

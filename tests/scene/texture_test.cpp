@@ -9,7 +9,7 @@ TEST_CASE("words are in step with what they name") {
   CHECK(pattern_words[static_cast<std::size_t>(Pattern::image)] == "image");
   CHECK(filter_words[static_cast<std::size_t>(Filter::mipmap)] == "mipmap");
   CHECK(edges_words[static_cast<std::size_t>(Edges::clamp)] == "clamp");
-  CHECK(curve_words[static_cast<std::size_t>(Curve::linear)] == "linear");
+  CHECK(curve_words[static_cast<std::size_t>(TransferFunction::linear)] == "linear");
   CHECK(coefficient_words[static_cast<std::size_t>(Coefficient::k_ps)] == "k_ps");
   CHECK(coefficient_words[static_cast<std::size_t>(Coefficient::ambient)] == "ambient");
 }

@@ -57,9 +57,9 @@ struct Starting : Recorder {
   std::map<std::uint32_t, double> at;
 };
 
-template <class Told = Recorder>
+template <class Observer = Recorder>
 struct Block {
-  Told told;
+  Observer told;
   std::set<std::uint32_t> alone;
   std::uint64_t decided = 0;
   Block(const scene::Scene& scene, const std::vector<scene::Query>& queries) {

@@ -40,8 +40,8 @@ class Shuffled {
   }
 
   /// Element by element, so that packets mix the rays.
-  template <class Limit, class Take, class Flush>
-  void pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const {
+  template <class Limit, class Visitor, class Flush>
+  void pairs(std::span<const trace::Ray> rays, Limit limit, Visitor take, Flush flush) const {
     for (const ElementRef e : elements_) {
       for (std::uint32_t number = 0; number < rays.size(); ++number) {
         if (limit(number) > 0) take(number, e);

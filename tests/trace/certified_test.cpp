@@ -29,8 +29,8 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
       const trace::Ray traced(queries[i].rayo);
       scene.any_of([&](ElementRef e, const auto& shape) {
-        const trace::Finding finding = triage(shape, traced, false);
-        if (finding.verdict != trace::Verdict::hit) return false;
+        const trace::RootEstimate finding = triage(shape, traced, false);
+        if (finding.verdict != trace::Decision::hit) return false;
         certified.hit(i, traced, tables, told[i] = e, {finding});
         met[i] = true;
         return true;
@@ -56,7 +56,7 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
 
 TEST_CASE("a point of the kernel holds the parameter between its ends, and nothing is nearer than none") {
   CHECK(trace::Certified::Point{}.low() == trace::no_limit);
-  const trace::Certified::Point point{{trace::Verdict::hit, 2, 0, 0.5}};
+  const trace::Certified::Point point{{trace::Decision::hit, 2, 0, 0.5}};
   CHECK(point.low() == 1.5);
   CHECK(point.high() == 2.5);
 }
@@ -85,9 +85,9 @@ TEST_CASE("points of a plane across an axis are rounded without exact arithmetic
     const trace::Tables tables(scene);
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
       const trace::Ray traced(queries[i].rayo);
-      const trace::Finding finding =
+      const trace::RootEstimate finding =
           scene.visit(elements[k], [&](const auto& shape) { return triage(shape, traced, false); });
-      if (finding.verdict == trace::Verdict::hit) certified.hit(i, traced, tables, elements[k], {finding});
+      if (finding.verdict == trace::Decision::hit) certified.hit(i, traced, tables, elements[k], {finding});
     }
     certified.finish();
     for (std::size_t i = 0; i < queries.size(); ++i) {
@@ -121,8 +121,9 @@ TEST_CASE("hits of the element that a ray starts on are rounded once, in lanes")
     trace::Certified certified(scene, queries, answers, counts);
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
       const trace::Ray traced(queries[i].rayo);
-      const trace::Finding finding = scene.visit(e, [&](const auto& shape) { return triage(shape, traced, true); });
-      REQUIRE(finding.verdict == trace::Verdict::hit);
+      const trace::RootEstimate finding =
+          scene.visit(e, [&](const auto& shape) { return triage(shape, traced, true); });
+      REQUIRE(finding.verdict == trace::Decision::hit);
       certified.hit_own(i, traced, e, {finding});
     }
     certified.finish();

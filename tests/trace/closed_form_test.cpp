@@ -19,7 +19,7 @@ using namespace durero::test;
 namespace steps = trace::HWY_NAMESPACE;
 using conform::Random;
 using steps::DoubleDouble;
-using trace::Verdict;
+using trace::Decision;
 
 namespace {
 
@@ -112,7 +112,7 @@ void measure_from_surface(Random& random, const std::string& step, Worst_Ratios&
   f.A_error = std::abs(off_A);
   f.B_error = std::abs(off_B);
   const auto found = steps::first_from_surface(f, trace::no_limit);
-  if (found.verdict != Verdict::hit) return;
+  if (found.verdict != Decision::hit) return;
   const Dyadic A = exact(f.A) + Dyadic(off_A), B = exact(f.B) + Dyadic(off_B);
   worst.note(step + " root from the surface", Fraction{shifted(-B, 1), A}.ratio(exact(found.root.t), found.root.error));
   if constexpr (std::is_same_v<T, double>) {

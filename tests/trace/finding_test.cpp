@@ -13,8 +13,8 @@
 
 using namespace durero;
 using namespace durero::test;
-using trace::Finding;
-using trace::Verdict;
+using trace::Decision;
+using trace::RootEstimate;
 
 namespace {
 
@@ -22,7 +22,7 @@ namespace {
 surface::exact::Parameter exactly(const number::Dyadic& x) { return {.x = x}; }
 
 /// hi + lo ± error lie on both sides of the parameter t, or at it.
-bool holds(const Finding& finding, const surface::exact::Parameter& t) {
+bool holds(const RootEstimate& finding, const surface::exact::Parameter& t) {
   const number::Dyadic middle = number::Dyadic(finding.hi) + number::Dyadic(finding.lo), error(finding.error);
   return surface::exact::order(exactly(middle - error), t) <= 0 &&
          surface::exact::order(t, exactly(middle + error)) <= 0;
@@ -33,17 +33,17 @@ void check_steps(const Shape& shape, const model::Rayo& rayo, int& hits) {
   const trace::Ray traced(rayo);
   if (!traced.ordinary || !trace::ordinary(shape)) return;
   const auto reach = surface::exact::reach(surface::exact::coefficients(shape, rayo, false));
-  for (const Finding& finding : {triage(shape, traced, false), stable(shape, traced, false)}) {
-    if (finding.verdict == Verdict::undecided) continue;
-    RC_ASSERT((finding.verdict == Verdict::hit) == (!reach.empty() && !reach.no_minimum()));
-    if (finding.verdict == Verdict::miss) continue;
+  for (const RootEstimate& finding : {triage(shape, traced, false), stable(shape, traced, false)}) {
+    if (finding.verdict == Decision::undecided) continue;
+    RC_ASSERT((finding.verdict == Decision::hit) == (!reach.empty() && !reach.no_minimum()));
+    if (finding.verdict == Decision::miss) continue;
     RC_ASSERT(holds(finding, reach.first()));
     ++hits;
   }
-  const Finding first = triage(shape, traced, false);
-  if (first.verdict != Verdict::hit) return;
-  const Finding better = improved(shape, traced, false, first);
-  if (better.verdict == Verdict::hit) RC_ASSERT(holds(better, reach.first()));
+  const RootEstimate first = triage(shape, traced, false);
+  if (first.verdict != Decision::hit) return;
+  const RootEstimate better = improved(shape, traced, false, first);
+  if (better.verdict == Decision::hit) RC_ASSERT(holds(better, reach.first()));
 }
 
 void check_shapes(const Reals& numbers, int& hits) {

@@ -57,7 +57,7 @@ struct Numbers<Tally> : Binary64<Tally> {};
 using namespace durero;
 using namespace durero::test;
 namespace steps = trace::HWY_NAMESPACE;
-using trace::Verdict;
+using trace::Decision;
 
 namespace {
 
@@ -98,15 +98,15 @@ struct Counts {
 
 template <class Shape>
 Counts counts(const Row<Shape>& row) {
-  const auto early = [&](const glm::dvec3& v, Verdict expected) {
+  const auto early = [&](const glm::dvec3& v, Decision expected) {
     return counted([&] {
       const trace::Ray of(ray({0, 0, 0}, v));
       CHECK(steps::closed_form<Tally>(row.shape, of, false, trace::no_limit).verdict == expected);
     });
   };
   Counts all;
-  all.miss = early(row.misses, Verdict::miss);
-  all.hit = early(row.meets, Verdict::hit);
+  all.miss = early(row.misses, Decision::miss);
+  all.hit = early(row.meets, Decision::hit);
   all.lanes = counted([&] {
     const trace::Ray of(ray({0, 0, 0}, row.misses));
     const auto found = steps::found_in_lanes<Shape::tipo>(steps::quadratic<Tally>(row.shape, of));

@@ -19,9 +19,9 @@
 using namespace durero;
 using namespace durero::test;
 using scene::ElementRef;
-using trace::Finding;
+using trace::Decision;
 using trace::Packet;
-using trace::Verdict;
+using trace::RootEstimate;
 
 namespace {
 
@@ -81,9 +81,9 @@ struct Lanes {
 
 bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
-void same_finding(const Finding& a, const Finding& b) {
+void same_finding(const RootEstimate& a, const RootEstimate& b) {
   RC_ASSERT(a.verdict == b.verdict);
-  if (a.verdict != Verdict::hit) return;
+  if (a.verdict != Decision::hit) return;
   RC_ASSERT(same(a.hi, b.hi) && a.lo == 0 && same(a.error, b.error));
   RC_ASSERT(same(a.slope.at_root, b.slope.at_root) && same(a.slope.at_root_error, b.slope.at_root_error));
   RC_ASSERT(same(a.slope.A, b.slope.A) && same(a.slope.A_error, b.slope.A_error));
@@ -95,9 +95,9 @@ void check_triage(const Lanes<Element>& lanes, trace::Findings& findings, Tally&
   trace::triage(lanes.packet, lanes.tipo, findings);
   for (std::size_t lane = 0; lane < Packet::size; ++lane) {
     ++tally.all;
-    if (findings[lane].verdict == Verdict::undecided) continue;
+    if (findings[lane].verdict == Decision::undecided) continue;
     ++tally.decided;
-    tally.hits += findings[lane].verdict == Verdict::hit;
+    tally.hits += findings[lane].verdict == Decision::hit;
     same_finding(findings[lane], trace::triage(lanes.elements[lane], lanes.traced[lane], false));
   }
 }
@@ -129,8 +129,8 @@ void check_columns(const Lanes<Element>& lanes) {
     RC_ASSERT(findings[4].hit == 0x5a);
     for (std::size_t place = 0; place < trace::RayColumns::size; ++place) {
       if ((which >> place & 1) == 0) continue;
-      const Finding found = findings[place / 8][place % 8];
-      if (found.verdict != Verdict::undecided)
+      const RootEstimate found = findings[place / 8][place % 8];
+      if (found.verdict != Decision::undecided)
         same_finding(found, trace::triage(element, lanes.traced[(place / 8 + place) % Packet::size], false));
     }
     Packet one;
@@ -149,12 +149,12 @@ void check_rounding(const Lanes<Element>& lanes, const trace::Findings& findings
   trace::RoundedPacket rounded;
   trace::improve_and_round(lanes.packet, lanes.tipo, findings, rounded);
   for (std::size_t lane = 0; lane < Packet::size; ++lane) {
-    const Finding found = findings[lane];
-    if (found.verdict != Verdict::hit) continue;
-    const Finding better = trace::improved(lanes.elements[lane], lanes.traced[lane], false, found);
-    const trace::Rounded one = better.verdict == Verdict::hit
-                                   ? trace::rounded(lanes.elements[lane], lanes.traced[lane], better)
-                                   : trace::Rounded{};
+    const RootEstimate found = findings[lane];
+    if (found.verdict != Decision::hit) continue;
+    const RootEstimate better = trace::improved(lanes.elements[lane], lanes.traced[lane], false, found);
+    const trace::RoundedPoint one = better.verdict == Decision::hit
+                                        ? trace::rounded(lanes.elements[lane], lanes.traced[lane], better)
+                                        : trace::RoundedPoint{};
     const bool certain = (rounded.certain >> lane & 1) != 0;
     RC_ASSERT(certain == one.certain);
     tally.certain += certain;

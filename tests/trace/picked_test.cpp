@@ -36,7 +36,7 @@ TEST_CASE("an ordinary ray is told the one element that it starts on, where none
                      {{rayo}, {rayo, {first}}, {rayo, {second}}, {rayo, {first, second}}, {far, {first}}});
     std::vector<scene::ElementRef> told;
     const std::vector<trace::Ray> rays =
-        trace::rays_of(trace::Tables(scene), trace::Picked<const scene::Query>(queries),
+        trace::rays_of(trace::Tables(scene), trace::IndexedView<const scene::Query>(queries),
                        [&](std::size_t i, const scene::Query& query, const trace::Ray& each) {
                          CHECK(&query == &queries[i]);
                          CHECK(told.size() == i);

@@ -12,7 +12,7 @@
 #include "support/scenes.hpp"
 
 using namespace durero;
-using oracle::sampled::Verdict;
+using oracle::sampled::SampledVerdict;
 
 TEST_CASE("a million random rays: every disagreement with the samples is explained") {
   constexpr std::uint64_t scenes = 50, rays_a_scene = 20'000, first_seed = 20'260;
@@ -27,16 +27,17 @@ TEST_CASE("a million random rays: every disagreement with the samples is explain
       const model::Rayo ray = test::random_ray(random);
       const scene::Hit hit = trace::first_hit(scene, ray);
       hits += hit.resultado == model::Resultado::hit;
-      const Verdict verdict = oracle.judge(ray, hit);
+      const SampledVerdict verdict = oracle.judge(ray, hit);
       ++counts[static_cast<std::size_t>(verdict)];
       if (!agrees(verdict)) bad_seed = seed;
     }
   });
   for (std::size_t i = 0; i < counts.size(); ++i)
-    std::cout << name(static_cast<Verdict>(i)) << ' ' << counts[i] << (i + 1 < counts.size() ? ", " : "\n");
+    std::cout << name(static_cast<SampledVerdict>(i)) << ' ' << counts[i] << (i + 1 < counts.size() ? ", " : "\n");
   INFO("replay: test::Random random(" << bad_seed << ")");
-  CHECK(counts[static_cast<std::size_t>(Verdict::incomplete)] == 0);
-  CHECK(counts[static_cast<std::size_t>(Verdict::unsound)] == 0);
+  CHECK(counts[static_cast<std::size_t>(SampledVerdict::incomplete)] == 0);
+  CHECK(counts[static_cast<std::size_t>(SampledVerdict::unsound)] == 0);
   CHECK(hits > scenes * rays_a_scene / 4);  // rays that test something
-  CHECK(counts[static_cast<std::size_t>(Verdict::agrees)] > scenes * rays_a_scene * 9 / 10);  // explanations are rare
+  CHECK(counts[static_cast<std::size_t>(SampledVerdict::agrees)] >
+        scenes * rays_a_scene * 9 / 10);  // explanations are rare
 }

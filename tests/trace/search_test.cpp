@@ -76,10 +76,10 @@ TEST_CASE("what no step in floating point is certain of is rounded from the exac
 
 namespace {
 
-bool same(const trace::Finding& a, const trace::Finding& b) {
+bool same(const trace::RootEstimate& a, const trace::RootEstimate& b) {
   return a.hi == b.hi && a.lo == b.lo && a.error == b.error;
 }
-bool same(const trace::Rounded& a, const trace::Rounded& b) { return a.t == b.t && a.punto == b.punto; }
+bool same(const trace::RoundedPoint& a, const trace::RoundedPoint& b) { return a.t == b.t && a.punto == b.punto; }
 
 /// What the search says of one element is what these steps say, in their order.
 template <class Shape>
@@ -88,11 +88,11 @@ void check_steps(const trace::Search& search, scene::ElementRef e, const Shape& 
   const trace::Ray& ray = search.ray();
   const trace::Meeting met = search.meeting(e, limit);
   const bool in_range = ray.ordinary && trace::ordinary(shape);
-  const auto first = in_range ? trace::triage(shape, ray, on, limit) : trace::Finding{trace::Verdict::undecided};
+  const auto first = in_range ? trace::triage(shape, ray, on, limit) : trace::RootEstimate{trace::Decision::undecided};
   const auto second = in_range ? trace::stable(shape, ray, on, limit) : first;
-  const bool by_triage = first.verdict != trace::Verdict::undecided;
+  const bool by_triage = first.verdict != trace::Decision::undecided;
   const auto& said = by_triage ? first : second;
-  if (said.verdict == trace::Verdict::undecided) {
+  if (said.verdict == trace::Decision::undecided) {
     REQUIRE(met.step == trace::Step::exact);
     const auto reach = surface::exact::reach(shape, rayo, on);
     REQUIRE((met.kind == trace::Meeting::Kind::none) == reach.empty());
@@ -106,13 +106,13 @@ void check_steps(const trace::Search& search, scene::ElementRef e, const Shape& 
     return;
   }
   REQUIRE(met.step == (by_triage ? trace::Step::triage : trace::Step::stable));
-  REQUIRE((met.kind == trace::Meeting::Kind::point) == (said.verdict == trace::Verdict::hit));
+  REQUIRE((met.kind == trace::Meeting::Kind::point) == (said.verdict == trace::Decision::hit));
   if (met.kind != trace::Meeting::Kind::point) return;
   REQUIRE(same(met.finding, said));
   const auto [low, high] = by_triage ? trace::ends_of(said.hi, said.error) : trace::ends_of_pair(said.hi, said.error);
   REQUIRE((met.low == low && met.high == high));
   const auto best = by_triage ? trace::improved(shape, ray, on, said) : said;
-  const auto once = best.verdict == trace::Verdict::hit ? trace::rounded(shape, ray, best) : trace::Rounded{};
+  const auto once = best.verdict == trace::Decision::hit ? trace::rounded(shape, ray, best) : trace::RoundedPoint{};
   if (once.certain) REQUIRE(same(search.rounded_hit(e, met), once));
 }
 
@@ -197,7 +197,7 @@ struct CountedSteps : TableSteps {
   explicit CountedSteps(const StepTable& table) : TableSteps{table} {}
   mutable std::size_t stables = 0, reaches = 0, exact_orders = 0, orders = 0;
 
-  trace::Finding stable(const Element& e, bool on, double limit) const {
+  trace::RootEstimate stable(const Element& e, bool on, double limit) const {
     return ++stables, TableSteps::stable(e, on, limit);
   }
   surface::exact::Reach reach(const Element& e, bool on) const { return ++reaches, TableSteps::reach(e, on); }
@@ -231,7 +231,7 @@ TEST_CASE("ties of equal elements are told by as many steps as one of each kind 
     const StepTable table = ties(n);
     const CountedSteps steps(table);
     trace::Counts counts;
-    trace::Found found;
+    trace::SearchState found;
     for (std::size_t i = 0; i < n; ++i) take(steps, found, element_at(i), trace::Search::Range::unknown, counts);
     CHECK(published(steps, found, counts).elementos.size() == n);
     CHECK(counts.order[2] == 1);

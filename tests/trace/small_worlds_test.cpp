@@ -28,7 +28,7 @@ namespace {
 
 namespace steps = trace::HWY_NAMESPACE;
 using test::Doubled, test::Small;
-using trace::Verdict;
+using trace::Decision;
 
 /// 0 and every ±m·2^e of so many bits, 1/2 ≤ |x| < 4.
 std::vector<double> numbers(int bits) {
@@ -41,9 +41,9 @@ std::vector<double> numbers(int bits) {
 
 /// How often a step said what.
 struct Said {
-  std::array<std::size_t, 3> of{};  ///< by Verdict
-  void note(Verdict verdict) { ++of[static_cast<std::size_t>(verdict)]; }
-  std::size_t at(Verdict verdict) const { return of[static_cast<std::size_t>(verdict)]; }
+  std::array<std::size_t, 3> of{};  ///< by Decision
+  void note(Decision verdict) { ++of[static_cast<std::size_t>(verdict)]; }
+  std::size_t at(Decision verdict) const { return of[static_cast<std::size_t>(verdict)]; }
 };
 
 /// What is exactly so of a ray and an element.
@@ -62,13 +62,13 @@ struct Truth {
 
 /// Whether what a step says is true.
 template <class Root>
-bool holds(Verdict verdict, const Root& root, const Truth& truth, double limit) {
+bool holds(Decision verdict, const Root& root, const Truth& truth, double limit) {
   switch (verdict) {
-    case Verdict::undecided:
+    case Decision::undecided:
       return true;
-    case Verdict::miss:
+    case Decision::miss:
       return truth.none_up_to(limit);
-    case Verdict::hit:
+    case Decision::hit:
       return !truth.reach.empty() && !truth.reach.segment && truth.within(root.error, whole(root.t));
   }
   return false;
@@ -86,7 +86,7 @@ template <class T, class Shape>
 bool in_lanes_holds(const Shape& shape, const trace::Ray& ray, const Truth& truth, Said& said) {
   if (truth.on) return true;
   const auto found = steps::found_in_lanes<Shape::tipo>(steps::quadratic<T>(shape, ray));
-  const Verdict verdict = found.hit ? Verdict::hit : found.undecided ? Verdict::undecided : Verdict::miss;
+  const Decision verdict = found.hit ? Decision::hit : found.undecided ? Decision::undecided : Decision::miss;
   said.note(verdict);
   return holds(verdict, found.root, truth, trace::no_limit);
 }
@@ -204,8 +204,8 @@ std::size_t wrong_in(const World& world, const Shape& shape, Counts<T...>& said)
 /// Of 64ε little is lost where ε is 2⁻²⁴.
 template <class Shape, class T>
 void check_decided(const Said& said) {
-  const std::size_t hits = said.at(Verdict::hit), misses = said.at(Verdict::miss);
-  const std::size_t undecided = said.at(Verdict::undecided);
+  const std::size_t hits = said.at(Decision::hit), misses = said.at(Decision::miss);
+  const std::size_t undecided = said.at(Decision::undecided);
   fmt::print("{:17} in {:13}: {:8} hits, {:8} misses, {:8} undecided\n", Shape::Addition::schema,
              name(std::type_identity<T>()), hits, misses, undecided);
   CHECK(hits > 0);

@@ -81,12 +81,12 @@ struct TableSteps {
   const StepTable& table;
 
   const Element& element(scene::ElementRef e) const { return table.elements.at(e.index); }
-  const TableFinding& finding(const trace::Finding& f) const {
+  const TableFinding& finding(const trace::RootEstimate& f) const {
     return table.findings.at(static_cast<std::size_t>(f.hi));
   }
-  static trace::Finding finding(Answer answer) {
-    if (answer >= 0) return {.verdict = trace::Verdict::hit, .hi = static_cast<double>(answer)};
-    return {.verdict = answer == miss ? trace::Verdict::miss : trace::Verdict::undecided};
+  static trace::RootEstimate finding(Answer answer) {
+    if (answer >= 0) return {.verdict = trace::Decision::hit, .hi = static_cast<double>(answer)};
+    return {.verdict = answer == miss ? trace::Decision::miss : trace::Decision::undecided};
   }
   static Parameter parameter(const TableParameter& p) { return {p.num, p.coef, p.rad, p.den}; }
   const TableParameter& parameter(const Parameter& t) const {
@@ -111,13 +111,13 @@ struct TableSteps {
   static bool in_range(const Element& e, trace::Search::Range range) {
     return e.in_range || range == trace::Search::Range::ordinary;
   }
-  static trace::Finding triage(const Element& e, bool on, double limit) {
+  static trace::RootEstimate triage(const Element& e, bool on, double limit) {
     return check(e, on), finding(e.triage[limit_of(limit)]);
   }
-  static trace::Finding stable(const Element& e, bool on, double limit) {
+  static trace::RootEstimate stable(const Element& e, bool on, double limit) {
     return check(e, on), finding(e.stable[limit_of(limit)]);
   }
-  static trace::Finding improved(const Element& e, bool on, const trace::Finding& f) {
+  static trace::RootEstimate improved(const Element& e, bool on, const trace::RootEstimate& f) {
     return check(e, on), finding(e.improved.at(static_cast<std::size_t>(f.hi)));
   }
   surface::exact::Reach reach(const Element& e, bool on) const {
@@ -128,21 +128,27 @@ struct TableSteps {
   }
   static std::strong_ordering order(const Parameter& a, const Parameter& b) { return surface::exact::order(a, b); }
 
-  trace::Ends<double> ends(trace::Step step, const trace::Finding& f) const {
+  trace::ParameterBounds<double> ends(trace::Step step, const trace::RootEstimate& f) const {
     const TableFinding& of = finding(f);
     if (step == trace::Step::triage) return {limits[of.triage_low], limits[of.triage_high]};
     return {limits[of.stable_low], limits[of.stable_high]};
   }
-  trace::Ends<double> ends(const Parameter& t) const { return {limits[parameter(t).low], limits[parameter(t).high]}; }
-  bool ahead(const trace::Finding& a, const trace::Finding& b) const { return finding(a).rank < finding(b).rank; }
-  bool certainly_less(const trace::Finding& a, const trace::Finding& b) const {
+  trace::ParameterBounds<double> ends(const Parameter& t) const {
+    return {limits[parameter(t).low], limits[parameter(t).high]};
+  }
+  bool ahead(const trace::RootEstimate& a, const trace::RootEstimate& b) const {
+    return finding(a).rank < finding(b).rank;
+  }
+  bool certainly_less(const trace::RootEstimate& a, const trace::RootEstimate& b) const {
     return finding(a).certainly_less.at(static_cast<std::size_t>(b.hi));
   }
-  static trace::Rounded rounded(const Element& e, const trace::Finding& f) {
+  static trace::RoundedPoint rounded(const Element& e, const trace::RootEstimate& f) {
     const int name = e.rounded.at(static_cast<std::size_t>(f.hi));
     return {name != uncertain, static_cast<double>(name), {}};
   }
-  trace::Rounded rounded(const Parameter& t) const { return {true, static_cast<double>(parameter(t).rounded), {}}; }
+  trace::RoundedPoint rounded(const Parameter& t) const {
+    return {true, static_cast<double>(parameter(t).rounded), {}};
+  }
 };
 
 /// The table in numbers, as proofs/oracle/tables.ml reads it.
@@ -175,7 +181,7 @@ inline scene::ElementRef element_at(std::size_t i) { return {model::Tipo::soy_es
 inline std::string answer(const StepTable& table) {
   const TableSteps steps{table};
   trace::Counts counts;
-  trace::Found found;
+  trace::SearchState found;
   const auto unknown = trace::Search::Range::unknown;
   for (std::size_t i = 0; i < table.elements.size(); ++i) trace::take(steps, found, element_at(i), unknown, counts);
 

@@ -12,7 +12,7 @@ using namespace durero;
 using namespace durero::test;
 namespace steps = trace::HWY_NAMESPACE;
 using steps::DoubleDouble;
-using trace::Verdict;
+using trace::Decision;
 
 namespace {
 
@@ -27,7 +27,7 @@ struct Answer {
         verdict(steps::closed_form<T>(shape, traced, on, trace::no_limit).verdict) {}
   trace::Ray traced;
   steps::Quadratic<T> f;
-  Verdict verdict;
+  Decision verdict;
 };
 
 /// Numbers are small next to the origin of the numbers, and survive there: p is chosen so that a quantity is the given
@@ -44,8 +44,8 @@ TEMPLATE_TEST_CASE("a discriminant within its bound has no sign", "", double, Do
   for (const double part : parts) {
     const Answer<TestType, scene::Sphere> answer(below, {-8, -part * bound, 0}, {1, 0, 0});
     INFO(part);
-    CHECK((answer.verdict == Verdict::undecided) >= within(part));
-    CHECK((answer.verdict == Verdict::miss) == (part < -1));
+    CHECK((answer.verdict == Decision::undecided) >= within(part));
+    CHECK((answer.verdict == Decision::miss) == (part < -1));
   }
 }
 
@@ -57,7 +57,7 @@ TEMPLATE_TEST_CASE("a root within its bound of the origin is neither ahead nor b
   for (const double part : parts) {
     const Answer<TestType, scene::Sphere> answer(unit, {-part * bound, 0, 0}, {1, 0, 0});
     INFO(part);
-    CHECK((answer.verdict == Verdict::undecided) == within(part));
+    CHECK((answer.verdict == Decision::undecided) == within(part));
   }
 }
 
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE("an advance within its bound of the base is neither inside no
       if (slope != 0 && steps::Numbers<TestType>::roundoff < 0x1p-60) continue;
       const Answer<TestType, scene::Cylinder> answer(upright, {-2, 0, -slope + part * bound}, v);
       INFO(slope << " " << part);
-      CHECK((answer.verdict == Verdict::undecided) == within(part));
+      CHECK((answer.verdict == Decision::undecided) == within(part));
     }
   }
 }
@@ -84,7 +84,7 @@ TEST_CASE("an advance within its bound of the other rim is neither inside nor ou
   for (const double part : parts) {
     INFO(part);
     const Answer<double, scene::Cylinder> answer(upright, {-2, 0, 1 + part * bound}, {1, 0, 0});
-    CHECK((answer.verdict == Verdict::undecided) == within(part));
+    CHECK((answer.verdict == Decision::undecided) == within(part));
   }
 }
 
@@ -94,8 +94,8 @@ TEST_CASE("a root within its bound of the limit is not beyond it") {
   const double bound = triage(unit, traced, false).error;
   for (const double part : parts) {
     INFO(part);
-    const Verdict verdict = triage(unit, traced, false, 2 + part * bound).verdict;
-    CHECK(verdict == (part < -1 ? Verdict::miss : Verdict::hit));
+    const Decision verdict = triage(unit, traced, false, 2 + part * bound).verdict;
+    CHECK(verdict == (part < -1 ? Decision::miss : Decision::hit));
   }
 }
 
@@ -106,8 +106,8 @@ TEMPLATE_TEST_CASE("nothing is divided by a number that may be 0", "", double, D
   for (const double part : {0.0, 0.5, 0.99}) {
     const glm::dvec3 along(std::sqrt(part * bound), 0, 1);
     INFO(part);
-    CHECK((Answer<TestType, scene::Cylinder>(tube, {0.5, 0, 0.5}, along).verdict == Verdict::undecided));
-    CHECK((Answer<TestType, scene::Cylinder>(tube, {0.5, 0, 0.5}, along, true).verdict == Verdict::undecided));
+    CHECK((Answer<TestType, scene::Cylinder>(tube, {0.5, 0, 0.5}, along).verdict == Decision::undecided));
+    CHECK((Answer<TestType, scene::Cylinder>(tube, {0.5, 0, 0.5}, along, true).verdict == Decision::undecided));
   }
   // At the middle of a short chord B = 0 and the root of D is all of the sum; the chord lies below the base, so that
   // only the sum can be in doubt.
@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE("nothing is divided by a number that may be 0", "", double, D
     if (steps::magnitude(q.value) > q.error) continue;
     INFO(part);
     doubtful = true;
-    CHECK(answer.verdict == Verdict::undecided);
+    CHECK(answer.verdict == Decision::undecided);
   }
   CHECK(doubtful);
 }
@@ -129,8 +129,8 @@ TEST_CASE("a slope that may be 0 improves nothing") {
   const scene::Sphere unit{{0, 0, 0}, 1};
   const trace::Ray traced(ray({-3, 0, 0}, {1, 0, 0}));
   const auto improves = [&](double error, double slope_error, double A_error) {
-    return improved(unit, traced, false, {Verdict::hit, 2, 0, error, {-1, slope_error, 1, A_error}}).verdict ==
-           Verdict::hit;
+    return improved(unit, traced, false, {Decision::hit, 2, 0, error, {-1, slope_error, 1, A_error}}).verdict ==
+           Decision::hit;
   };
   CHECK(improves(0x1p-20, 0x1p-20, 0));
   CHECK_FALSE(improves(0, 1.01, 0));

@@ -30,7 +30,7 @@ Edited with_tori(const std::string& elements = ring + "," + ball) {
 std::string edit(Edited& edited, const std::string& script) {
   std::string answers;
   const io::Source source("script", script);
-  for (const io::Step& step : io::read_script(source, edited.of().scene.stage(), edited.types())) {
+  for (const io::ScriptStep& step : io::read_script(source, edited.of().scene.stage(), edited.types())) {
     const io::EditAnswer answer = edited.apply_total(step);
     if (!answer.left_group.empty()) answers += answer.left_group + " left: ";
     answers += answer.r + (answer.ok() ? "" : " " + answer.violated + ": " + answer.predicate) + "\n";

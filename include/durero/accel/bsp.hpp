@@ -53,17 +53,17 @@ class Bsp : public InCells {
   /// at_node(place) is called once for each inner node. The recursion goes into the nearer half first, and into both
   /// halves only where the ray crosses the plane.
   template <class Visit, class AtNode>
-  bool walk(const Line& line, Visit visit, AtNode at_node) const;
+  bool walk(const AxisRay& line, Visit visit, AtNode at_node) const;
 
   /// Traversal by point location: the same leaves, each found from the root by the point at which the ray left the cell
   /// before.
   template <class Visit, class AtNode>
-  bool walk_by_location(const Line& line, Visit visit, AtNode at_node) const;
+  bool walk_by_location(const AxisRay& line, Visit visit, AtNode at_node) const;
 
   /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
+    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const AxisRay& line, auto look) {
       walk(line, look, [&](std::size_t) { ++work.nodes, ++work.volumes; });
     });
   }
@@ -92,7 +92,7 @@ class BspByLocation : public Bsp {
   /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    return search_cells(contents(), lists(), ray, limit, visit, work, [&](const Line& line, auto look) {
+    return search_cells(contents(), lists(), ray, limit, visit, work, [&](const AxisRay& line, auto look) {
       walk_by_location(line, look, [&](std::size_t) { ++work.nodes, ++work.volumes; });
     });
   }
@@ -102,12 +102,12 @@ class BspByLocation : public Bsp {
 template <class Visit, class AtNode>
 struct Bsp::Walk {
   /// Visits the leaves below a node, which the ray enters by `in` and leaves by `out`.
-  bool operator()(std::size_t place, const Crossing& in, const Crossing& out) {
+  bool operator()(std::size_t place, const PlaneCrossing& in, const PlaneCrossing& out) {
     const Node& node = bsp.nodes_[place];
     if (node.leaf()) return visit(std::size_t{node.below}, in);
     at_node(place);
     const int axis = static_cast<int>(node.axis);
-    const Crossing middle = line.crossing(axis, node.plane);
+    const PlaneCrossing middle = line.crossing(axis, node.plane);
     const bool passed = line.order(middle, in) <= 0;
     const bool above = passed != line.backwards(axis);
     if (passed || line.order(middle, out) >= 0) return (*this)(node.below + (above ? 1 : 0), in, out);
@@ -115,24 +115,24 @@ struct Bsp::Walk {
   }
 
   const Bsp& bsp;
-  const Line& line;
+  const AxisRay& line;
   Visit& visit;
   AtNode& at_node;
 };
 
 template <class Visit, class AtNode>
-bool Bsp::walk(const Line& line, Visit visit, AtNode at_node) const {
-  const std::optional<Crossing> first = way_in(line, root_);
+bool Bsp::walk(const AxisRay& line, Visit visit, AtNode at_node) const {
+  const std::optional<PlaneCrossing> first = way_in(line, root_);
   if (!first) return false;
   return Walk<Visit, AtNode>{*this, line, visit, at_node}(0, *first, way_out(line, root_).event);
 }
 
 template <class Visit, class AtNode>
-bool Bsp::walk_by_location(const Line& line, Visit visit, AtNode at_node) const {
-  const std::optional<Crossing> first = way_in(line, root_);
+bool Bsp::walk_by_location(const AxisRay& line, Visit visit, AtNode at_node) const {
+  const std::optional<PlaneCrossing> first = way_in(line, root_);
   if (!first) return false;
-  const Crossing end = way_out(line, root_).event;
-  Crossing event = *first;
+  const PlaneCrossing end = way_out(line, root_).event;
+  PlaneCrossing event = *first;
   do {
     surface::Box box = root_;
     std::size_t place = 0;

@@ -136,7 +136,7 @@ class BvhGlassner {
 /// counted.
 inline std::optional<double> entry_into(const surface::Box& box, const Beam& beam, double limit, Work& work) {
   ++work.volumes;
-  Stretch within = stretch(box, beam, std::numeric_limits<double>::infinity());
+  BoxInterval within = stretch(box, beam, std::numeric_limits<double>::infinity());
   if (!within.meets()) return ++work.by_miss, std::nullopt;
   within.exit = std::min(limit, within.exit);
   if (!within.meets()) return ++work.by_distance, std::nullopt;
@@ -158,7 +158,7 @@ bool Bvh::any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const
   while (!left.empty()) {
     const Reached nearest = left.back();
     left.pop_back();
-    if (!Stretch{nearest.entry, limit()}.meets()) {
+    if (!BoxInterval{nearest.entry, limit()}.meets()) {
       ++work.by_distance;
       continue;
     }

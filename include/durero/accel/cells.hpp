@@ -150,8 +150,8 @@ bool search_cells(const Contents& contents, const Lists& lists, const trace::Ray
   }
   Mailbox mailbox;
   bool found = false;
-  walk_cells(Line(ray), [&](std::size_t cell, const Crossing& event) {
-    if (Line::beyond(event, limit())) {
+  walk_cells(AxisRay(ray), [&](std::size_t cell, const PlaneCrossing& event) {
+    if (AxisRay::beyond(event, limit())) {
       ++work.by_distance;
       return true;
     }

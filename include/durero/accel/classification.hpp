@@ -58,7 +58,7 @@ class Classification {
     glm::dvec3 place;
   };
 
-  std::optional<Start> start(const trace::Ray& ray, const Beam& beam, const Stretch& stretch) const;
+  std::optional<Start> start(const trace::Ray& ray, const Beam& beam, const BoxInterval& stretch) const;
   std::span<const Entry> list(const glm::dvec3& place, const trace::Ray& ray, Work& work) const;
   bool is_leaf(const Node& node) const;
   std::unique_ptr<Node> child(const Node& node, std::uint32_t which) const;
@@ -83,7 +83,7 @@ bool Classification::any(const trace::Ray& ray, Limit limit, Visit visit, Work& 
   };
   if (elements_.empty()) return false;
   const Beam beam(ray);
-  const Stretch inside = stretch(bounds_, beam, limit());
+  const BoxInterval inside = stretch(bounds_, beam, limit());
   ++work.volumes;
   if (!inside.meets()) {
     ++work.by_miss;

@@ -19,7 +19,7 @@ namespace durero::accel {
 
 /// The ball `to` as it is seen from all points of the ball `from` together: from its centre, with the radii added.
 /// Rounding only makes it greater. Preconditions are those of seen().
-Seen seen_from_within(const surface::Ball& from, const surface::Ball& to);
+ApparentBall seen_from_within(const surface::Ball& from, const surface::Ball& to);
 
 /// Whether a ray of that direction, of length 1 up to 8u, may start in `from` and meet `to`; false only where none
 /// does.

@@ -14,18 +14,18 @@ namespace durero::accel {
 
 /// A place on the cube. The faces are numbered +X −X +Y −Y +Z −Z from 0. On the face across the axis i, u is along the
 /// axis after i and v along the one after that; X follows Z.
-struct Place {
+struct CubePoint {
   std::uint32_t face;  ///< 0 to 5
   double u;            ///< in [−1, 1]
   double v;            ///< in [−1, 1]
-  bool operator==(const Place&) const = default;
+  bool operator==(const CubePoint&) const = default;
 };
 
 /// The place of a direction, on the face of its greatest component, the first of equal ones; u and v are rounded once.
 /// Precondition: the components are finite, and not all 0.
-Place place_of(const glm::dvec3& direction);
+CubePoint place_of(const glm::dvec3& direction);
 /// The vector from the middle of the cube, of side 2, to the place.
-glm::dvec3 direction_of(const Place& place);
+glm::dvec3 direction_of(const CubePoint& place);
 
 /// A square of a face: u in [u, u + side) and v in [v, v + side), closed where that ends at 1. Side and corner are
 /// dyadic, and so exact.
@@ -39,11 +39,11 @@ struct Square {
 /// The whole of a face.
 constexpr Square whole(std::uint32_t face) { return {face, -1, -1, 2}; }
 /// The quarter of a square that holds a place: 0 to 3, v before u. Precondition: the square holds the place.
-std::uint32_t quarter_of(const Square& square, const Place& place);
+std::uint32_t quarter_of(const Square& square, const CubePoint& place);
 /// The quarter of that number.
 Square quarter(const Square& square, std::uint32_t which);
 
 /// A cone that contains the directions of a square, and all within `more` radians of one of them.
-Cone cone_of(const Square& square, double more);
+DirectionCone cone_of(const Square& square, double more);
 
 }  // namespace durero::accel

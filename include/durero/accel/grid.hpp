@@ -31,8 +31,9 @@ class Grid : public InCells {
   /// Tests the elements of cell after cell in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
-      walk(line, lattice_, [&](const Cell& cell, const Crossing& event) { return look(lattice_.number(cell), event); });
+    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const AxisRay& line, auto look) {
+      walk(line, lattice_,
+           [&](const Cell& cell, const PlaneCrossing& event) { return look(lattice_.number(cell), event); });
     });
   }
 

@@ -50,7 +50,7 @@ struct Lattice {
     return greatest(axis, x, [&](int i) { return plane(axis, i) <= x; });
   }
   /// The place right after a crossing of any plane.
-  int place_after(const Line& line, int axis, const Crossing& event) const {
+  int place_after(const AxisRay& line, int axis, const PlaneCrossing& event) const {
     const double x = line.p()[axis] + event.t * line.v()[axis];
     return greatest(axis, x, [&](int i) { return line.above(axis, plane(axis, i), event); });
   }
@@ -74,12 +74,12 @@ struct Lattice {
 
 /// The next of three crossings, one across each axis, and the axes whose crossings coincide with it.
 struct Next {
-  Crossing event;  ///< the first crossing
-  unsigned axes;   ///< bit i: the crossing across axis i coincides with it
+  PlaneCrossing event;  ///< the first crossing
+  unsigned axes;        ///< bit i: the crossing across axis i coincides with it
 };
 
 /// The first of three crossings.
-inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
+inline Next first_of(const AxisRay& line, const PlaneCrossing (&crossings)[3]) {
   Next next{crossings[0], 1};
   for (int axis = 1; axis < 3; ++axis) {
     const int order = line.order(crossings[axis], next.event);
@@ -91,11 +91,11 @@ inline Next first_of(const Line& line, const Crossing (&crossings)[3]) {
 }
 
 /// The crossing by which a ray enters a half-open box, or its start; nothing where the ray has no point in the box.
-std::optional<Crossing> way_in(const Line& line, const surface::Box& box);
+std::optional<PlaneCrossing> way_in(const AxisRay& line, const surface::Box& box);
 
 /// The crossing by which a ray leaves a box. Precondition: the ray is in it.
-inline Next way_out(const Line& line, const surface::Box& box) {
-  Crossing out[3];
+inline Next way_out(const AxisRay& line, const surface::Box& box) {
+  PlaneCrossing out[3];
   for (int axis = 0; axis < 3; ++axis)
     out[axis] = line.crossing(axis, (line.backwards(axis) ? box.low : box.high)[axis]);
   return first_of(line, out);
@@ -104,13 +104,13 @@ inline Next way_out(const Line& line, const surface::Box& box) {
 /// Calls visit(cell, event) for every cell that holds a point of the ray, in the order of the ray, with the crossing by
 /// which the cell is entered, until visit answers true. Whether it did.
 template <class Visit>
-bool walk(const Line& line, const Lattice& lattice, Visit visit) {
-  const std::optional<Crossing> first = way_in(line, lattice.whole());
+bool walk(const AxisRay& line, const Lattice& lattice, Visit visit) {
+  const std::optional<PlaneCrossing> first = way_in(line, lattice.whole());
   if (!first) return false;
-  Crossing event = *first;
+  PlaneCrossing event = *first;
   Cell cell;
   for (int axis = 0; axis < 3; ++axis) cell[axis] = lattice.place_after(line, axis, event);
-  Crossing out[3];
+  PlaneCrossing out[3];
   const auto out_of_cell = [&](int axis) {
     return line.crossing(axis, lattice.plane(axis, cell[axis] + (line.backwards(axis) ? 0 : 1)));
   };

@@ -39,7 +39,7 @@ class LightCube {
   /// An element, seen from the light.
   struct Item {
     scene::ElementRef e;  ///< the element
-    Seen seen;            ///< its ball, seen from the light
+    ApparentBall seen;    ///< its ball, seen from the light
     surface::Box box;     ///< its box
     /// Whether the element has a finite ball and box.
     bool is_bounded() const { return seen.far < trace::no_limit; }
@@ -98,7 +98,7 @@ class LightCube {
   bool quarter_pays(const Open& whole, std::size_t& references, Push push);
   void close(const Open& open);
   bool is_settled(const Open& open) const;
-  std::uint32_t end_at_cover(const Cone& cone, Numbers& seen, std::uint32_t record);
+  std::uint32_t end_at_cover(const DirectionCone& cone, Numbers& seen, std::uint32_t record);
 
   const scene::Scene* scene_;
   LightBufferOptions options_;
@@ -113,7 +113,7 @@ class LightCube {
 
 /// The cubes of all lights, and the balls of all elements for rays that no list serves: a structure. It recognises
 /// segments that are certainly occluded without a candidate.
-class LightBuffer : public Linear {
+class LightBuffer : public LinearList {
  public:
   /// Makes the lists of a scene, which must outlive it unedited.
   explicit LightBuffer(const scene::Scene& scene, const LightBufferOptions& options = {});
@@ -137,9 +137,9 @@ class LightBuffer : public Linear {
 template <class Limit, class Visit>
 bool LightBuffer::any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
   const LightCube* const cube = limit() <= 1 ? cube_of(ray) : nullptr;
-  if (cube == nullptr) return Linear::any(ray, limit, visit, work);
+  if (cube == nullptr) return LinearList::any(ray, limit, visit, work);
   const LightCube::List list = cube->list(ray);
-  if (!(ray.length() < list.record.from)) return Linear::any(ray, limit, visit, work);
+  if (!(ray.length() < list.record.from)) return LinearList::any(ray, limit, visit, work);
   ++work.cells;
   const Beam beam(ray);
   for (const std::uint32_t number : list.items) {

@@ -10,10 +10,10 @@
 namespace durero::accel {
 
 /// A ball around each element, in the order of the scene.
-class Linear {
+class LinearList {
  public:
   /// Prepares a scene, which must outlive it unedited.
-  explicit Linear(const scene::Scene& scene) : tables_(scene) {}
+  explicit LinearList(const scene::Scene& scene) : tables_(scene) {}
 
   /// @{ The operations of a structure.
   const scene::Scene& scene() const noexcept { return tables_.scene(); }

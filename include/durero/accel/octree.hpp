@@ -61,17 +61,17 @@ class Octree : public InCells {
   /// ray, with the crossing by which the leaf is entered, until visit answers true. Whether it did. group(count) is
   /// called after each group of eight that the ray has left, with the number of siblings visited.
   template <class Visit, class Group>
-  bool walk(const Line& line, Visit visit, Group group, Work& work) const;
+  bool walk(const AxisRay& line, Visit visit, Group group, Work& work) const;
 
   /// Traversal by point location, the seed's BuscarObjetosEnOctree: the same leaves, each found from the root by the
   /// point at which the ray left the cell before.
   template <class Visit>
-  bool walk_by_location(const Line& line, Visit visit, Work& work) const;
+  bool walk_by_location(const AxisRay& line, Visit visit, Work& work) const;
 
   /// Tests the elements of leaf after leaf in the order of the ray (search_cells).
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
-    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const Line& line, auto look) {
+    return search_cells(contents_, lists_, ray, limit, visit, work, [&](const AxisRay& line, auto look) {
       walk(
           line, look, [](unsigned) {}, work);
     });
@@ -102,7 +102,7 @@ class OctreeByLocation : public Octree {
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     return search_cells(contents(), lists(), ray, limit, visit, work,
-                        [&](const Line& line, auto look) { walk_by_location(line, look, work); });
+                        [&](const AxisRay& line, auto look) { walk_by_location(line, look, work); });
   }
 };
 
@@ -116,12 +116,12 @@ Lattice finest_cells(const surface::Box& box, int depth);
 template <class Visit, class Group>
 struct Octree::Walk {
   /// Visits the leaves below a node, which the ray enters by `in` and leaves by `out`.
-  bool operator()(Node node, const glm::dvec3& low, double side, Crossing in, const Crossing& out) {
+  bool operator()(Node node, const glm::dvec3& low, double side, PlaneCrossing in, const PlaneCrossing& out) {
     if ((node & leaf_bit) != 0) return visit(node & ~leaf_bit, in);
     ++work.nodes;
     work.volumes += 3;
     const double half = side / 2;
-    Crossing middle[3];
+    PlaneCrossing middle[3];
     unsigned passed = 0, at = 0, siblings = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const unsigned bit = 1u << axis;
@@ -131,7 +131,7 @@ struct Octree::Walk {
       if (before != line.backwards(axis)) at |= bit;
     }
     for (;;) {
-      Crossing next = out;
+      PlaneCrossing next = out;
       unsigned axes = 0;
       for (int axis = 0; axis < 3; ++axis) {
         const unsigned bit = 1u << axis;
@@ -153,28 +153,28 @@ struct Octree::Walk {
   }
 
   const Octree& octree;
-  const Line& line;
+  const AxisRay& line;
   Visit& visit;
   Group& group;
   Work& work;
 };
 
 template <class Visit, class Group>
-bool Octree::walk(const Line& line, Visit visit, Group group, Work& work) const {
+bool Octree::walk(const AxisRay& line, Visit visit, Group group, Work& work) const {
   const surface::Box whole = finest_.whole();
-  const std::optional<Crossing> first = way_in(line, whole);
+  const std::optional<PlaneCrossing> first = way_in(line, whole);
   if (!first) return false;
-  const Crossing out = way_out(line, whole).event;
+  const PlaneCrossing out = way_out(line, whole).event;
   return Walk<Visit, Group>{*this, line, visit, group, work}(nodes_[0], whole.low, side(), *first, out);
 }
 
 template <class Visit>
-bool Octree::walk_by_location(const Line& line, Visit visit, Work& work) const {
+bool Octree::walk_by_location(const AxisRay& line, Visit visit, Work& work) const {
   const surface::Box whole = finest_.whole();
-  const std::optional<Crossing> first = way_in(line, whole);
+  const std::optional<PlaneCrossing> first = way_in(line, whole);
   if (!first) return false;
-  const Crossing end = way_out(line, whole).event;
-  Crossing event = *first;
+  const PlaneCrossing end = way_out(line, whole).event;
+  PlaneCrossing event = *first;
   do {
     Node node = nodes_[0];
     surface::Box box = whole;

@@ -30,7 +30,7 @@ struct Beam {
 };
 
 /// The parameters entry … exit at which a ray may be within a box, each with the errors that `meets` allows for.
-struct Stretch {
+struct BoxInterval {
   double entry;  ///< not less than 0
   double exit;   ///< not more than the limit
   /// Whether the ray may have a point of the box up to the limit; false only where it has none.
@@ -39,8 +39,8 @@ struct Stretch {
 
 /// The stretch of a ray in a box up to a limit. Preconditions: the planes and p are of magnitude 2¹⁰²² or less; the
 /// limit is not less than 0, and may be infinite.
-inline Stretch stretch(const surface::Box& box, const Beam& beam, double limit) {
-  Stretch result{0, limit};
+inline BoxInterval stretch(const surface::Box& box, const Beam& beam, double limit) {
+  BoxInterval result{0, limit};
   for (int i = 0; i < 3; ++i) {
     const bool backwards = std::signbit(beam.inverse[i]);
     const double near = ((backwards ? box.high[i] : box.low[i]) - beam.p[i]) * beam.inverse[i];

@@ -27,9 +27,9 @@ concept Structure = std::constructible_from<S, const scene::Scene&> &&
 
 /// A structure, which must outlive it, as a source of candidates whose work is not counted.
 template <class S>
-class Source {
+class CandidateSource {
  public:
-  explicit Source(const S& structure) : structure_(structure) {}  ///< refers to the structure
+  explicit CandidateSource(const S& structure) : structure_(structure) {}  ///< refers to the structure
 
   /// @{ The operations of trace::Candidates.
   const scene::Scene& scene() const noexcept { return structure_.scene(); }
@@ -47,10 +47,10 @@ class Source {
 
 /// A structure as a source of candidates whose work is counted.
 template <class S>
-class Counted : public Source<S> {
+class Counted : public CandidateSource<S> {
  public:
   /// Refers to the structure and to the counts, which must outlive it.
-  Counted(const S& structure, Work& work) : Source<S>(structure), work_(work) {}
+  Counted(const S& structure, Work& work) : CandidateSource<S>(structure), work_(work) {}
 
   /// Candidates::any.
   template <class Limit, class Visit>

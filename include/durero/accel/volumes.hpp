@@ -18,7 +18,7 @@ class Volumes {
   /// box. The scene must outlive it unedited.
   explicit Volumes(const scene::Scene& scene);
   /// Uses one kind for all elements. The scene must outlive it unedited.
-  Volumes(const scene::Scene& scene, const Kind& kind);
+  Volumes(const scene::Scene& scene, const VolumeKind& kind);
 
   /// The surface of the box around all elements of a scene that have one; 0 where none has.
   static double region(const scene::Scene& scene);
@@ -45,12 +45,12 @@ class Volumes {
   template <class Limit, class Visit>
   bool any(const trace::Ray& ray, Limit limit, Visit visit, Work& work) const {
     if (bounded_.empty()) return false;
-    const Asked asked(ray, most_slabs_);
+    const PrecomputedRay asked(ray, most_slabs_);
     for (const auto& [element, volume] : bounded_) {
-      const Verdict found = verdict(volume, asked, limit(), work);
-      if (found == Verdict::missed) ++work.by_miss;
-      if (found == Verdict::beyond) ++work.by_distance;
-      if (found != Verdict::met) continue;
+      const VolumeTest found = verdict(volume, asked, limit(), work);
+      if (found == VolumeTest::missed) ++work.by_miss;
+      if (found == VolumeTest::beyond) ++work.by_distance;
+      if (found != VolumeTest::met) continue;
       ++work.candidates;
       if (visit(element)) return true;
     }

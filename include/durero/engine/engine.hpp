@@ -75,7 +75,7 @@ struct Figures {
 
 /// A row of the table of engines: an engine's name, its promises, and its makers. A scene must outlive the engines made
 /// for it, unedited.
-struct Row {
+struct EngineRow {
   std::string_view name;  ///< on the command line
   std::string_view what;  ///< a description in a few words
   bool exact_bytes;       ///< its answers are those of `exact`, byte for byte
@@ -92,9 +92,9 @@ struct Row {
 };
 
 /// Every engine, in the order of the ladder.
-std::span<const Row> engines();
+std::span<const EngineRow> engines();
 /// The row of an engine's name; null where there is none.
-const Row* find(std::string_view name);
+const EngineRow* find(std::string_view name);
 
 /// The engine that is used where none is named.
 inline constexpr std::string_view default_engine = "fast";

@@ -16,6 +16,7 @@ inline constexpr std::string_view automatic = "automatic", by_hand = "hand";
 /// Makes the engine of a row for a scene, which must outlive it unedited, with the hierarchy `automatic` or `by_hand`.
 /// Throws std::invalid_argument with the expected names, where the hierarchy is neither, and where the engine follows
 /// no groups.
-std::unique_ptr<const Engine> prepared(const Row& row, std::string_view hierarchy, const scene::GroupedScene& input);
+std::unique_ptr<const Engine> prepared(const EngineRow& row, std::string_view hierarchy,
+                                       const scene::GroupedScene& input);
 
 }  // namespace durero::engine

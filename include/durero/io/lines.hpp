@@ -9,11 +9,11 @@
 namespace durero::io {
 
 /// A line: its number, from 1, and its bytes [begin, end) in the text, without its end.
-struct Line {
+struct TextLine {
   std::size_t number;  ///< from 1
   std::size_t begin;   ///< its first byte
   std::size_t end;     ///< behind its last byte: where its line end stands, or the text ends
-  bool operator==(const Line&) const = default;
+  bool operator==(const TextLine&) const = default;
 };
 
 /// Walks the lines of a text, which must outlive it.
@@ -23,7 +23,7 @@ class Lines {
   explicit Lines(std::string_view text) noexcept : text_(text) {}
 
   /// The next line; nothing behind the last. What stands behind the last line end is a line where it is not empty.
-  std::optional<Line> next() noexcept;
+  std::optional<TextLine> next() noexcept;
 
  private:
   std::string_view text_;

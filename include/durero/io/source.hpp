@@ -16,10 +16,10 @@ namespace durero::io {
 /// A place in a text: line and column count from 1. Lines end as lines.hpp says. A column is a character: bytes that
 /// continue a UTF-8 character do not count. In a `.npy` file the line is the row and the column the value's number in
 /// it.
-struct Place {
+struct TextPosition {
   std::size_t line;    ///< from 1
   std::size_t column;  ///< from 1
-  bool operator==(const Place&) const = default;
+  bool operator==(const TextPosition&) const = default;
 };
 
 /// Malformed input. what() is one line, escaped as text::escaped does: `FILE:LINE:COLUMN: what is wrong; what is
@@ -27,10 +27,10 @@ struct Place {
 class InputError : public std::runtime_error {
  public:
   /// Makes what() of its parts; offset() is 0, as only Source::fail() knows it.
-  InputError(const std::string& file, Place place, const std::string& wrong, const std::string& expected,
+  InputError(const std::string& file, TextPosition place, const std::string& wrong, const std::string& expected,
              const contract::clause* broken = nullptr);
   /// What LINE:COLUMN says.
-  Place place() const noexcept { return place_; }
+  TextPosition place() const noexcept { return place_; }
   /// The line without file and place.
   std::string_view message() const noexcept { return std::string_view(what()).substr(message_at_); }
   /// Which byte of the source stands at the place; 0 where the place is of no Source.
@@ -40,7 +40,7 @@ class InputError : public std::runtime_error {
 
  private:
   friend class Source;
-  Place place_;
+  TextPosition place_;
   std::size_t message_at_;
   std::size_t offset_ = 0;
   const contract::clause* broken_;
@@ -65,7 +65,7 @@ class Source {
 
   /// The place of a byte of the text in its file; the end of the text has one too. All bytes before it are counted
   /// once, however many places are asked for.
-  Place place(std::size_t offset) const;
+  TextPosition place(std::size_t offset) const;
   /// Throws InputError at the place of that byte, with the clause that is broken, if one is.
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
                          const contract::clause* broken = nullptr) const;

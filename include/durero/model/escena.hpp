@@ -70,7 +70,7 @@ class Tipos {
 
 /// An attribute that some types have and others lack: what the text says of it, once for all who walk the attributes.
 template <class Value, class Input>
-struct Attribute {
+struct AttributeSpecification {
   const contract::clause* domain;  ///< the invariant that says which elements have it
   const contract::clause* given;   ///< Con_…: what the general addition asks of the type before it refuses the input;
                                    ///< null where no input is refused
@@ -82,27 +82,30 @@ struct Attribute {
 
 /// As the standard deduces them of an aggregate; Clang 16 does not.
 template <class Value, class Input>
-Attribute(const contract::clause*, const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*,
-          std::string_view, Input) -> Attribute<Value, Input>;
+AttributeSpecification(const contract::clause*, const contract::clause*, Tipos, std::map<Elemento, Value> Escena::*,
+                       std::string_view, Input) -> AttributeSpecification<Value, Input>;
 
 /// The attributes of Escena.inv.2 to Escena.inv.6 and Escena.inv.9, in that order.
 inline constexpr std::tuple attributes{
-    Attribute{
+    AttributeSpecification{
         &Escena_inv_2, nullptr,
         Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano, Tipo::soy_disco},
         &Escena::mi_centro, "centro", [](auto& in) -> decltype((in.centro)) { return in.centro; }},
-    Attribute{&Escena_inv_3, &Con_Radio_pre_1,
-              Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_tronco, Tipo::soy_disco}, &Escena::mi_radio,
-              "radio", [](auto& in) -> decltype((in.radio)) { return in.radio; }},
-    Attribute{&Escena_inv_4, &Con_Vector_pre_1,
-              Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano, Tipo::soy_disco},
-              &Escena::mi_vector, "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
-    Attribute{&Escena_inv_5, &Con_Altura_pre_1, Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco},
-              &Escena::mi_altura, "altura", [](auto& in) -> decltype((in.altura)) { return in.altura; }},
-    Attribute{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono, Tipo::soy_tronco}, &Escena::mi_proporcion,
-              "proporcion", [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }},
-    Attribute{&Escena_inv_9, &Con_Vertices_pre_1, Tipos{Tipo::soy_triangulo}, &Escena::mi_vertices, "vertices",
-              [](auto& in) -> decltype((in.vertices)) { return in.vertices; }}};
+    AttributeSpecification{&Escena_inv_3, &Con_Radio_pre_1,
+                           Tipos{Tipo::soy_esfera, Tipo::soy_cilindro, Tipo::soy_tronco, Tipo::soy_disco},
+                           &Escena::mi_radio, "radio", [](auto& in) -> decltype((in.radio)) { return in.radio; }},
+    AttributeSpecification{
+        &Escena_inv_4, &Con_Vector_pre_1,
+        Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco, Tipo::soy_plano, Tipo::soy_disco},
+        &Escena::mi_vector, "vector", [](auto& in) -> decltype((in.vector)) { return in.vector; }},
+    AttributeSpecification{&Escena_inv_5, &Con_Altura_pre_1,
+                           Tipos{Tipo::soy_cilindro, Tipo::soy_cono, Tipo::soy_tronco}, &Escena::mi_altura, "altura",
+                           [](auto& in) -> decltype((in.altura)) { return in.altura; }},
+    AttributeSpecification{&Escena_inv_6, &Con_Proporcion_pre_1, Tipos{Tipo::soy_cono, Tipo::soy_tronco},
+                           &Escena::mi_proporcion, "proporcion",
+                           [](auto& in) -> decltype((in.proporcion)) { return in.proporcion; }},
+    AttributeSpecification{&Escena_inv_9, &Con_Vertices_pre_1, Tipos{Tipo::soy_triangulo}, &Escena::mi_vertices,
+                           "vertices", [](auto& in) -> decltype((in.vertices)) { return in.vertices; }}};
 
 /// visit(attribute) for each of them.
 template <class Visit>

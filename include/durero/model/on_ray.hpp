@@ -38,12 +38,12 @@ inline Interval all_positive() { return {0, false, std::nullopt}; }
 
 /// { t > 0 | q(t) ≥ 0 }; nothing where there are none. (Interval.first is 0 and not one of them where q bounds t > 0 on
 /// no left side.) Precondition: q is concave, q.a ≤ 0.
-std::optional<Interval> not_negative(const Quadratic& q);
+std::optional<Interval> not_negative(const RationalQuadratic& q);
 
 /// The parameters of both; nothing where there are none.
 std::optional<Interval> intersection(const Interval& a, const Interval& b);
 
 /// { t | q(t) = 0 } inside the interval.
-Parameters zeros(const Quadratic& q, const Interval& interval);
+Parameters zeros(const RationalQuadratic& q, const Interval& interval);
 
 }  // namespace durero::model

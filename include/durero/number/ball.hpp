@@ -8,32 +8,32 @@
 namespace durero::number {
 
 /// A number v with |v − middle · 2^exponent| ≤ radius · 2^exponent. The exponent is apart so that nothing overflows.
-struct Ball {
+struct RealBall {
   double middle = 0, radius = 0;  ///< in units of 2^exponent
   std::int64_t exponent = 0;      ///< of the power of two
 
   /// Of a dyadic number, which it holds.
-  explicit Ball(const Dyadic& value);
+  explicit RealBall(const Dyadic& value);
   /// Of a finite number: itself.
-  explicit Ball(double value);
+  explicit RealBall(double value);
   /// m ± r, times 2^e.
-  Ball(double m, double r, std::int64_t e) : middle(m), radius(r), exponent(e) {}
+  RealBall(double m, double r, std::int64_t e) : middle(m), radius(r), exponent(e) {}
 
   /// −1 or 1 where every number of the ball has that sign; 0 says "cannot decide".
   int decided_sign() const { return middle > radius ? 1 : middle < -radius ? -1 : 0; }
 };
 
 /// @{ A ball that holds the result of every number of a with every number of b.
-Ball operator+(const Ball& a, const Ball& b);
-inline Ball operator-(const Ball& a) { return {-a.middle, a.radius, a.exponent}; }
-inline Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
-Ball operator*(const Ball& a, const Ball& b);
+RealBall operator+(const RealBall& a, const RealBall& b);
+inline RealBall operator-(const RealBall& a) { return {-a.middle, a.radius, a.exponent}; }
+inline RealBall operator-(const RealBall& a, const RealBall& b) { return a + -b; }
+RealBall operator*(const RealBall& a, const RealBall& b);
 /// @}
-/// Ball::decided_sign(), as the other numbers have it.
-inline int sign(const Ball& a) { return a.decided_sign(); }
+/// RealBall::decided_sign(), as the other numbers have it.
+inline int sign(const RealBall& a) { return a.decided_sign(); }
 /// Precondition: b was made from a Dyadic other than 0.
-Ball operator/(const Ball& a, const Ball& b);
+RealBall operator/(const RealBall& a, const RealBall& b);
 /// Precondition: value was made from a Dyadic, which is not negative.
-Ball sqrt(const Ball& value);
+RealBall sqrt(const RealBall& value);
 
 }  // namespace durero::number

@@ -21,7 +21,7 @@ int sign(const DyadicSurd& value);
 
 /// The value to about 50 bits, the step before the exact one: where its sign, or that of a difference, is decided,
 /// sign() and compare() look no further.
-Ball enclosure(const DyadicSurd& value);
+RealBall enclosure(const DyadicSurd& value);
 
 /// Order of the values; the radicands may differ. A strict total order on the numbers denoted.
 std::strong_ordering compare(const DyadicSurd& a, const DyadicSurd& b);

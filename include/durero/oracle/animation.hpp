@@ -40,12 +40,12 @@ struct MachineOperation {
 /// A transition: what was done, with what, and the state after it. The first of a trace is that of the initial schema.
 struct Transition {
   std::string operation;                           ///< the name of its schema
-  zed::Given inputs, outputs, after;               ///< `after` by the names of the state's components
+  zed::Valuation inputs, outputs, after;           ///< `after` by the names of the state's components
   bool operator==(const Transition& other) const;  ///< by the same values
 };
 
 /// What was found, and what was left out in looking for it.
-struct Found {
+struct ReachedTransitions {
   std::vector<Transition> transitions;  ///< each once
   bool undecided = false;               ///< there may be others: equations do not give them
   std::set<zed::Name> tried{};          ///< some values of these were tried, as equations leave something open
@@ -56,7 +56,7 @@ struct Found {
 std::string name_list(const std::set<zed::Name>& names);
 
 /// A conjecture of the text, and whether it holds where it was tried.
-struct Tried {
+struct ConjectureResult {
   std::string claim;                    ///< in Unicode
   std::string place;                    ///< FILE:LINE
   zed::Truth truth = zed::Truth::open;  ///< open: it could not be decided
@@ -86,19 +86,19 @@ class Machine {
 
   /// @{ All that follow throw zed::StepsSpent where a question takes more steps than it may.
   /// The initial states, `most` at most.
-  Found initial(std::size_t most) const;
+  ReachedTransitions initial(std::size_t most) const;
   /// What the operation may do in that state; inputs that are not given are looked for.
-  Found steps(const zed::Given& before, const MachineOperation& operation, const zed::Given& inputs,
-              std::size_t most) const;
+  ReachedTransitions steps(const zed::Valuation& before, const MachineOperation& operation,
+                           const zed::Valuation& inputs, std::size_t most) const;
   /// Whether the transition is one of the operation, or its state one of the initial schema.
-  zed::Truth is_step(const zed::Given& before, const Transition& transition) const;
+  zed::Truth is_step(const zed::Valuation& before, const Transition& transition) const;
   /// Each conjunct of the state schema.
-  std::vector<zed::Finding> invariant(const zed::Given& state) const;
+  std::vector<zed::ConjunctTruth> invariant(const zed::Valuation& state) const;
   /// Each conjunct of the operation that the state and the inputs decide, and the others open.
-  std::vector<zed::Finding> preconditions(const zed::Given& before, const MachineOperation& operation,
-                                          const zed::Given& inputs) const;
+  std::vector<zed::ConjunctTruth> preconditions(const zed::Valuation& before, const MachineOperation& operation,
+                                                const zed::Valuation& inputs) const;
   /// The conjectures, those of states in this transition (whose `operation` is empty where there is none before it).
-  std::vector<Tried> conjectures(const zed::Given& before, const Transition& transition) const;
+  std::vector<ConjectureResult> conjectures(const zed::Valuation& before, const Transition& transition) const;
   /// @}
 
   /// The value of a Z term that was typed for a component of the state or of an operation. Throws zed::ZError.
@@ -121,9 +121,9 @@ class Animation {
   /// The way so far; the first transition is the initial one.
   const std::vector<Transition>& way() const { return way_; }
   /// The state now; null before the first.
-  const zed::Given* now() const { return way_.empty() ? nullptr : &way_.back().after; }
+  const zed::Valuation* now() const { return way_.empty() ? nullptr : &way_.back().after; }
   /// The state before the last transition; null where there is none.
-  const zed::Given* before() const { return way_.size() < 2 ? nullptr : &way_[way_.size() - 2].after; }
+  const zed::Valuation* before() const { return way_.size() < 2 ? nullptr : &way_[way_.size() - 2].after; }
   /// Goes on by a transition that the machine found.
   void take(Transition transition) { way_.push_back(std::move(transition)); }
   /// Takes the last transition back; false where there is none but the first.
@@ -146,7 +146,7 @@ class Animation {
 struct Exploration {
   std::size_t states = 0, transitions = 0;  ///< so many were found
   std::vector<std::string> bounded;         ///< what was left out, by the flag that would admit it
-  std::optional<Tried> refuted;             ///< the first conjecture that is false in a state or a transition
+  std::optional<ConjectureResult> refuted;  ///< the first conjecture that is false in a state or a transition
   std::vector<Transition> way;              ///< leads there
   std::size_t open = 0;                     ///< conjectures, in states and transitions, that could not be decided
   std::size_t claims = 0;                   ///< those that were decided

@@ -41,9 +41,9 @@ class Calculator {
 
   /// What an expression or a predicate comes to.
   struct Result {
-    std::string text;    ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
-    bool yes = false;    ///< there is a value, or the predicate holds
-    zed::Given taken{};  ///< what was taken for constants to which nothing gives a value
+    std::string text;        ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
+    bool yes = false;        ///< there is a value, or the predicate holds
+    zed::Valuation taken{};  ///< what was taken for constants to which nothing gives a value
   };
   /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
   /// is not decided, zed::StepsSpent where it takes more steps than it may.
@@ -72,7 +72,7 @@ class Calculator {
 
   zed::Specification specification_;
   zed::Typing typing_;
-  zed::Given given_;
+  zed::Valuation given_;
   std::unordered_set<std::string> plain_;  // the elements that have a plain name
 };
 

@@ -19,17 +19,17 @@ struct Knowledge {
   const zed::Specification& specification;  ///< without defects
   const zed::Typing& typing;                ///< of it
   const std::string& section;               ///< the section of it that sees all that may be named
-  const zed::Given& given;                  ///< the values that names have already, as those of given sets
+  const zed::Valuation& given;              ///< the values that names have already, as those of given sets
 };
 
 /// Returns the values of `NAME=VALUE`, one for each constant of an axiomatic box; VALUE is Z. Throws ConstantError
 /// where there is no such constant, or VALUE has no value of its type, or makes something false that the text says.
-zed::Given typed_constants(const std::vector<std::string>& typed, const Knowledge& known);
+zed::Valuation typed_constants(const std::vector<std::string>& typed, const Knowledge& known);
 
 /// The values that typed_constants() returns of a whole text without defects, in which no name has a value yet.
-zed::Given given_constants(const zed::Specification& text, const std::vector<std::string>& typed);
+zed::Valuation given_constants(const zed::Specification& text, const std::vector<std::string>& typed);
 
 /// Returns a line for each constant for which a value was taken: which, and how one chooses another.
-std::vector<std::string> taken_lines(const zed::Given& taken);
+std::vector<std::string> taken_lines(const zed::Valuation& taken);
 
 }  // namespace durero::oracle::spec

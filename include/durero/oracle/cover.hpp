@@ -17,7 +17,7 @@ namespace durero::oracle {
 
 /// A ball that holds the samples [first, last). Balls stand in preorder: the left half of one is the next ball, its
 /// right half is `right`; a ball of a single ring has none (right = 0).
-struct Ball {
+struct BallNode {
   glm::dvec3 center;          ///< a point of space
   double radius;              ///< greater by its own rounding
   std::uint32_t first, last;  ///< the samples that it holds
@@ -28,19 +28,19 @@ struct Ball {
 struct Cover {
   std::vector<glm::dvec3> samples;  ///< points of the surface, rounded
   double delta = 0;                 ///< covering radius δ, a length
-  std::vector<Ball> balls;          ///< a tree over the samples; the first ball holds them all
+  std::vector<BallNode> balls;      ///< a tree over the samples; the first ball holds them all
 };
 
 /// A cover before it is made.
-struct Outline {
-  Ball ball;          ///< the first ball; its `right` is 0
+struct CoverPlan {
+  BallNode ball;      ///< the first ball; its `right` is 0
   double delta;       ///< covering radius δ, a length
   std::size_t bytes;  ///< of the samples and the balls
 };
 
 /// The first ball, the radius and the size of the cover that cover() makes of the surface with this fineness. It throws
 /// what cover() throws.
-Outline outline(const Parametrisation& surface, double fineness);
+CoverPlan outline(const Parametrisation& surface, double fineness);
 
 /// Covers a surface with a covering radius of `fineness` times its widest radius, before rounding. Precondition:
 /// 0 < fineness ≤ 1. Throws std::length_error where that would take more than 2²⁴ samples.

@@ -53,7 +53,7 @@ inline constexpr double least_length = 1e-140, greatest_length = 1e140;
 inline constexpr double greatest_origin = 1e145;
 
 /// How a claimed first hit stands to the samples.
-enum class Verdict : std::uint8_t {
+enum class SampledVerdict : std::uint8_t {
   agrees,      ///< both directions hold for every element
   grazing,     ///< a candidate without a hit, explained by a nearly tangent ray
   rim,         ///< a candidate without a hit, explained by a rim or an apex
@@ -62,11 +62,11 @@ enum class Verdict : std::uint8_t {
   unsound      ///< a candidate without a hit and without an explanation: the claim is wrong
 };
 /// How many verdicts there are.
-inline constexpr std::size_t verdict_count = static_cast<std::size_t>(Verdict::unsound) + 1;
+inline constexpr std::size_t verdict_count = static_cast<std::size_t>(SampledVerdict::unsound) + 1;
 /// Its name, as above.
-std::string_view name(Verdict verdict) noexcept;
+std::string_view name(SampledVerdict verdict) noexcept;
 /// Whether the claim is not shown to be wrong.
-constexpr bool agrees(Verdict verdict) noexcept { return verdict < Verdict::incomplete; }
+constexpr bool agrees(SampledVerdict verdict) noexcept { return verdict < SampledVerdict::incomplete; }
 
 /// Is told of how many pairs of a ray and an element more is known, by any thread.
 using Done = std::function<void(std::uint64_t)>;
@@ -85,7 +85,7 @@ class Oracle {
   explicit Oracle(const scene::Scene& scene, double fineness = default_fineness, std::size_t most_bytes = usual_bytes);
 
   /// A ball around each element.
-  std::vector<Ball> bounds() const;
+  std::vector<BallNode> bounds() const;
 
   // All throw std::domain_error where a ray starts beyond greatest_origin.
 
@@ -95,9 +95,9 @@ class Oracle {
   void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const;
 
   /// Judges a claimed closest intersection of the ray against the samples, in both directions.
-  Verdict judge(const model::Rayo& ray, const scene::Hit& claimed) const;
+  SampledVerdict judge(const model::Rayo& ray, const scene::Hit& claimed) const;
   /// The same of each ray. Precondition: as many claims as queries.
-  std::vector<Verdict> judge(
+  std::vector<SampledVerdict> judge(
       std::span<const scene::Query> queries, std::span<const scene::Hit> claimed,
       const Done& done = [](std::uint64_t) {}) const;
 
@@ -105,7 +105,7 @@ class Oracle {
   struct Element {
     scene::ElementRef ref;
     Parametrisation surface;
-    Outline outline;
+    CoverPlan outline;
   };
   struct Part;    // some elements that follow each other, and their covers
   struct Judged;  // a ray and its claim

@@ -43,7 +43,7 @@ zed::Value value(scene::ElementRef place);
 zed::Value value(const model::Escena& escena);
 
 /// Components by name: of a state, of an operation.
-using Named = zed::Given;
+using Named = zed::Valuation;
 /// @{ The components of Escena, and of Tablas.
 Named components(const model::Escena& escena);
 Named components(const scene::Tablas& tables);
@@ -59,7 +59,7 @@ std::string total_name(const model::Operation& operation);
 /// @}
 
 /// A transition that an operation made, or declined to make.
-struct Step {
+struct OperationStep {
   const model::Escena& before;        ///< the state before
   const model::Operation& operation;  ///< with its inputs
   model::Respuesta r;                 ///< r!
@@ -67,7 +67,7 @@ struct Step {
 };
 
 /// Every name of the operation's schema that a step gives a value.
-Named named(const Step& step);
+Named named(const OperationStep& step);
 /// The values of a schema's components; open where they are not given.
 std::vector<zed::Value> in_order(const std::vector<zed::Name>& components, const Named& named);
 
@@ -80,15 +80,15 @@ class Judge {
   Judge& operator=(const Judge&) = delete;
 
   /// @{ Whether the values satisfy the partial operation, or the total one.
-  bool holds(const Step& step) const;
-  bool holds_total(const Step& step) const;
+  bool holds(const OperationStep& step) const;
+  bool holds_total(const OperationStep& step) const;
   /// @}
   /// Every conjunct of the partial operation, and its truth.
-  std::vector<zed::Finding> findings(const Step& step) const;
+  std::vector<zed::ConjunctTruth> findings(const OperationStep& step) const;
   /// Every conjunct, where the after-state and r! are not known: what depends on them is open.
-  std::vector<zed::Finding> findings(const model::Escena& before, const model::Operation& operation) const;
+  std::vector<zed::ConjunctTruth> findings(const model::Escena& before, const model::Operation& operation) const;
   /// Every conjunct of Escena.
-  std::vector<zed::Finding> findings(const model::Escena& escena) const;
+  std::vector<zed::ConjunctTruth> findings(const model::Escena& escena) const;
 
   /// What the text says otherwise than the contracts, with the predicate: nothing where both agree. The contracts
   /// answered `answer`, and the scene was `before` and is `after`. A difference is a defect of the program.

@@ -29,16 +29,16 @@ struct Crop {
 };
 
 /// The frame tells which part of a scene is drawn, and how.
-struct Frame {
+struct RenderSettings {
   std::optional<scene::Resolution> size{};   ///< the whole picture's; else the scene's, else default_resolution
   std::optional<Crop> crop{};                ///< the only pixels of the whole picture that are drawn, as they are in it
   std::optional<std::uint32_t> max_depth{};  ///< the most rays in a row; else depth_of()
-  double min_weight = 0;                     ///< the least weight of a followed ray, as Limits says
+  double min_weight = 0;                     ///< the least weight of a followed ray, as PathLimits says
   Samples samples{};                         ///< the points of each pixel
 };
 
 /// The counts of a picture's rays.
-struct Reach {
+struct PathStatistics {
   std::uint32_t max_depth = 0;  ///< the limit on the depth
   std::uint64_t pixels = 0;     ///< the pixels that were drawn
   std::uint64_t samples = 0;    ///< rays from the eye, for all of them
@@ -53,6 +53,6 @@ struct Reach {
 /// empty or not inside the picture. Preconditions: the engine honours origins; the samples keep to their ranges. Where
 /// `reach` is given, it receives the counts of the rays.
 Picture render(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress = {},
-               const Frame& frame = {}, Reach* reach = nullptr);
+               const RenderSettings& frame = {}, PathStatistics* reach = nullptr);
 
 }  // namespace durero::render

@@ -27,8 +27,8 @@ Shape shape_of(const typename Shape::Addition& in) {
 /// The addition that puts this geometry under a name.
 template <class Shape>
 typename Shape::Addition addition(const model::Elemento& e, const Shape& shape) {
-  const auto input = [&]<class Row>(const Row& attribute) {
-    return input_of<typename Row::Input>(shape.*attribute.field);
+  const auto input = [&]<class TableRow>(const TableRow& attribute) {
+    return input_of<typename TableRow::Input>(shape.*attribute.field);
   };
   return std::apply(
       [&](const auto&... attribute) {

@@ -78,7 +78,7 @@ Escena escena_of(Component Escena::*);
 template <class Shape, auto component>
 consteval std::size_t place_of_attribute() {
   std::size_t place = std::tuple_size_v<decltype(attributes_of<Shape>)>, at = 0;
-  for_each_attribute<Shape, decltype(escena_of(component))>([&]<class Row>(const Row& attribute) {
+  for_each_attribute<Shape, decltype(escena_of(component))>([&]<class TableRow>(const TableRow& attribute) {
     if constexpr (std::is_same_v<decltype(attribute.component), std::remove_const_t<decltype(component)>>)
       if (attribute.component == component) place = at;
     ++at;

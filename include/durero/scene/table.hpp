@@ -29,7 +29,7 @@ struct Label {
 
 /// One element, out of the table.
 template <class Shape>
-struct Row {
+struct TableRow {
   Shape shape;  ///< its geometry
   Label label;  ///< the rest
 };
@@ -51,7 +51,7 @@ struct Table {
   }
 
   /// Precondition: room for the row.
-  void push_back(Row<Shape>&& row) noexcept {
+  void push_back(TableRow<Shape>&& row) noexcept {
     shapes.push_back(row.shape);
     labels.push_back(std::move(row.label));
   }
@@ -63,8 +63,8 @@ struct Table {
   }
 
   /// Takes row i out; the last row moves into the gap.
-  Row<Shape> take(std::uint32_t i) noexcept {
-    Row<Shape> row{shapes[i], std::move(labels[i])};
+  TableRow<Shape> take(std::uint32_t i) noexcept {
+    TableRow<Shape> row{shapes[i], std::move(labels[i])};
     if (i + 1 != size()) {
       shapes[i] = shapes.back();
       labels[i] = std::move(labels.back());
@@ -74,7 +74,7 @@ struct Table {
   }
 
   /// Undoes take(i).
-  void put_back(std::uint32_t i, Row<Shape>&& row) noexcept {
+  void put_back(std::uint32_t i, TableRow<Shape>&& row) noexcept {
     if (i == size()) return push_back(std::move(row));
     push_back({shapes[i], std::move(labels[i])});
     shapes[i] = row.shape;

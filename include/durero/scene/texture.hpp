@@ -40,21 +40,21 @@ enum class Edges : std::uint8_t { repeat, clamp };
 inline constexpr std::array<std::string_view, 2> edges_words{"repeat", "clamp"};
 
 /// What the numbers of an image are: colours on the sRGB curve, or plain numbers.
-enum class Curve : std::uint8_t { srgb, linear };
+enum class TransferFunction : std::uint8_t { srgb, linear };
 /// Their words in files, in step.
 inline constexpr std::array<std::string_view, 2> curve_words{"srgb", "linear"};
 
 /// A texture. Each of its components lies in [0, 1].
 struct Texture {
-  std::string name{};                  ///< in files
-  Pattern pattern = Pattern::checker;  ///< what it is made of
-  std::array<glm::dvec3, 2> colors{};  ///< of a rule, linear
-  PictureFile image{};                 ///< of an image
-  glm::dvec2 repeat{1};                ///< how often it stands in a unit of u and of v, each above 0
-  Filter filter = Filter::linear;      ///< of an image
-  Edges edges = Edges::repeat;         ///< of an image
-  Curve curve = Curve::srgb;           ///< of an image
-  std::optional<double> near{};        ///< of a mipmap: up to this distance M₀ alone is shown; above 0
+  std::string name{};                               ///< in files
+  Pattern pattern = Pattern::checker;               ///< what it is made of
+  std::array<glm::dvec3, 2> colors{};               ///< of a rule, linear
+  PictureFile image{};                              ///< of an image
+  glm::dvec2 repeat{1};                             ///< how often it stands in a unit of u and of v, each above 0
+  Filter filter = Filter::linear;                   ///< of an image
+  Edges edges = Edges::repeat;                      ///< of an image
+  TransferFunction curve = TransferFunction::srgb;  ///< of an image
+  std::optional<double> near{};                     ///< of a mipmap: up to this distance M₀ alone is shown; above 0
   bool operator==(const Texture&) const = default;
 };
 

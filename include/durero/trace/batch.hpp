@@ -38,7 +38,7 @@ class Batch {
 
  public:
   /// The batch keeps references to its arguments, which must outlive it.
-  Batch(const Source& source, Picked<const scene::Query> queries, Kernel& kernel)
+  Batch(const Source& source, IndexedView<const scene::Query> queries, Kernel& kernel)
       : source_(source), kernel_(kernel), nearest_(queries.size()) {
     const bool none_apart = source.extraordinary().empty();
     rays_ = rays_of(source, queries, [&](std::size_t i, const scene::Query& query, const Ray& ray) {
@@ -52,7 +52,7 @@ class Batch {
     if constexpr (most_starts > 0) test_starts();
     source_.pairs(
         rays_, [&](std::uint32_t number) { return nearest_[number].alone ? 0 : nearest_[number].point.high(); },
-        Take{*this}, [&] { flush(); });
+        Visitor{*this}, [&] { flush(); });
     flush();
     for (std::uint32_t number = 0; number < nearest_.size(); ++number) {
       const Nearest& nearest = nearest_[number];
@@ -131,7 +131,7 @@ class Batch {
   }
 
   /// The `take` of PairCandidates::pairs, for one ray and for a bundle in columns.
-  struct Take {
+  struct Visitor {
     Batch& batch;
     bool starts() const { return batch.some_start_; }
     void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }

@@ -141,7 +141,7 @@ template <PairCandidates Source>
 void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                       Counts* counts) {
   std::mutex adding;
-  const std::vector<std::uint32_t> order = order_of(source, queries, Asked::first);
+  const std::vector<std::uint32_t> order = order_of(source, queries, QueryKind::first);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     Counts of_block;
     const auto block = picked(queries, order, begin, count);

@@ -21,7 +21,7 @@ class Certified {
   using Findings = trace::Findings;      ///< the result of triage
   /// A hit's record.
   struct Point {
-    Finding finding{Verdict::miss, no_limit};  ///< by triage
+    RootEstimate finding{Decision::miss, no_limit};  ///< by triage
     /// @{ Bounds of the parameter.
     // Their own roundings are covered: the triage's error exceeds its need by three roundings of t (`quotient`).
     double low() const { return finding.hi - finding.error; }
@@ -31,7 +31,8 @@ class Certified {
 
   /// The kernel keeps references to its arguments, which must outlive it. Precondition: `hits` has a place for each
   /// query.
-  Certified(const scene::Scene& scene, Picked<const scene::Query> queries, Picked<scene::Hit> hits, Counts& counts)
+  Certified(const scene::Scene& scene, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits,
+            Counts& counts)
       : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
 
   /// @{ The functions that Batch calls.
@@ -71,12 +72,12 @@ class Certified {
   using Rounding = void (*)(const Packet&, model::Tipo, const Findings&, RoundedPacket&);
 
   void round(Hits& hits, Rounding rounding);
-  void write(std::uint32_t number, scene::ElementRef e, const Rounded& rounded);
-  Rounded rounded(const Hits& hits, std::size_t lane);
+  void write(std::uint32_t number, scene::ElementRef e, const RoundedPoint& rounded);
+  RoundedPoint rounded(const Hits& hits, std::size_t lane);
 
   const scene::Scene& scene_;
-  Picked<const scene::Query> queries_;
-  Picked<scene::Hit> hits_;
+  IndexedView<const scene::Query> queries_;
+  IndexedView<scene::Hit> hits_;
   Counts& counts_;
   std::array<Hits, scene::shape_count> waiting_{};
   std::array<Hits, scene::shape_count> waiting_own_{};  // on the elements that their rays start on

@@ -8,7 +8,7 @@
 namespace durero::trace {
 
 /// A ray misses an element or hits it, or the step cannot tell.
-enum class Verdict : std::uint8_t { miss, hit, undecided };
+enum class Decision : std::uint8_t { miss, hit, undecided };
 
 /// A·t + B at the root and A, each with its error: half the slope and half the curvature of the quadratic, for Newton's
 /// step.
@@ -18,15 +18,15 @@ struct Slope {
 };
 
 /// The first point of the ray on the element is within `error` of the parameter t = hi + lo (lo = 0 from the triage).
-struct Finding {
-  Verdict verdict;        ///< the numbers mean something for a hit
+struct RootEstimate {
+  Decision verdict;       ///< the numbers mean something for a hit
   double hi = 0, lo = 0;  ///< t = hi + lo
   double error = 0;       ///< absolute
   Slope slope{};          ///< by the triage
 };
 
 /// t and each coordinate of p + t·v rounded once; certain only if every number within the error rounds to the same.
-struct Rounded {
+struct RoundedPoint {
   bool certain = false;  ///< where false, the numbers mean nothing
   double t = 0;          ///< t!
   glm::dvec3 punto{};    ///< punto!

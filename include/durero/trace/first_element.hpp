@@ -34,7 +34,7 @@ class FirstElements {
    public:
     Point() = default;  ///< no hit: both bounds are ∞
     /// The bounds of a hit by triage.
-    explicit Point(const Finding& by_triage)
+    explicit Point(const RootEstimate& by_triage)
         : low_(by_triage.hi - by_triage.error), high_(by_triage.hi + by_triage.error) {}
     double low() const { return low_; }    ///< the lower bound
     double high() const { return high_; }  ///< the upper bound
@@ -45,7 +45,7 @@ class FirstElements {
 
   /// The kernel keeps a reference to `elements`, which must outlive it. Precondition: `elements` has a place for each
   /// query.
-  explicit FirstElements(Picked<FirstElement> elements) : elements_(elements) {}
+  explicit FirstElements(IndexedView<FirstElement> elements) : elements_(elements) {}
 
   /// @{ The functions that Batch calls.
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
@@ -69,14 +69,14 @@ class FirstElements {
   /// @}
 
  private:
-  Picked<FirstElement> elements_;
+  IndexedView<FirstElement> elements_;
 };
 
 /// first_element of first_hit_among of every query, in order. Threads and preconditions are those of first_hits_among.
 template <PairCandidates Source>
 void first_elements_among(const Source& source, std::span<const scene::Query> queries,
                           std::span<FirstElement> elements) {
-  const std::vector<std::uint32_t> order = order_of(source, queries, Asked::first);
+  const std::vector<std::uint32_t> order = order_of(source, queries, QueryKind::first);
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     const auto block = picked(queries, order, begin, count);
     const auto answers = picked(elements, order, begin, count);

@@ -92,20 +92,20 @@ using Queues = std::array<Queue, scene::shape_count>;
 /// The triage's findings in lanes: t within its error and the slope of a hit. A lane with neither bit is a miss.
 struct Findings {
   using Column = Packet::Column;  ///< a number of each lane
-  /// @{ The member of that name of Finding or Slope.
+  /// @{ The member of that name of RootEstimate or Slope.
   alignas(64) Column t{};
   Column error{}, at_root{}, at_root_error{}, A{}, A_error{};
   /// @}
   unsigned hit = 0, undecided = 0;  ///< a bit for every lane, the first lane's lowest
 
   /// The finding of a lane.
-  Finding operator[](std::size_t lane) const {
+  RootEstimate operator[](std::size_t lane) const {
     const auto has = [&](unsigned bits) { return (bits >> lane & 1) != 0; };
-    const Verdict verdict = has(hit) ? Verdict::hit : has(undecided) ? Verdict::undecided : Verdict::miss;
+    const Decision verdict = has(hit) ? Decision::hit : has(undecided) ? Decision::undecided : Decision::miss;
     return {verdict, t[lane], 0, error[lane], {at_root[lane], at_root_error[lane], A[lane], A_error[lane]}};
   }
   /// Sets a lane to a finding. Precondition: the finding is a hit by triage.
-  void set(std::size_t lane, const Finding& finding) {
+  void set(std::size_t lane, const RootEstimate& finding) {
     hit |= 1u << lane;
     t[lane] = finding.hi;
     error[lane] = finding.error;

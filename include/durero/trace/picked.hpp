@@ -16,14 +16,14 @@ namespace durero::trace {
 /// A view of entries of an array, in an order of its own. It refers to the array and to the places, which must outlive
 /// it.
 template <class T>
-class Picked {
+class IndexedView {
  public:
   /// The whole array in its own order.
   template <class Array>
     requires std::constructible_from<std::span<T>, Array&>
-  Picked(Array& all) : all_(all), size_(all_.size()) {}
+  IndexedView(Array& all) : all_(all), size_(all_.size()) {}
   /// The entries at `places`, in that order.
-  Picked(std::span<T> all, std::span<const std::uint32_t> places)
+  IndexedView(std::span<T> all, std::span<const std::uint32_t> places)
       : all_(all), places_(places.data()), size_(places.size()) {}
 
   /// @{ The operations of an array.
@@ -39,19 +39,19 @@ class Picked {
 
 /// The `count` entries from `begin` on of a permuted array; an empty `order` is the array's own order.
 template <class T>
-Picked<T> picked(std::span<T> all, std::span<const std::uint32_t> order, std::size_t begin, std::size_t count) {
+IndexedView<T> picked(std::span<T> all, std::span<const std::uint32_t> order, std::size_t begin, std::size_t count) {
   if (!order.empty()) return {all, order.subspan(begin, count)};
   std::span<T> part = all.subspan(begin, count);
-  return Picked<T>(part);
+  return IndexedView<T>(part);
 }
 
 /// A query asks for the first hit, or whether a segment is occluded.
-enum class Asked : std::uint8_t { first, segment };
+enum class QueryKind : std::uint8_t { first, segment };
 
 /// The order in which a source answers queries fastest, by source.order(queries, asked): a permutation of their
 /// numbers, or empty for the queries' own order.
 template <class Source>
-std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries, Asked asked) {
+std::vector<std::uint32_t> order_of(const Source& source, std::span<const scene::Query> queries, QueryKind asked) {
   if constexpr (requires { source.order(queries, asked); }) {
     return source.order(queries, asked);
   } else {
@@ -76,7 +76,7 @@ void ask_for(const T& object) {
 /// it starts on, if it is ordinary, starts on one alone, and the source has no extraordinary elements. Queries and the
 /// elements that they start on are prefetched some rays ahead.
 template <class Source, class Also>
-std::vector<Ray> rays_of(const Source& source, Picked<const scene::Query> queries, Also also) {
+std::vector<Ray> rays_of(const Source& source, IndexedView<const scene::Query> queries, Also also) {
   constexpr std::size_t ahead = 16;
   const bool none_apart = source.extraordinary().empty();
   std::vector<Ray> rays;

@@ -24,7 +24,7 @@ struct Meeting {
   Kind kind = Kind::none;                                ///< the numbers belong to a point
   Step step = Step::triage;                              ///< the step that decided
   double low = 0, high = 0;                              ///< bounds of the parameter
-  Finding finding{};                                     ///< the finding of triage or stable
+  RootEstimate finding{};                                ///< the finding of triage or stable
   std::shared_ptr<const surface::exact::Parameter> t{};  ///< the exact parameter, where the exact step decided
 };
 
@@ -35,7 +35,7 @@ struct Candidate {
 };
 
 /// A search's findings in the elements tested so far.
-struct Found {
+struct SearchState {
   double limit = no_limit;                                  ///< the parameter beyond which no first hit lies
   boost::container::small_vector<Candidate, 4> candidates;  ///< in the order of their tests, none beyond the limit
   scene::ElementSet without_minimum;                        ///< met as near to the origin as one likes
@@ -65,9 +65,9 @@ class Search {
   scene::Hit finish();
 
   /// t and the point, rounded once, of the nearest element, which the triage found.
-  Rounded rounded_hit(scene::ElementRef e, const Finding& by_triage) const;
+  RoundedPoint rounded_hit(scene::ElementRef e, const RootEstimate& by_triage) const;
   /// t and the point, rounded once, of the nearest element, where the ray meets it.
-  Rounded rounded_hit(scene::ElementRef e, const Meeting& met) const;
+  RoundedPoint rounded_hit(scene::ElementRef e, const Meeting& met) const;
 
   /// Whether the ray meets the element at some t > 0.
   bool blocks(scene::ElementRef e, Range range = Range::unknown) const;
@@ -87,7 +87,7 @@ class Search {
   Origin en_;
   Counts& counts_;
   Ray ray_;
-  Found found_;
+  SearchState found_;
 };
 
 }  // namespace durero::trace

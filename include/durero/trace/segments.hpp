@@ -27,7 +27,7 @@ class SegmentBatch {
  public:
   /// The batch keeps references to its arguments, which must outlive it. Precondition: `occluded` has a place for each
   /// query.
-  SegmentBatch(const Source& source, Picked<const scene::Query> queries, Picked<bool> occluded)
+  SegmentBatch(const Source& source, IndexedView<const scene::Query> queries, IndexedView<bool> occluded)
       : source_(source), queries_(queries), occluded_(occluded), open_(queries.size(), true) {
     rays_ = rays_of(source, queries, [&](std::size_t, const scene::Query& query, const Ray& ray) {
       if (query.en.empty()) return;
@@ -40,7 +40,7 @@ class SegmentBatch {
     for (std::uint32_t number = 0; number < queries_.size();) number = begin(number);
     for (Queue& queue : starts_) test_starts(queue);
     source_.pairs(
-        rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; }, Take{*this}, [&] { flush(); });
+        rays_, [&](std::uint32_t number) { return open_[number] ? 1.0 : 0.0; }, Visitor{*this}, [&] { flush(); });
     flush();
     for (const scene::ElementRef e : source_.extraordinary())
       for (std::uint32_t number = 0; number < queries_.size(); ++number)
@@ -120,7 +120,7 @@ class SegmentBatch {
   }
 
   /// The `take` of PairCandidates::pairs. A ray's limit stays 1 until it is occluded, as any-hit traversal requires.
-  struct Take {
+  struct Visitor {
     static constexpr bool any_hit = true;
     SegmentBatch& batch;
     bool starts() const { return batch.some_start_; }
@@ -199,8 +199,8 @@ class SegmentBatch {
   }
 
   const Source& source_;
-  Picked<const scene::Query> queries_;
-  Picked<bool> occluded_;
+  IndexedView<const scene::Query> queries_;
+  IndexedView<bool> occluded_;
   std::vector<std::uint8_t> open_;  // the ray is not known to be occluded
   std::vector<Ray> rays_;
   bool some_start_ = false, some_start_untold_ = false;  // some ray starts on ray.start(); some ray starts without it
@@ -213,7 +213,7 @@ class SegmentBatch {
 /// first_hits_among.
 template <PairCandidates Source>
 void occluded_segments_in_lanes(const Source& source, std::span<const scene::Query> queries, std::span<bool> occluded) {
-  const std::vector<std::uint32_t> order = order_of(source, queries, Asked::segment);
+  const std::vector<std::uint32_t> order = order_of(source, queries, QueryKind::segment);
   // A larger scene needs larger blocks for as many coherent segments.
   const std::size_t most = std::clamp<std::size_t>(source.scene().size() / 8, 1 << 12, 1 << 16);
   const auto threads = static_cast<std::size_t>(oneapi::tbb::this_task_arena::max_concurrency());

@@ -41,8 +41,8 @@ class Tables {
   }
 
   /// PairCandidates::pairs: the balls in chunks that stay in the cache, each chunk against every ray before the next.
-  template <class Limit, class Take, class Flush>
-  [[gnu::always_inline]] void pairs(std::span<const Ray> rays, Limit limit, Take take, Flush flush) const {
+  template <class Limit, class Visitor, class Flush>
+  [[gnu::always_inline]] void pairs(std::span<const Ray> rays, Limit limit, Visitor take, Flush flush) const {
     Passed passed;
     for (std::size_t begin = 0; begin < elements_.size(); begin += chunk) {
       for (std::uint32_t number = 0; number < rays.size(); ++number) {

@@ -39,7 +39,7 @@ class Edited {
   io::EditAnswer apply_total(const scene::Closing& in);
   io::EditAnswer apply_total(const io::WrittenEdit& edit);
   /// Applies a step; the answer tells of groups, too.
-  io::EditAnswer apply_total(const io::Step& step);
+  io::EditAnswer apply_total(const io::ScriptStep& step);
   /// @}
 
   /// Applies an edit of the program's own shapes. Returns its answer with the clause that it breaks, and the answer of

@@ -40,9 +40,9 @@ std::array<Chord, line_count> isotropic_lines() {
 }
 
 /// The volumes around an element and the lines that meet them, computed on demand.
-class Trial {
+class VolumeEstimates {
  public:
-  Trial(scene::ShapeView element, double surface_of_region)
+  VolumeEstimates(scene::ShapeView element, double surface_of_region)
       : element_(element), outline_(accel::outline(element)), region_(surface_of_region) {}
 
   const Outline& outline() const { return outline_; }
@@ -71,7 +71,7 @@ class Trial {
     const std::vector<trace::Ray>& lines = this->lines();
     Met result;
     for (std::size_t i = 0; i < line_count; ++i)
-      result[i] = verdict(volume, Asked(lines[i], directions), never) == Verdict::met;
+      result[i] = verdict(volume, PrecomputedRay(lines[i], directions), never) == VolumeTest::met;
     return result;
   }
 
@@ -106,22 +106,22 @@ class Trial {
 /// for it.
 class Least {
  public:
-  explicit Least(Choice first) : best_(std::move(first)) {}
+  explicit Least(VolumeCost first) : best_(std::move(first)) {}
 
   /// Whether a choice that costs at least `bound` may be taken.
   bool may_be_beaten_by(double bound) const { return bound < 0.99 * best_.T; }
-  void consider(Choice choice) {
+  void consider(VolumeCost choice) {
     if (choice.T < best_.T) best_ = std::move(choice);
   }
-  Choice take() { return std::move(best_); }
+  VolumeCost take() { return std::move(best_); }
 
  private:
-  Choice best_;
+  VolumeCost best_;
 };
 
-Choice made(Volume volume, double tests, double m) { return {std::move(volume), tests, m, tests + m * I}; }
+VolumeCost made(Volume volume, double tests, double m) { return {std::move(volume), tests, m, tests + m * I}; }
 
-void consider_intersections(Trial& trial, Least& least) {
+void consider_intersections(VolumeEstimates& trial, Least& least) {
   const double hull = trial.share_of_hull() * I;
   for (std::size_t i = 0; i < kinds().size(); ++i) {
     if (!least.may_be_beaten_by(kinds()[i].B + hull)) continue;
@@ -138,16 +138,16 @@ void consider_intersections(Trial& trial, Least& least) {
 
 }  // namespace
 
-Choice choose(scene::ShapeView element, double surface_of_region) {
-  Trial trial(element, surface_of_region);
-  const Kind& single = cheapest(element, surface_of_region);
+VolumeCost choose(scene::ShapeView element, double surface_of_region) {
+  VolumeEstimates trial(element, surface_of_region);
+  const VolumeKind& single = cheapest(element, surface_of_region);
   const auto i = static_cast<std::size_t>(&single - kinds().data());
   Least least(made({{trial.volume(i)}}, single.B, std::min(1.0, trial.rays(i))));
   consider_intersections(trial, least);
   return least.take();
 }
 
-const Kind& kind_of(const Simple& volume) {
+const VolumeKind& kind_of(const Simple& volume) {
   const auto* const slabs = std::get_if<Slabs>(&volume);
   std::size_t i = volume.index();
   if (slabs != nullptr) i += slabs->along.size() == 3 ? 0 : slabs->along.size() == 7 ? 1 : 2;

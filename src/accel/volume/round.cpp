@@ -9,12 +9,12 @@ namespace durero::accel {
 namespace {
 
 /// Tests the ray q + t·v against the ball of that radius about 0, by the steps and allowances of trace/filter.hpp.
-Verdict round(const glm::dvec3& q, const glm::dvec3& v, double radius, double limit) {
+VolumeTest round(const glm::dvec3& q, const glm::dvec3& v, double radius, double limit) {
   const double length_squared = glm::dot(v, v) * (1 + 0x1p-47 + 0x1p-50);
   const glm::dvec3 moment = glm::cross(q, v);
   const double B = glm::dot(q, v), reach = radius * std::sqrt(length_squared);
-  if (!(glm::dot(moment, moment) <= radius * radius * length_squared) || B > reach) return Verdict::missed;
-  return B + reach + limit * length_squared >= 0 ? Verdict::met : Verdict::beyond;
+  if (!(glm::dot(moment, moment) <= radius * radius * length_squared) || B > reach) return VolumeTest::missed;
+  return B + reach + limit * length_squared >= 0 ? VolumeTest::met : VolumeTest::beyond;
 }
 
 glm::dvec3 stretched(const Ellipsoid& ellipsoid, const glm::dvec3& x) {
@@ -23,11 +23,11 @@ glm::dvec3 stretched(const Ellipsoid& ellipsoid, const glm::dvec3& x) {
 
 }  // namespace
 
-Verdict verdict(const surface::Ball& ball, const trace::Ray& ray, double limit) {
+VolumeTest verdict(const surface::Ball& ball, const trace::Ray& ray, double limit) {
   return round(ray.p - ball.centre, ray.v, ball.radius + 0x1p-49 * norm_1(ball.centre) + ray.allowance(), limit);
 }
 
-Verdict verdict(const Ellipsoid& ellipsoid, const trace::Ray& ray, double limit) {
+VolumeTest verdict(const Ellipsoid& ellipsoid, const trace::Ray& ray, double limit) {
   const double longer = std::max(1.0, ellipsoid.lambda), ratio = longer / std::min(1.0, ellipsoid.lambda);
   const double far = longer * (norm_1(ray.p) + norm_1(ellipsoid.centre));
   // The allowance includes 16u of the origin, as a ball's does.

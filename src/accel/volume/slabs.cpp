@@ -27,7 +27,9 @@ double magnitude(const glm::dvec3& a, const glm::dvec3& b) {
   return std::abs(a.x * b.x) + std::abs(a.y * b.y) + std::abs(a.z * b.z);
 }
 
-Stretch common(const Stretch& a, const Stretch& b) { return {std::max(a.entry, b.entry), std::min(a.exit, b.exit)}; }
+BoxInterval common(const BoxInterval& a, const BoxInterval& b) {
+  return {std::max(a.entry, b.entry), std::min(a.exit, b.exit)};
+}
 
 /// The vector without the components that are next to 0. Its exact direction does not matter.
 glm::dvec3 plain(glm::dvec3 n) {
@@ -90,14 +92,14 @@ OrientedBox oriented_box_around(const Outline& outline) {
   return box;
 }
 
-Stretch stretch(const Slabs& slabs, const Projections& projections) {
-  Stretch result{0, never};
+BoxInterval stretch(const Slabs& slabs, const Projections& projections) {
+  BoxInterval result{0, never};
   for (std::size_t i = 0; i < slabs.along.size(); ++i) result = common(result, projections[i].within(slabs.along[i]));
   return result;
 }
 
-Stretch stretch(const OrientedBox& box, const trace::Ray& ray) {
-  Stretch result{0, never};
+BoxInterval stretch(const OrientedBox& box, const trace::Ray& ray) {
+  BoxInterval result{0, never};
   for (std::size_t i = 0; i < 3; ++i) result = common(result, Projection(box.normal[i], ray).within(box.along[i]));
   return result;
 }

@@ -14,21 +14,21 @@ namespace {
 
 using std::numbers::pi;
 
-Verdict within(Stretch stretch, double limit) {
-  if (!stretch.meets()) return Verdict::missed;
+VolumeTest within(BoxInterval stretch, double limit) {
+  if (!stretch.meets()) return VolumeTest::missed;
   stretch.exit = std::min(stretch.exit, limit);
-  return stretch.meets() ? Verdict::met : Verdict::beyond;
+  return stretch.meets() ? VolumeTest::met : VolumeTest::beyond;
 }
 
 struct Test {
-  const Asked& asked;
+  const PrecomputedRay& asked;
   double limit;
 
-  Verdict operator()(const surface::Ball& ball) const { return verdict(ball, asked.ray, limit); }
-  Verdict operator()(const Ellipsoid& ellipsoid) const { return verdict(ellipsoid, asked.ray, limit); }
-  Verdict operator()(const surface::Box& box) const { return within(stretch(box, asked.beam, never), limit); }
-  Verdict operator()(const OrientedBox& box) const { return within(stretch(box, asked.ray), limit); }
-  Verdict operator()(const Slabs& slabs) const { return within(stretch(slabs, asked.projections), limit); }
+  VolumeTest operator()(const surface::Ball& ball) const { return verdict(ball, asked.ray, limit); }
+  VolumeTest operator()(const Ellipsoid& ellipsoid) const { return verdict(ellipsoid, asked.ray, limit); }
+  VolumeTest operator()(const surface::Box& box) const { return within(stretch(box, asked.beam, never), limit); }
+  VolumeTest operator()(const OrientedBox& box) const { return within(stretch(box, asked.ray), limit); }
+  VolumeTest operator()(const Slabs& slabs) const { return within(stretch(slabs, asked.projections), limit); }
 };
 
 /// The points w with n·w ≤ d.
@@ -93,7 +93,7 @@ double over_faces(const HalfSpaces& all, Weight weight) {
   return sum;
 }
 
-struct Surface {
+struct SurfaceArea {
   double operator()(const surface::Ball& ball) const { return 4 * pi * ball.radius * ball.radius; }
   double operator()(const surface::Box& box) const { return area<double>(box); }
   double operator()(const Ellipsoid& e) const {
@@ -133,28 +133,28 @@ Simple slabs_of(scene::ShapeView, const Outline& outline) {
 
 // The costs were measured over two thousand random elements and a thousand rays, all of one kind.
 constexpr std::array all_kinds = {
-    Kind{"ball", 11,
-         [](scene::ShapeView e, const Outline&) -> Simple {
-           return e.visit([](const auto& shape) { return surface::ball(shape); });
-         }},
-    Kind{"box", 11,
-         [](scene::ShapeView e, const Outline&) -> Simple {
-           return e.visit([](const auto& shape) { return surface::box(shape); });
-         }},
-    Kind{"oriented-box", 48, [](scene::ShapeView, const Outline& o) -> Simple { return oriented_box_around(o); }},
-    Kind{"ellipsoid", 17, [](scene::ShapeView, const Outline& o) -> Simple { return ellipsoid_around(o); }},
-    Kind{"slabs-3", 18, slabs_of<3>},
-    Kind{"slabs-7", 30, slabs_of<7>},
-    Kind{"slabs-13", 49, slabs_of<13>},
+    VolumeKind{"ball", 11,
+               [](scene::ShapeView e, const Outline&) -> Simple {
+                 return e.visit([](const auto& shape) { return surface::ball(shape); });
+               }},
+    VolumeKind{"box", 11,
+               [](scene::ShapeView e, const Outline&) -> Simple {
+                 return e.visit([](const auto& shape) { return surface::box(shape); });
+               }},
+    VolumeKind{"oriented-box", 48, [](scene::ShapeView, const Outline& o) -> Simple { return oriented_box_around(o); }},
+    VolumeKind{"ellipsoid", 17, [](scene::ShapeView, const Outline& o) -> Simple { return ellipsoid_around(o); }},
+    VolumeKind{"slabs-3", 18, slabs_of<3>},
+    VolumeKind{"slabs-7", 30, slabs_of<7>},
+    VolumeKind{"slabs-13", 49, slabs_of<13>},
 };
 
 /// The kind of the least T, where share(kind) of the rays meet its volume. A share is not computed where the test alone
 /// costs more than the least T, because it takes long for many slabs.
 template <class Share>
-const Kind& cheapest_by(Share share) {
-  const Kind* best = all_kinds.data();
+const VolumeKind& cheapest_by(Share share) {
+  const VolumeKind* best = all_kinds.data();
   double least = std::numeric_limits<double>::infinity();
-  for (const Kind& kind : all_kinds) {
+  for (const VolumeKind& kind : all_kinds) {
     if (kind.B >= least) continue;
     const double T = kind.B + std::min(1.0, share(kind)) * I;
     if (T < least) {
@@ -167,23 +167,23 @@ const Kind& cheapest_by(Share share) {
 
 }  // namespace
 
-Verdict verdict(const Simple& volume, const Asked& asked, double limit) {
+VolumeTest verdict(const Simple& volume, const PrecomputedRay& asked, double limit) {
   return std::visit(Test{asked, limit}, volume);
 }
 
-Verdict verdict(const Volume& volume, const Asked& asked, double limit, Work& work) {
-  Verdict last = Verdict::missed;
+VolumeTest verdict(const Volume& volume, const PrecomputedRay& asked, double limit, Work& work) {
+  VolumeTest last = VolumeTest::missed;
   bool some_beyond = false;
   for (const Simple& part : volume.parts) {
     ++work.volumes;
     last = verdict(part, asked, limit);
-    if ((last == Verdict::met) == (volume.rule == Volume::Rule::union_of)) return last;
-    some_beyond = some_beyond || last == Verdict::beyond;
+    if ((last == VolumeTest::met) == (volume.rule == Volume::Rule::union_of)) return last;
+    some_beyond = some_beyond || last == VolumeTest::beyond;
   }
-  return some_beyond ? Verdict::beyond : last;
+  return some_beyond ? VolumeTest::beyond : last;
 }
 
-double surface_of(const Simple& volume) { return std::visit(Surface{}, volume); }
+double surface_of(const Simple& volume) { return std::visit(SurfaceArea{}, volume); }
 double projected(const Simple& volume, const glm::dvec3& v) { return std::visit(Projected{v}, volume); }
 
 double void_area(const Simple& volume, const Outline& outline, const glm::dvec3& v) {
@@ -191,18 +191,19 @@ double void_area(const Simple& volume, const Outline& outline, const glm::dvec3&
 }
 double mean_fit(const Simple& volume, const Outline& outline) { return (surface_of(volume) - outline.surface()) / 4; }
 
-std::span<const Kind, kind_count> kinds() { return all_kinds; }
+std::span<const VolumeKind, kind_count> kinds() { return all_kinds; }
 
-const Kind& cheapest(std::span<const double> shares) {
-  return cheapest_by([&](const Kind& kind) { return shares[std::size_t(&kind - all_kinds.data())]; });
+const VolumeKind& cheapest(std::span<const double> shares) {
+  return cheapest_by([&](const VolumeKind& kind) { return shares[std::size_t(&kind - all_kinds.data())]; });
 }
-const Kind& cheapest(scene::ShapeView element, double surface_of_region) {
+const VolumeKind& cheapest(scene::ShapeView element, double surface_of_region) {
   const Outline around = outline(element);
-  return cheapest_by([&](const Kind& kind) { return surface_of(kind.around(element, around)) / surface_of_region; });
+  return cheapest_by(
+      [&](const VolumeKind& kind) { return surface_of(kind.around(element, around)) / surface_of_region; });
 }
-const Kind& cheapest(scene::ShapeView element, const glm::dvec3& v, double area) {
+const VolumeKind& cheapest(scene::ShapeView element, const glm::dvec3& v, double area) {
   const Outline around = outline(element);
-  return cheapest_by([&](const Kind& kind) { return projected(kind.around(element, around), v) / area; });
+  return cheapest_by([&](const VolumeKind& kind) { return projected(kind.around(element, around), v) / area; });
 }
 
 }  // namespace durero::accel

@@ -18,7 +18,7 @@ namespace {
 using ChildKind = WideChild::Kind;
 using wide::Box32;
 using wide::Item;
-using wide::Part;
+using wide::ItemRange;
 
 /// The greatest binary32 number not above x, and the least not below it. The nearest number is stepped by its bits,
 /// which count away from 0 within a sign. The step has no branch, which would be mispredicted every other time.
@@ -58,7 +58,7 @@ WideNode node_of(const wide::Parts& parts) {
   WideNode node;
   for (std::size_t plane = 0; plane < 6; ++plane) node.planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
   for (std::size_t at = 0; at < parts.size(); ++at) {
-    const Part& part = parts[at];
+    const ItemRange& part = parts[at];
     for (std::size_t i = 0; i < 3; ++i) {
       node.planes[i][at] = part.box.low[i];
       node.planes[i + 3][at] = part.box.high[i];
@@ -71,7 +71,7 @@ WideNode node_of(const wide::Parts& parts) {
 }
 
 /// Appends the nodes of the tree over a part: its root, then all below.
-void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
+void build(std::vector<WideNode>& nodes, const ItemRange& whole, std::size_t level) {
   const wide::Parts parts = parts_of(whole, level > last_level_by_area);
   const std::size_t own = nodes.size();
   nodes.push_back(node_of(parts));
@@ -83,7 +83,7 @@ void build(std::vector<WideNode>& nodes, const Part& whole, std::size_t level) {
 }
 
 /// The tree over a part. The parts of a large node are built in parallel.
-Tree built(const Part& whole, std::size_t level) {
+Tree built(const ItemRange& whole, std::size_t level) {
   Tree tree;
   if (whole.size() <= alone) {
     tree.nodes.reserve(whole.size() / 4);
@@ -92,7 +92,8 @@ Tree built(const Part& whole, std::size_t level) {
   }
   wide::Parts parts = parts_of(whole, level > last_level_by_area);
   tree.nodes.push_back(node_of(parts));
-  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const Part& part) { return part.is_item(); }), parts.end());
+  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const ItemRange& part) { return part.is_item(); }),
+              parts.end());
   tree.below.resize(parts.size());
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(),
                             [&](std::size_t i) { tree.below[i] = built(parts[i], level + 1); });
@@ -144,7 +145,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
   });
   if (!items.empty()) {
     LargeVector<Item> room(items.size());
-    const Part all = wide::part_of(items, room);
+    const ItemRange all = wide::part_of(items, room);
     const double extent = std::max({all.box.width(0), all.box.width(1), all.box.width(2)});
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
     const Tree tree = built(all, 0);

@@ -42,7 +42,7 @@ HWY_INLINE Lanes later(Lanes entry, Lanes near) { return hn::IfThenElse(hn::Lt(e
 HWY_INLINE Lanes sooner(Lanes exit, Lanes far) { return hn::IfThenElse(hn::Lt(far, exit), far, exit); }
 #endif
 
-/// Stretch::meets in lanes.
+/// BoxInterval::meets in lanes.
 HWY_INLINE hn::Mask<Tag> meets(Lanes entry, Lanes exit) {
   const Tag tag;
   return hn::Le(entry, hn::Add(hn::Mul(exit, hn::Set(tag, grow)), hn::Set(tag, tiny)));
@@ -56,7 +56,7 @@ HWY_INLINE unsigned bits(hn::Mask<Tag> mask) {
 
 /// The box of a child in every lane, its near and far planes chosen by the signs of a bundle's directions.
 struct LaneBox {
-  HWY_INLINE LaneBox(const WideNode& node, std::size_t child, const WideBundle& bundle) {
+  HWY_INLINE LaneBox(const WideNode& node, std::size_t child, const WidePacket& bundle) {
     const auto plane = [&](std::size_t which) HWY_ATTR { return hn::Set(Tag(), double{node.planes[which][child]}); };
     const auto first = [&](std::size_t axis) { return bundle.inverse_high[axis] < 0 ? axis + 3 : axis; };
     const std::size_t x_first = first(0), y_first = first(1), z_first = first(2);
@@ -64,7 +64,7 @@ struct LaneBox {
     far_x = plane(3 - x_first), far_y = plane(5 - y_first), far_z = plane(7 - z_first);
   }
   /// The rays that may meet the box, a bit each, of those from `at` on that fill the lanes.
-  HWY_INLINE unsigned met_from(const WideBundle& bundle, std::size_t at) const {
+  HWY_INLINE unsigned met_from(const WidePacket& bundle, std::size_t at) const {
     const Tag tag;
     const auto& p = bundle.rays.p;
     const auto& inverse = bundle.inverse;

@@ -13,7 +13,7 @@ namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
-void invert_lanes(WideBundle& bundle, std::size_t count) {
+void invert_lanes(WidePacket& bundle, std::size_t count) {
   const Tag tag;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t at = 0; at < count; at += hn::Lanes(tag))
@@ -21,7 +21,7 @@ void invert_lanes(WideBundle& bundle, std::size_t count) {
 }
 
 /// The range of a column, over the places that traverse.
-HWY_INLINE void enclose(const WideBundle& bundle, const WideBundle::Column& column, double& low, double& high) {
+HWY_INLINE void enclose(const WidePacket& bundle, const WidePacket::Column& column, double& low, double& high) {
   const Tag tag;
   Lanes least = hn::LoadU(tag, &column[bundle.begin]), greatest = least;
   for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
@@ -33,7 +33,7 @@ HWY_INLINE void enclose(const WideBundle& bundle, const WideBundle::Column& colu
   high = hn::GetLane(hn::MaxOfLanes(tag, greatest));
 }
 
-bool gather_lanes(WideBundle& bundle, std::size_t begin, std::size_t end) {
+bool gather_lanes(WidePacket& bundle, std::size_t begin, std::size_t end) {
   bundle.begin = begin, bundle.end = end;
   bool together = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -49,7 +49,7 @@ bool gather_lanes(WideBundle& bundle, std::size_t begin, std::size_t end) {
   return true;
 }
 
-double farthest_lane(const WideBundle& bundle) {
+double farthest_lane(const WidePacket& bundle) {
   const Tag tag;
   Lanes farthest = hn::Zero(tag);
   for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag))
@@ -57,7 +57,7 @@ double farthest_lane(const WideBundle& bundle) {
   return hn::GetLane(hn::MaxOfLanes(tag, farthest));
 }
 
-unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
+unsigned met_by_bundle(const WideNode& node, const WidePacket& bundle, double limit, WideNode::Entries& entries) {
   const Tag tag;
   unsigned met = 0;
   for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
@@ -79,7 +79,7 @@ unsigned met_by_bundle(const WideNode& node, const WideBundle& bundle, double li
 }
 
 /// Children are tested one after another, so that the bits of one gather in a register. Most often few are asked about.
-void met_by_each(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
+void met_by_each(const WideNode& node, unsigned children, const WidePacket& bundle, WideMeetings& met) {
   for (unsigned left = children; left != 0; left &= left - 1) {
     const auto child = static_cast<std::size_t>(std::countr_zero(left));
     const LaneBox box(node, child, bundle);
@@ -105,15 +105,15 @@ HWY_EXPORT(met_by_bundle);
 HWY_EXPORT(met_by_each);
 }  // namespace
 
-void invert(WideBundle& bundle, std::size_t count) { HWY_DYNAMIC_DISPATCH(invert_lanes)(bundle, count); }
-bool gather(WideBundle& bundle, std::size_t begin, std::size_t end) {
+void invert(WidePacket& bundle, std::size_t count) { HWY_DYNAMIC_DISPATCH(invert_lanes)(bundle, count); }
+bool gather(WidePacket& bundle, std::size_t begin, std::size_t end) {
   return HWY_DYNAMIC_DISPATCH(gather_lanes)(bundle, begin, end);
 }
-double farthest(const WideBundle& bundle) { return HWY_DYNAMIC_DISPATCH(farthest_lane)(bundle); }
-unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries) {
+double farthest(const WidePacket& bundle) { return HWY_DYNAMIC_DISPATCH(farthest_lane)(bundle); }
+unsigned met(const WideNode& node, const WidePacket& bundle, double limit, WideNode::Entries& entries) {
   return HWY_DYNAMIC_DISPATCH(met_by_bundle)(node, bundle, limit, entries);
 }
-void met_by(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met) {
+void met_by(const WideNode& node, unsigned children, const WidePacket& bundle, WideMeetings& met) {
   HWY_DYNAMIC_DISPATCH(met_by_each)(node, children, bundle, met);
 }
 

@@ -31,7 +31,7 @@ Lanes middle_of(const Item& item) { return 0.5F * low_of(item) + 0.5F * high_of(
 using Doubles [[gnu::vector_size(32)]] = double;
 
 /// A box that grows; empty at first, as Box32 is.
-struct LaneBox {
+struct GrowingBox {
   Lanes low = Lanes{} + HUGE_VALF, high = Lanes{} - HUGE_VALF;
 
   void join(Lanes other_low, Lanes other_high) {
@@ -72,7 +72,7 @@ class Bins {
 
 /// The items of a bin: their number and their box.
 struct Bin {
-  LaneBox box{};
+  GrowingBox box{};
   std::size_t count = 0;
 
   void join(Lanes low, Lanes high) {
@@ -112,7 +112,7 @@ void keep_best(Split& best, const Row& row, std::size_t axis) {
   }
 }
 
-std::pair<Part, Part> in_the_middle(const Part& part) {
+std::pair<ItemRange, ItemRange> in_the_middle(const ItemRange& part) {
   const std::size_t half = part.size() / 2;
   return {part_of(part.items.first(half), part.room.first(half)),
           part_of(part.items.subspan(half), part.room.subspan(half))};
@@ -123,10 +123,10 @@ Lanes either(Wholes mask, Lanes yes, Lanes no) { return mask != 0 ? yes : no; }
 
 /// Moves the items into the room, the first part from its beginning, the second from its end. Each item is written to
 /// both ends and only one end advances, which spares a branch that would be mispredicted.
-std::pair<Part, Part> parted(const Part& part, const Bins& bins, const Row& row, const Split& split) {
+std::pair<ItemRange, ItemRange> parted(const ItemRange& part, const Bins& bins, const Row& row, const Split& split) {
   Item *begin = part.room.data(), *end = begin + part.room.size();
-  LaneBox first_middles, second_middles;
-  const LaneBox nothing;
+  GrowingBox first_middles, second_middles;
+  const GrowingBox nothing;
   for (const Item& item : part.items) {
     const bool first = bins.of(item)[split.axis] < static_cast<std::int32_t>(split.bin);
     *begin = item, end[-1] = item;
@@ -136,7 +136,7 @@ std::pair<Part, Part> parted(const Part& part, const Bins& bins, const Row& row,
     first_middles.join(either(mask, middle, nothing.low), either(mask, middle, nothing.high));
     second_middles.join(either(mask, nothing.low, middle), either(mask, nothing.high, middle));
   }
-  LaneBox first, second;
+  GrowingBox first, second;
   for (std::size_t bin = 0; bin < Bins::count; ++bin)
     (bin < split.bin ? first : second).join(row[bin].box.low, row[bin].box.high);
   const auto size = static_cast<std::size_t>(begin - part.room.data());
@@ -146,7 +146,7 @@ std::pair<Part, Part> parted(const Part& part, const Bins& bins, const Row& row,
 
 /// Splits a part in two, neither empty, by the least SAH cost. The split halves the items where all centres are one, or
 /// where `evenly` bounds the depth. Precondition: two items at least.
-std::pair<Part, Part> split(const Part& part, bool evenly) {
+std::pair<ItemRange, ItemRange> split(const ItemRange& part, bool evenly) {
   if (evenly) return in_the_middle(part);
   const Bins bins(part.middles);
   std::array<Row, 3> rows;
@@ -165,15 +165,15 @@ std::pair<Part, Part> split(const Part& part, bool evenly) {
 
 /// The part of the greatest rank; null where no rank is above 0.
 template <class Rank>
-Part* greatest(Parts& parts, Rank rank) {
+ItemRange* greatest(Parts& parts, Rank rank) {
   const auto found = std::ranges::max_element(parts, {}, rank);
   return rank(*found) > 0 ? &*found : nullptr;
 }
 
 }  // namespace
 
-Part part_of(Items items, Items room) {
-  LaneBox all, middles;
+ItemRange part_of(Items items, Items room) {
+  GrowingBox all, middles;
   for (const Item& item : items) {
     const Lanes middle = middle_of(item);
     all.join(low_of(item), high_of(item));
@@ -182,26 +182,26 @@ Part part_of(Items items, Items room) {
   return {items, room, all.box(), middles.box()};
 }
 
-Parts parts_of(const Part& whole, bool evenly) {
+Parts parts_of(const ItemRange& whole, bool evenly) {
   constexpr std::size_t width = WideNode::width;
   Parts parts;
   parts.push_back(whole);
-  const auto too_large = [&](const Part& part) {
+  const auto too_large = [&](const ItemRange& part) {
     if (part.size() <= width) return 0.0;
     return evenly ? static_cast<double>(part.size()) : part.area + 0x1p-1000;
   };
   while (parts.size() < width) {
-    Part* const largest = greatest(parts, too_large);
+    ItemRange* const largest = greatest(parts, too_large);
     if (largest == nullptr) break;
     const auto [first, second] = split(*largest, evenly);
     *largest = first;
     parts.push_back(second);
   }
-  const auto fits = [&](const Part& part) {
+  const auto fits = [&](const ItemRange& part) {
     const std::size_t n = part.size();
     return n > 1 && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
   };
-  while (Part* const fitting = greatest(parts, fits)) {
+  while (ItemRange* const fitting = greatest(parts, fits)) {
     const Items items = fitting->items;
     *fitting = part_of(items.first(1), {});
     for (std::size_t i = 1; i < items.size(); ++i) parts.push_back(part_of(items.subspan(i, 1), {}));

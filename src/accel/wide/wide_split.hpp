@@ -43,7 +43,7 @@ struct Item {
 using Items = std::span<Item>;
 
 /// A subtree's items, as much room to partition them into, and their box.
-struct Part {
+struct ItemRange {
   Items items, room;
   Box32 box;
   Box32 middles;  ///< the box of the centres of the items' boxes
@@ -54,14 +54,14 @@ struct Part {
 };
 
 /// Bounds some items. Precondition: `room` has as many places as `items`, and does not overlap them.
-Part part_of(Items items, Items room);
+ItemRange part_of(Items items, Items room);
 
 /// The children of a node, as parts.
-using Parts = boost::container::static_vector<Part, WideNode::width>;
+using Parts = boost::container::static_vector<ItemRange, WideNode::width>;
 
 /// Splits a part into at most eight parts, none empty, for the children of a node. The part of greatest surface is
 /// split again and again, or of most items where `evenly`, until no part has more items than a node holds; then parts
 /// are dissolved into single items where these fit.
-Parts parts_of(const Part& whole, bool evenly);
+Parts parts_of(const ItemRange& whole, bool evenly);
 
 }  // namespace durero::accel::wide

@@ -10,23 +10,23 @@ namespace durero::conform {
 namespace {
 
 /// The columns of a claim.
-struct Of {
+struct ClaimColumns {
   enum Column : std::size_t { in_case, ray, outcome, element, t, x, y, z };
 };
-using Column = Of::Column;
+using Column = ClaimColumns::Column;
 constexpr std::array<std::string_view, 8> columns = {"case", "ray", "outcome", "element", "t", "x", "y", "z"};
 
 /// A field of a line: its offset, and its bytes without blanks around them.
-struct Field {
+struct CsvField {
   std::size_t offset = 0;
   std::string_view text;
 };
 
-std::vector<Field> fields_of(const io::Source& source, const io::Line& line) {
-  std::vector<Field> fields;
+std::vector<CsvField> fields_of(const io::Source& source, const io::TextLine& line) {
+  std::vector<CsvField> fields;
   for (std::size_t begin = line.begin; begin <= line.end;) {
     const std::size_t end = std::min(source.text().find(',', begin), line.end);
-    Field field{begin, source.text().substr(begin, end - begin)};
+    CsvField field{begin, source.text().substr(begin, end - begin)};
     while (!field.text.empty() && (field.text.front() == ' ' || field.text.front() == '\t')) {
       field.text.remove_prefix(1);
       ++field.offset;
@@ -39,9 +39,9 @@ std::vector<Field> fields_of(const io::Source& source, const io::Line& line) {
 }
 
 /// The columns in the order in which the head names them.
-std::vector<Column> read_head(const io::Source& source, const io::Line& line) {
+std::vector<Column> read_head(const io::Source& source, const io::TextLine& line) {
   std::vector<Column> head;
-  for (const Field& field : fields_of(source, line)) {
+  for (const CsvField& field : fields_of(source, line)) {
     const auto* const known = std::ranges::find(columns, field.text);
     if (known == columns.end()) {
       source.fail(field.offset, "no column " + text::shown(field.text),
@@ -52,7 +52,7 @@ std::vector<Column> read_head(const io::Source& source, const io::Line& line) {
       source.fail(field.offset, "a second column " + text::shown(field.text), "expected it once");
     head.push_back(column);
   }
-  for (const Column column : {Of::in_case, Of::ray}) {
+  for (const Column column : {ClaimColumns::in_case, ClaimColumns::ray}) {
     if (std::ranges::find(head, column) == head.end())
       source.fail(line.begin, "no column " + text::shown(columns[column]), "expected case and ray");
   }
@@ -60,9 +60,9 @@ std::vector<Column> read_head(const io::Source& source, const io::Line& line) {
 }
 
 using FieldsOfRow =
-    std::array<Field, columns.size()>;  // a field for each column; those that the head has not are empty
+    std::array<CsvField, columns.size()>;  // a field for each column; those that the head has not are empty
 
-double number_in(const io::Source& source, const Field& field) {
+double number_in(const io::Source& source, const CsvField& field) {
   const auto value = io::read_number(field.text);
   if (!value) source.fail(field.offset, text::shown(field.text) + " in a claim", "expected a number");
   return *value;
@@ -70,21 +70,22 @@ double number_in(const io::Source& source, const Field& field) {
 
 Claim read_claim(const io::Source& source, std::size_t at, const FieldsOfRow& row) {
   Claim claim;
-  if (!row[Of::t].text.empty()) claim.t = number_in(source, row[Of::t]);
+  if (!row[ClaimColumns::t].text.empty()) claim.t = number_in(source, row[ClaimColumns::t]);
   const auto given = [&](Column column) { return !row[column].text.empty(); };
-  if (given(Of::x) || given(Of::y) || given(Of::z))
-    claim.punto = {number_in(source, row[Of::x]), number_in(source, row[Of::y]), number_in(source, row[Of::z])};
-  if (given(Of::outcome))
-    claim.outcome = read_outcome(source, row[Of::outcome].offset, row[Of::outcome].text);
+  if (given(ClaimColumns::x) || given(ClaimColumns::y) || given(ClaimColumns::z))
+    claim.punto = {number_in(source, row[ClaimColumns::x]), number_in(source, row[ClaimColumns::y]),
+                   number_in(source, row[ClaimColumns::z])};
+  if (given(ClaimColumns::outcome))
+    claim.outcome = read_outcome(source, row[ClaimColumns::outcome].offset, row[ClaimColumns::outcome].text);
   else
-    claim.outcome = claim.t || claim.punto || given(Of::element) ? Claim::Outcome::hit : Claim::Outcome::miss;
+    claim.outcome = claim.t || claim.punto || given(ClaimColumns::element) ? Claim::Outcome::hit : Claim::Outcome::miss;
   check_claim(source, at, claim);
   return claim;
 }
 
-void read_row(const io::Line& line, std::span<const Column> head, ClaimRows& rows) {
+void read_row(const io::TextLine& line, std::span<const Column> head, ClaimRows& rows) {
   const io::Source& source = rows.source();
-  const std::vector<Field> fields = fields_of(source, line);
+  const std::vector<CsvField> fields = fields_of(source, line);
   if (fields.size() != head.size()) {
     source.fail(line.begin, std::to_string(fields.size()) + " fields",
                 "expected " + std::to_string(head.size()) + ", as many as the head");
@@ -93,10 +94,10 @@ void read_row(const io::Line& line, std::span<const Column> head, ClaimRows& row
   row.fill({line.begin, {}});
   for (std::size_t i = 0; i < head.size(); ++i) row[head[i]] = fields[i];
   Claim claim = read_claim(source, line.begin, row);
-  const std::size_t number = rows.case_of(row[Of::in_case].offset, row[Of::in_case].text);
-  if (!row[Of::element].text.empty())
-    claim.element = rows.element_of(row[Of::element].offset, number, row[Of::element].text);
-  rows.claim_on(row[Of::ray].offset, number, number_in(source, row[Of::ray])) = claim;
+  const std::size_t number = rows.case_of(row[ClaimColumns::in_case].offset, row[ClaimColumns::in_case].text);
+  if (!row[ClaimColumns::element].text.empty())
+    claim.element = rows.element_of(row[ClaimColumns::element].offset, number, row[ClaimColumns::element].text);
+  rows.claim_on(row[ClaimColumns::ray].offset, number, number_in(source, row[ClaimColumns::ray])) = claim;
 }
 
 }  // namespace

@@ -7,19 +7,19 @@ namespace {
 
 using io::json::Reader;
 
-enum Key : std::size_t { in_case, ray, outcome, element, t, point, why };
+enum ClaimKey : std::size_t { in_case, ray, outcome, element, t, point, why };
 constexpr std::string_view keys[] = {"case", "ray", "outcome", "element", "t", "point", "why"};
 constexpr std::size_t required = 3;
 
 /// The contents of a line: its claim, and the texts whose meaning depends on the case.
-struct Row {
+struct ClaimLine {
   std::string_view case_name, element_name;
   std::size_t case_at = 0, ray_at = 0, element_at = 0;
   double ray = 0;
   Claim claim;
 };
 
-void read_part(Reader& in, Key key, const io::Source& source, Row& row) {
+void read_part(Reader& in, ClaimKey key, const io::Source& source, ClaimLine& row) {
   const std::size_t at = in.offset();
   switch (key) {
     case in_case:
@@ -50,9 +50,9 @@ void read_part(Reader& in, Key key, const io::Source& source, Row& row) {
 
 void read_row(const io::json::Document& document, std::size_t at, ClaimRows& rows) {
   Reader in(document);
-  Row row;
+  ClaimLine row;
   in.object("a claim", keys, required,
-            [&](std::size_t key) { read_part(in, static_cast<Key>(key), rows.source(), row); });
+            [&](std::size_t key) { read_part(in, static_cast<ClaimKey>(key), rows.source(), row); });
   check_claim(rows.source(), at, row.claim);
   const std::size_t number = rows.case_of(row.case_at, row.case_name);
   if (row.element_at != 0) row.claim.element = rows.element_of(row.element_at, number, row.element_name);

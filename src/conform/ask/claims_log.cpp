@@ -21,15 +21,15 @@ namespace {
 using io::json::Reader;
 
 /// The whole lines of a text.
-std::vector<io::Line> whole_lines(std::string_view text) {
-  std::vector<io::Line> whole;
+std::vector<io::TextLine> whole_lines(std::string_view text) {
+  std::vector<io::TextLine> whole;
   io::Lines lines(text.substr(0, text.find_last_of('\n') + 1));
   while (const auto line = lines.next()) whole.push_back(*line);
   return whole;
 }
 
 /// Reads the first line and returns the system's name and version in it.
-std::string read_head(const io::Source& source, const io::Line& line, const std::string& identity) {
+std::string read_head(const io::Source& source, const io::TextLine& line, const std::string& identity) {
   constexpr std::string_view keys[] = {"format", "version", "run", "system"};
   const io::json::Document document(source, line.begin, line.end);
   Reader in(document);
@@ -58,7 +58,7 @@ ClaimsLog ClaimsLog::go_on(const std::string& path, const std::string& identity)
   log.path_ = path;
   log.identity_ = identity;
   const io::Source source = io::read_source(path);
-  const std::vector<io::Line> lines = whole_lines(source.text());
+  const std::vector<io::TextLine> lines = whole_lines(source.text());
   if (!lines.empty()) log.says_ = read_head(source, lines.front(), identity);
   for (std::size_t i = 1; i < lines.size(); ++i)
     log.lines_.emplace_back(source.text().substr(lines[i].begin, lines[i].end - lines[i].begin));

@@ -8,7 +8,7 @@ namespace {
 
 using io::json::Reader;
 
-enum Key : std::size_t {
+enum ProfileKey : std::size_t {
   format,
   tipos,
   caps,
@@ -53,11 +53,11 @@ void read_bound(Reader& in, std::string_view what, double& bound) {
   if (bound < 0) in.fail(at, fmt::format("{} is {}", what, bound), "expected a number that is not negative");
 }
 
-void read_member(Reader& in, Key key, Profile& profile) {
+void read_member(Reader& in, ProfileKey key, Profile& profile) {
   const std::string_view what = keys[key];
   switch (key) {
     case format:
-      profile.format = read_word<Format>(in, what, format_words);
+      profile.format = read_word<NumberFormat>(in, what, format_words);
       return;
     case tipos:
       return read_tipos(in, what, profile.tipos);
@@ -94,9 +94,9 @@ void read_member(Reader& in, Key key, Profile& profile) {
   }
 }
 
-Source read_source_of_claim(Reader& in) {
+Citation read_source_of_claim(Reader& in) {
   constexpr std::string_view source_keys[] = {"claim", "sentence", "place"};
-  Source source;
+  Citation source;
   in.object("a source", source_keys, 3, [&](std::size_t key) {
     const std::size_t at = in.offset();
     const std::string_view value = in.string(source_keys[key]);
@@ -112,11 +112,12 @@ Source read_source_of_claim(Reader& in) {
 }  // namespace
 
 void read_profile_members(Reader& in, Profile& profile) {
-  in.object("a profile", keys, required, [&](std::size_t key) { read_member(in, static_cast<Key>(key), profile); });
+  in.object("a profile", keys, required,
+            [&](std::size_t key) { read_member(in, static_cast<ProfileKey>(key), profile); });
 }
 
-std::vector<Source> read_sources(Reader& in) {
-  std::vector<Source> sources;
+std::vector<Citation> read_sources(Reader& in) {
+  std::vector<Citation> sources;
   in.array("sources", [&] { sources.push_back(read_source_of_claim(in)); });
   return sources;
 }

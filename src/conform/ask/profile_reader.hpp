@@ -17,7 +17,7 @@ namespace durero::conform {
 void read_profile_members(io::json::Reader& in, Profile& profile);
 
 /// Reads the array of a key "sources". Each claim must be a key of a profile.
-std::vector<Source> read_sources(io::json::Reader& in);
+std::vector<Citation> read_sources(io::json::Reader& in);
 
 /// Reads the words of types of elements, at least one.
 void read_tipos(io::json::Reader& in, std::string_view what, std::vector<model::Tipo>& read);

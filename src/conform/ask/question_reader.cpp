@@ -45,9 +45,9 @@ struct QuestionLine {
 };
 
 /// A cursor over the numbers of a line.
-class Numbers {
+class NumberReader {
  public:
-  Numbers(const QuestionLine& line, std::size_t first_word) : line_(&line), next_(first_word) {}
+  NumberReader(const QuestionLine& line, std::size_t first_word) : line_(&line), next_(first_word) {}
 
   void read(double& value) { value = line_->number_at(next_++); }
   void read(glm::dvec3& v) {
@@ -70,7 +70,7 @@ template <class Shape>
 model::Answer add(const QuestionLine& line, scene::Scene& scene) {
   if (line.words.size() < 2 || !model::Elemento::is_name(line.words[1])) line.fail(1, "no name", "expected a name");
   Shape shape{};
-  Numbers numbers(line, 2);
+  NumberReader numbers(line, 2);
   for (const bool are_lengths : {false, true}) {
     scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
       if (std::is_same_v<typename Row::Stored, double> == are_lengths) numbers.read(shape.*attribute.field);
@@ -91,7 +91,7 @@ void read_element(const QuestionLine& line, scene::Scene& scene) {
 
 scene::Query read_ray(const QuestionLine& line) {
   glm::dvec3 p, v;
-  Numbers numbers(line, 0);
+  NumberReader numbers(line, 0);
   numbers.read(p);
   numbers.read(v);
   numbers.end();

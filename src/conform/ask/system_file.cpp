@@ -20,7 +20,19 @@ namespace {
 namespace fs = std::filesystem;
 using io::json::Reader;
 
-enum Key : std::size_t { format, version, system, title, ask, profile, install, build, sources, reproduce, known };
+enum SystemKey : std::size_t {
+  format,
+  version,
+  system,
+  title,
+  ask,
+  profile,
+  install,
+  build,
+  sources,
+  reproduce,
+  known
+};
 constexpr std::string_view keys[] = {"format",  "version", "system",  "title",     "ask",  "profile",
                                      "install", "build",   "sources", "reproduce", "known"};
 constexpr std::size_t required = 6;
@@ -68,7 +80,7 @@ KnownCause read_known_cause(Reader& in) {
   return read;
 }
 
-void read_part(Reader& in, Key key, System& read) {
+void read_part(Reader& in, SystemKey key, System& read) {
   switch (key) {
     case format:
     case version:  // read before all others
@@ -149,7 +161,7 @@ System read_system(const io::Source& source, const std::string& setups) {
   const io::json::Document document(source);
   Reader in(document);
   require_version(in, system_format);
-  in.object("a system", keys, required, [&](std::size_t key) { read_part(in, static_cast<Key>(key), read); });
+  in.object("a system", keys, required, [&](std::size_t key) { read_part(in, static_cast<SystemKey>(key), read); });
   fill_in_places(read);
   return read;
 }

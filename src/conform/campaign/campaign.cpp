@@ -17,7 +17,7 @@ namespace {
 
 using io::json::Reader;
 
-enum Key : std::size_t {
+enum CampaignKey : std::size_t {
   format,
   version,
   system,
@@ -36,7 +36,7 @@ constexpr std::string_view keys[] = {"format",  "version",  "system", "seed",   
 constexpr std::size_t required = 6;
 
 /// The offsets of the values that are checked after all was read.
-struct Places {
+struct CampaignPlaces {
   std::size_t system = 0, shards = 0, profile = 0;
 };
 
@@ -76,7 +76,7 @@ double read_time(Reader& in) {
   return seconds;
 }
 
-void read_member(Reader& in, Key key, Campaign& read, Places& places) {
+void read_member(Reader& in, CampaignKey key, Campaign& read, CampaignPlaces& places) {
   const std::string_view what = keys[key];
   const std::size_t at = in.offset();
   switch (key) {
@@ -109,7 +109,7 @@ void read_member(Reader& in, Key key, Campaign& read, Places& places) {
       read.caps = in.boolean(what) ? Caps::solid : Caps::open;
       return;
     case numbers:
-      read.numbers = read_word<Format>(in, what, format_words);
+      read.numbers = read_word<NumberFormat>(in, what, format_words);
       return;
     case time:
       read.time = read_time(in);
@@ -117,7 +117,7 @@ void read_member(Reader& in, Key key, Campaign& read, Places& places) {
 }
 
 /// Checks the conditions that concern several members. Throws io::InputError.
-void check(const io::Source& source, const Campaign& read, const Places& places) {
+void check(const io::Source& source, const Campaign& read, const CampaignPlaces& places) {
   if (read.shards == 0) source.fail(places.shards, "shards is 0", "expected one at least");
   // JSON holds the numbers of so many rays, and of fewer cases, exactly.
   if (read.rays_of_a_shard > (std::uint64_t{1} << 53U) / read.shards)
@@ -143,9 +143,9 @@ Campaign read_campaign(const io::Source& source) {
   Reader in(document);
   require_version(in, campaign_format);
   Campaign read;
-  Places places;
+  CampaignPlaces places;
   in.object("a campaign", keys, required,
-            [&](std::size_t key) { read_member(in, static_cast<Key>(key), read, places); });
+            [&](std::size_t key) { read_member(in, static_cast<CampaignKey>(key), read, places); });
   check(source, read, places);
   read.families = chosen_families({.families = read.families});
   return read;

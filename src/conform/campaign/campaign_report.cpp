@@ -53,7 +53,7 @@ Finding finding_of(const FailedRay& failed, const Family& family, Verdict verdic
   answer(of);
   of = with_ray_alone(of, failed.ray);
   const Claim claim = claim_of(failed, of);
-  const Judgement is = judge(of, 0, claim, profile);
+  const ClaimJudgement is = judge(of, 0, claim, profile);
   if (is.verdict != verdict)
     throw std::runtime_error(
         fmt::format("{} ray {} was judged {} and is {} now; expected shards of a program that judges as this one does",

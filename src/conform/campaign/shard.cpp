@@ -115,10 +115,10 @@ void unite(Shards& shards, Shards other) {
 }
 
 void ShardTally::add(const SuiteCase& of, std::span<const Claim> claims) {
-  const std::vector<Judgement> judgements = tally_.add(of, claims, *profile_);
+  const std::vector<ClaimJudgement> judgements = tally_.add(of, claims, *profile_);
   for (std::size_t ray = 0; ray < claims.size(); ++ray) {
     answers_ = digest_of(claims[ray], answers_);
-    const Judgement& is = judgements[ray];
+    const ClaimJudgement& is = judgements[ray];
     if (!is_failure(is.verdict)) continue;
     const double backward = std::isnan(is.backward) ? std::numeric_limits<double>::infinity() : is.backward;
     FailedRay failed{of.number, ray, of.the_case.scene.size(), backward};

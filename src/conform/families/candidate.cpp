@@ -17,7 +17,7 @@ Dyadic size(const Shape& shape) {
 }
 
 Dyadic squared_normal(const scene::Corners& vertices) {
-  const ExactVector n = cross(difference(vertices[1], vertices[0]), difference(vertices[2], vertices[0]));
+  const DyadicVector n = cross(difference(vertices[1], vertices[0]), difference(vertices[2], vertices[0]));
   return dot(n, n);
 }
 
@@ -32,12 +32,12 @@ const glm::dvec3& centre(const Shape& shape) {
 
 }  // namespace
 
-ExactVector exact(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-ExactVector difference(const glm::dvec3& a, const glm::dvec3& b) {
+DyadicVector exact(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+DyadicVector difference(const glm::dvec3& a, const glm::dvec3& b) {
   return {Dyadic(a.x) - Dyadic(b.x), Dyadic(a.y) - Dyadic(b.y), Dyadic(a.z) - Dyadic(b.z)};
 }
-Dyadic dot(const ExactVector& a, const ExactVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-ExactVector cross(const ExactVector& a, const ExactVector& b) {
+Dyadic dot(const DyadicVector& a, const DyadicVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+DyadicVector cross(const DyadicVector& a, const DyadicVector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 Dyadic squared_length(const glm::dvec3& v) { return dot(exact(v), exact(v)); }
@@ -47,17 +47,21 @@ bool negligible(const Dyadic& part, const Dyadic& whole) {
   return number::shifted(magnitude(part), 20) <= magnitude(whole);
 }
 
-int Candidate::sign_beyond(const Parameter& t) const { return number::sign(number::linear(f.s0 - *f.altura, f.s1, t)); }
+int ElementQuadratic::sign_beyond(const Parameter& t) const {
+  return number::sign(number::linear(f.s0 - *f.altura, f.s1, t));
+}
 
-bool Candidate::is_at_end(const Parameter& t) const {
+bool ElementQuadratic::is_at_end(const Parameter& t) const {
   return is_axial() && (number::sign(number::linear(f.s0, f.s1, t)) == 0 || sign_beyond(t) == 0);
 }
 
-bool Candidate::starts_between_ends() const { return !is_axial() || (number::sign(f.s0) >= 0 && f.s0 <= *f.altura); }
+bool ElementQuadratic::starts_between_ends() const {
+  return !is_axial() || (number::sign(f.s0) >= 0 && f.s0 <= *f.altura);
+}
 
-Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
+ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
   return q.scene.visit(e, [&]<class Shape>(const Shape& shape) {
-    Candidate c{e, surface::exact::coefficients(shape, q.query.rayo, on), centre(shape), size(shape)};
+    ElementQuadratic c{e, surface::exact::coefficients(shape, q.query.rayo, on), centre(shape), size(shape)};
     if constexpr (requires { shape.vector; }) c.vector = shape.vector;
     if constexpr (requires { shape.altura; }) c.altura = shape.altura;
     if constexpr (requires { shape.vertices; }) c.normal = squared_normal(shape.vertices);
@@ -65,11 +69,11 @@ Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
   });
 }
 
-Candidate candidate(const AnsweredQuery& q, scene::ElementRef e) {
+ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e) {
   return candidate(q, e, scene::Origin(q.query.en).contains(e));
 }
 
-bool is_inside(const Candidate& c) { return !c.is_flat() && number::sign(c.f.C) < 0 && c.starts_between_ends(); }
+bool is_inside(const ElementQuadratic& c) { return !c.is_flat() && number::sign(c.f.C) < 0 && c.starts_between_ends(); }
 
 bool travels_at_least(const AnsweredQuery& q, const Dyadic& distance) {
   if (!std::isfinite(q.hit.t)) return true;

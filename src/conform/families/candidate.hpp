@@ -13,14 +13,14 @@ namespace durero::conform {
 using number::Dyadic;
 using surface::exact::Parameter;
 
-struct ExactVector {
+struct DyadicVector {
   Dyadic x, y, z;
 };
-ExactVector exact(const glm::dvec3& v);
+DyadicVector exact(const glm::dvec3& v);
 /// The exact difference a − b.
-ExactVector difference(const glm::dvec3& a, const glm::dvec3& b);
-Dyadic dot(const ExactVector& a, const ExactVector& b);
-ExactVector cross(const ExactVector& a, const ExactVector& b);
+DyadicVector difference(const glm::dvec3& a, const glm::dvec3& b);
+Dyadic dot(const DyadicVector& a, const DyadicVector& b);
+DyadicVector cross(const DyadicVector& a, const DyadicVector& b);
 Dyadic squared_length(const glm::dvec3& v);
 Dyadic magnitude(const Dyadic& x);
 
@@ -28,7 +28,7 @@ Dyadic magnitude(const Dyadic& x);
 bool negligible(const Dyadic& part, const Dyadic& whole);
 
 /// An element of a scene, and the query's quadratic on it.
-struct Candidate {
+struct ElementQuadratic {
   scene::ElementRef e;
   surface::exact::Coefficients f;
   glm::dvec3 centro;
@@ -51,9 +51,9 @@ struct Candidate {
 };
 
 /// The candidate of an element; C = 0 where the ray starts `on` it.
-Candidate candidate(const AnsweredQuery& q, scene::ElementRef e, bool on);
+ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e, bool on);
 /// The candidate of an element; C = 0 where the query's origin is named to lie on it.
-Candidate candidate(const AnsweredQuery& q, scene::ElementRef e);
+ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e);
 
 /// Whether the condition holds for some element of the scene.
 template <class Holds>
@@ -77,14 +77,14 @@ bool any_met_element(const AnsweredQuery& q, Holds holds) {
 
 /// Whether the condition holds for some root t > 0, within the ends of the element or beyond them.
 template <class Holds>
-bool any_root_ahead(const Candidate& c, Holds holds) {
+bool any_root_ahead(const ElementQuadratic& c, Holds holds) {
   const surface::exact::Roots all = roots(c.f);
   const auto values = all.values();
   return std::any_of(values.begin(), values.end(), [&](const Parameter& t) { return number::sign(t) > 0 && holds(t); });
 }
 
 /// Whether the origin of the ray lies within the element; false of a flat shape.
-bool is_inside(const Candidate& c);
+bool is_inside(const ElementQuadratic& c);
 
 /// Whether t·|v| ≥ distance, for t as it is rounded; an infinite t is far enough. Precondition: the query hits.
 bool travels_at_least(const AnsweredQuery& q, const Dyadic& distance);

@@ -44,13 +44,13 @@ DrawnRay one_in_three_nudged(Draws& random, DrawnRay ray) {
 }
 
 DrawnRay coincident(Draws& random, const FramedShape& shape, int e) {
-  const SurfacePoint rim = rim_point(random, shape);
+  const FramedPoint rim = rim_point(random, shape);
   const auto through = [&](const glm::dvec3& point, const glm::dvec3& w) {
     return arriving(random, point, w, steps(w, shape.radius(), e));
   };
   switch (random.any_of(coincidences)) {
     case Coincidence::tangent: {
-      const SurfacePoint at = surface_point(random, shape);
+      const FramedPoint at = surface_point(random, shape);
       return through(at.position, tangent_vector(random, at));
     }
     case Coincidence::rim:
@@ -68,7 +68,7 @@ DrawnRay coincident(Draws& random, const FramedShape& shape, int e) {
 
 DrawnRay ordinary(Draws& random, const FramedShape& shape, int e) {
   if (random.chance(1, 3)) return coincident(random, shape, e);
-  const SurfacePoint at = surface_point(random, shape);
+  const FramedPoint at = surface_point(random, shape);
   glm::dvec3 w = any_vector(random, shape);
   if (random.chance(7, 8)) w = inwards(w, at);
   return arriving(random, at.position, w, steps(w, shape.radius(), e));

@@ -31,7 +31,7 @@ class Draws : public Random {
   int digits() const { return is_binary32() ? 24 : 53; }
 
  private:
-  bool is_binary32() const { return options_.numbers == Format::binary32; }
+  bool is_binary32() const { return options_.numbers == NumberFormat::binary32; }
 
   CaseOptions options_;
 };

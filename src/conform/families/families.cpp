@@ -22,9 +22,9 @@ const Family* find_family(std::string_view name) {
   return family == all.end() ? nullptr : &*family;
 }
 
-Range parameter(const Family& family, Format numbers) {
-  const std::optional<Limits>& narrower = row_of(family).of_binary32.parameter;
-  if (numbers == Format::binary64 || !narrower) return family.parameter;
+Range parameter(const Family& family, NumberFormat numbers) {
+  const std::optional<IntegerRange>& narrower = row_of(family).of_binary32.parameter;
+  if (numbers == NumberFormat::binary64 || !narrower) return family.parameter;
   return {family.parameter.name, narrower->least, narrower->greatest};
 }
 

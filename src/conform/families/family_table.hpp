@@ -19,7 +19,7 @@ struct Floors {
 /// The functions that make a scene, and then each ray for it.
 struct Recipe {
   recipes::FramedShapes (*scene)(Draws&, int parameter);
-  DrawnRay (*ray)(Draws&, int parameter, recipes::Given shapes);
+  DrawnRay (*ray)(Draws&, int parameter, recipes::ShapeSpan shapes);
 };
 
 /// The conditions that make a ray a member, and an exact one.
@@ -28,13 +28,13 @@ struct Questions {
   bool (*is_exact)(const AnsweredQuery&);
 };
 
-struct Limits {
+struct IntegerRange {
   int least, greatest;
 };
 
 /// The exceptions for binary32 numbers: a parameter that fits the format, and other floors.
 struct OfBinary32 {
-  std::optional<Limits> parameter{};
+  std::optional<IntegerRange> parameter{};
   std::optional<Floors> floors{};
 };
 

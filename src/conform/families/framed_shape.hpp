@@ -19,7 +19,7 @@ namespace durero::conform {
 /// A point of a surface, with directions. `radial` goes from the axis (or the centre of a sphere) to the point; on a
 /// flat shape it is the normal. `around` and `along` lie in the tangent plane, and span it unless a sphere drew them
 /// parallel; `along` is the direction of the generator.
-struct SurfacePoint {
+struct FramedPoint {
   glm::dvec3 position, radial, around, along;
 };
 
@@ -36,7 +36,7 @@ struct FramedShape {
   double altura = 0;
   scene::Corners vertices{};
   glm::dvec3 e1{}, e2{}, d{};
-  std::vector<SurfacePoint> shared{};  ///< points of the surface that lie on another shape too
+  std::vector<FramedPoint> shared{};  ///< points of the surface that lie on another shape too
 
   /// The radius, of a narrowing shape at its base.
   double radius() const;

@@ -123,7 +123,7 @@ bool is_ray(const DrawnRay& ray) {
 
 DrawnRay drawn_ray(Draws& random, const Recipe& recipe, int parameter, const FramedScene& scene) {
   if (scene.solids.empty() || !random.chance(1, 3))
-    return recipe.ray(random, parameter, recipes::Given(scene.shapes).first(scene.of_recipe));
+    return recipe.ray(random, parameter, recipes::ShapeSpan(scene.shapes).first(scene.of_recipe));
   const FramedSolid& solid = random.any_of(scene.solids);
   FramedShapes shapes{scene.shapes[solid.wall]};
   for (const std::size_t disc : solid.discs) shapes.push_back(scene.shapes[disc]);

@@ -8,47 +8,47 @@ using model::Tipo;
 using number::sign;
 
 bool nearly_axial(const AnsweredQuery& q) {
-  return any_element(q, [&](const Candidate& c) {
-    const ExactVector v = exact(q.query.rayo.v().xyz()), out = cross(v, exact(c.vector));
+  return any_element(q, [&](const ElementQuadratic& c) {
+    const DyadicVector v = exact(q.query.rayo.v().xyz()), out = cross(v, exact(c.vector));
     return c.e.tipo == Tipo::soy_cilindro && number::shifted(dot(out, out), 9) <= dot(v, v);
   });
 }
 
 bool axial(const AnsweredQuery& q) {
-  return any_element(q, [&](const Candidate& c) {
-    const ExactVector out = cross(exact(q.query.rayo.v().xyz()), exact(c.vector));
+  return any_element(q, [&](const ElementQuadratic& c) {
+    const DyadicVector out = cross(exact(q.query.rayo.v().xyz()), exact(c.vector));
     return c.e.tipo == Tipo::soy_cilindro && sign(dot(out, out)) == 0;
   });
 }
 
 bool perpendicular(const AnsweredQuery& q) {
-  return any_hit_element(q, [](const Candidate& c) { return c.is_axial() && sign(c.f.s1) == 0; });
+  return any_hit_element(q, [](const ElementQuadratic& c) { return c.is_axial() && sign(c.f.s1) == 0; });
 }
 
 bool nearly_generator(const AnsweredQuery& q) {
-  return any_element(q, [&](const Candidate& c) {
+  return any_element(q, [&](const ElementQuadratic& c) {
     return c.is_axial() && number::shifted(magnitude(c.f.A), 3) <= squared_length(q.query.rayo.v().xyz());
   });
 }
 
 bool generator(const AnsweredQuery& q) {
-  return any_element(q, [](const Candidate& c) { return c.is_axial() && sign(c.f.A) == 0; });
+  return any_element(q, [](const ElementQuadratic& c) { return c.is_axial() && sign(c.f.A) == 0; });
 }
 
 bool nearly_parallel(const AnsweredQuery& q) {
-  return any_element(q, [&](const Candidate& c) {
+  return any_element(q, [&](const ElementQuadratic& c) {
     const Dyadic slope = number::shifted(c.f.B, 1);
     return c.is_flat() && number::shifted(square(slope), 40) <= c.normal * squared_length(q.query.rayo.v().xyz());
   });
 }
 
 bool parallel(const AnsweredQuery& q) {
-  return any_element(q, [](const Candidate& c) { return c.is_flat() && sign(c.f.B) == 0; });
+  return any_element(q, [](const ElementQuadratic& c) { return c.is_flat() && sign(c.f.B) == 0; });
 }
 
 bool hits_tilted(const AnsweredQuery& q) {
   return any_hit_element(
-      q, [](const Candidate& c) { return (c.vector.x == 0) + (c.vector.y == 0) + (c.vector.z == 0) != 2; });
+      q, [](const ElementQuadratic& c) { return (c.vector.x == 0) + (c.vector.y == 0) + (c.vector.z == 0) != 2; });
 }
 
 bool aligned(const AnsweredQuery& q) {
@@ -64,7 +64,7 @@ bool exactly_aligned(const AnsweredQuery& q) {
 
 bool nearly_in_surface(const AnsweredQuery& q) {
   const Dyadic square_of_v = squared_length(q.query.rayo.v().xyz());
-  return any_element(q, [&](const Candidate& c) {
+  return any_element(q, [&](const ElementQuadratic& c) {
     return c.is_axial() && negligible(c.f.A, square_of_v) &&
            number::shifted(square(c.f.B), 20) <= square_of_v * square(c.size) &&
            negligible(c.f.C, square(c.size) + square(c.f.s0));
@@ -73,7 +73,7 @@ bool nearly_in_surface(const AnsweredQuery& q) {
 
 bool in_surface(const AnsweredQuery& q) {
   return q.hit.resultado == model::Resultado::no_minimum ||
-         any_hit_element(q, [](const Candidate& c) { return reach(c.f).segment.has_value(); });
+         any_hit_element(q, [](const ElementQuadratic& c) { return reach(c.f).segment.has_value(); });
 }
 
 }  // namespace durero::conform

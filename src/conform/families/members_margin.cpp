@@ -18,14 +18,14 @@ bool is_not_behind_hit(const AnsweredQuery& q, const Parameter& t) {
 
 /// Whether the ray passes the limb of a sphere by such a share m of its radius: r² less the square of the distance from
 /// its centre to the line is D/A, 2m·r² where that distance is (1 − m)·r.
-bool is_beside_limb(const Candidate& c, int least, int greatest) {
+bool is_beside_limb(const ElementQuadratic& c, int least, int greatest) {
   const bool is_ahead = number::sign(c.f.B) < 0;
   return c.e.tipo == Tipo::soy_esfera && is_ahead &&
          is_share(c.discriminant(), c.f.A * square(c.size), least - 1, greatest - 1);
 }
 
 /// Whether the ray passes an end of an element with an axis by such a share, measured along the axis.
-bool is_beside_end(const AnsweredQuery& q, const Candidate& c, int least, int greatest) {
+bool is_beside_end(const AnsweredQuery& q, const ElementQuadratic& c, int least, int greatest) {
   return c.is_axial() && any_root_ahead(c, [&](const Parameter& t) {
            const auto from = [&](double end) {
              return Dyadic(number::round_to_binary64(number::linear(c.f.s0 - Dyadic(end), c.f.s1, t)));
@@ -39,7 +39,7 @@ bool is_beside_end(const AnsweredQuery& q, const Candidate& c, int least, int gr
 /// Whether the ray passes the rim of a disc or an edge of a triangle by such a share m. For a disc, r² less the square
 /// of the distance from its centre is 2m·r² where that distance is (1 − m)·r. For a triangle, a barycentric coordinate
 /// is the bound's share of the sum of the three, and no other is more negative.
-bool is_beside_edge(const AnsweredQuery& q, const Candidate& c, int least, int greatest) {
+bool is_beside_edge(const AnsweredQuery& q, const ElementQuadratic& c, int least, int greatest) {
   const bool is_disc = c.e.tipo == Tipo::soy_disco;
   return !c.f.bounds.empty() && any_root_ahead(c, [&](const Parameter& t) {
     Dyadic whole, lowest = c.f.bounds[0].C;
@@ -53,7 +53,7 @@ bool is_beside_edge(const AnsweredQuery& q, const Candidate& c, int least, int g
 }  // namespace
 
 bool beside_bound_by(const AnsweredQuery& q, int least, int greatest) {
-  return any_element(q, [&](const Candidate& c) {
+  return any_element(q, [&](const ElementQuadratic& c) {
     return is_beside_limb(c, least, greatest) || is_beside_end(q, c, least, greatest) ||
            is_beside_edge(q, c, least, greatest);
   });

@@ -5,14 +5,14 @@
 namespace durero::conform {
 
 bool from_far(const AnsweredQuery& q) {
-  return any_hit_element(q, [&](const Candidate& c) {
-    const ExactVector from = difference(q.query.rayo.p().xyz(), c.centro);
+  return any_hit_element(q, [&](const ElementQuadratic& c) {
+    const DyadicVector from = difference(q.query.rayo.p().xyz(), c.centro);
     return dot(from, from) >= square(Dyadic(1000) * c.size);
   });
 }
 
 bool far_from_zero(const AnsweredQuery& q) {
-  return any_hit_element(q, [](const Candidate& c) {
+  return any_hit_element(q, [](const ElementQuadratic& c) {
     const double farthest = std::max({std::abs(c.centro.x), std::abs(c.centro.y), std::abs(c.centro.z)});
     return Dyadic(farthest) >= Dyadic(1000) * c.size;
   });
@@ -21,12 +21,12 @@ bool far_from_zero(const AnsweredQuery& q) {
 bool hits_far(const AnsweredQuery& q) { return hits(q) && travels_at_least(q, 1e6); }
 
 bool hits_tiny(const AnsweredQuery& q) {
-  return any_hit_element(q, [](const Candidate& c) { return c.size <= Dyadic(1e-3); });
+  return any_hit_element(q, [](const ElementQuadratic& c) { return c.size <= Dyadic(1e-3); });
 }
 
 bool sizes_differ(const AnsweredQuery& q) {
-  return any_hit_element(q, [&](const Candidate& one) {
-    return any_element(q, [&](const Candidate& other) {
+  return any_hit_element(q, [&](const ElementQuadratic& one) {
+    return any_element(q, [&](const ElementQuadratic& other) {
       const Dyadic ratio(1e6);
       return one.size >= ratio * other.size || other.size >= ratio * one.size;
     });
@@ -39,16 +39,17 @@ bool long_or_short(const AnsweredQuery& q) {
 }
 
 bool beyond_binary32(const AnsweredQuery& q) {
-  return any_hit_element(
-      q, [](const Candidate& c) { return square(c.size) >= Dyadic(0x1p128) || square(c.size) < Dyadic(0x1p-126); });
+  return any_hit_element(q, [](const ElementQuadratic& c) {
+    return square(c.size) >= Dyadic(0x1p128) || square(c.size) < Dyadic(0x1p-126);
+  });
 }
 
 bool long_and_thin(const AnsweredQuery& q) {
-  return any_hit_element(q, [](const Candidate& c) { return Dyadic(c.altura) >= Dyadic(1000) * c.size; });
+  return any_hit_element(q, [](const ElementQuadratic& c) { return Dyadic(c.altura) >= Dyadic(1000) * c.size; });
 }
 
 bool hits_near(const AnsweredQuery& q) {
-  return any_hit_element(q, [&](const Candidate& c) { return !travels_at_least(q, Dyadic(1e-3) * c.size); });
+  return any_hit_element(q, [&](const ElementQuadratic& c) { return !travels_at_least(q, Dyadic(1e-3) * c.size); });
 }
 
 bool on_grid(const AnsweredQuery& q) {

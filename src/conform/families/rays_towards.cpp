@@ -9,7 +9,7 @@
 namespace durero::conform {
 
 std::vector<scene::Query> rays_towards(const scene::Scene& scene, std::size_t count, std::uint64_t seed) {
-  std::vector<oracle::Ball> balls;
+  std::vector<oracle::BallNode> balls;
   scene.for_each([&](scene::ElementRef, const auto& shape) {
     if (!trace::ordinary(shape)) return;
     const surface::Ball ball = surface::ball(shape);

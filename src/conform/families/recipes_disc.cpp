@@ -15,7 +15,7 @@ constexpr std::array ways{Way::across, Way::rim, Way::rim, Way::from_disc, Way::
 
 /// A ray from a point of the disc, on it exactly or nearly.
 DrawnRay from_disc(Draws& random, const FramedShape& disc) {
-  const SurfacePoint at = random.chance(1, 2) ? rim_point(random, disc) : surface_point(random, disc);
+  const FramedPoint at = random.chance(1, 2) ? rim_point(random, disc) : surface_point(random, disc);
   const glm::dvec3 w = random.chance(1, 3) ? tangent_vector(random, at) : any_vector(random, disc);
   DrawnRay ray{at.position, random.signed_power(-3, 3) * w};
   if (random.chance(2, 3)) ray.on.push_back(0);
@@ -25,7 +25,7 @@ DrawnRay from_disc(Draws& random, const FramedShape& disc) {
 /// A ray in the plane of the disc, from before it, from within or from behind; the ends of most such stretches are
 /// irrational.
 DrawnRay in_plane(Draws& random, const FramedShape& disc) {
-  const SurfacePoint at = random.chance(1, 3) ? rim_point(random, disc) : surface_point(random, disc);
+  const FramedPoint at = random.chance(1, 3) ? rim_point(random, disc) : surface_point(random, disc);
   const glm::dvec3 w = perpendicular_vector(random, disc);
   const bool at_zero = !disc.lattice && disc.centro == glm::dvec3(0);
   const double side = random.integer(-1, 1), back = side * steps(w, disc.radius(), random.integer(-3, 6));
@@ -50,18 +50,18 @@ FramedShapes with_disc(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay disc(Draws& random, int log2_distance, Given shapes) {
+DrawnRay disc(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& disc = shapes.front();
-  const auto through = [&](const SurfacePoint& at, const glm::dvec3& w) {
+  const auto through = [&](const FramedPoint& at, const glm::dvec3& w) {
     return arriving(random, at.position, w, steps(w, disc.radius(), log2_distance));
   };
   switch (random.any_of(ways)) {
     case Way::across: {
-      const SurfacePoint at = surface_point(random, disc);
+      const FramedPoint at = surface_point(random, disc);
       return through(at, any_vector(random, disc));
     }
     case Way::rim: {
-      const SurfacePoint at = rim_point(random, disc);
+      const FramedPoint at = rim_point(random, disc);
       return one_in_three_nudged(random, through(at, any_vector(random, disc)));
     }
     case Way::from_disc:
@@ -69,7 +69,7 @@ DrawnRay disc(Draws& random, int log2_distance, Given shapes) {
     case Way::in_plane:
       return in_plane(random, disc);
     case Way::touching: {
-      const SurfacePoint at = rim_point(random, disc);
+      const FramedPoint at = rim_point(random, disc);
       return one_in_three_nudged(random, through(at, at.around));
     }
   }
@@ -90,29 +90,29 @@ FramedShapes capped(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay cap(Draws& random, int log2_distance, Given shapes) {
+DrawnRay cap(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& element = shapes.front();
   const FramedShape& disc = random.any_of(shapes.subspan(1));
-  const SurfacePoint at = rim_point(random, disc);
+  const FramedPoint at = rim_point(random, disc);
   if (random.chance(1, 2)) {
     const glm::dvec3 w = any_vector(random, disc);
     return one_in_three_nudged(random, arriving(random, at.position, w, steps(w, disc.radius(), log2_distance)));
   }
-  const SurfacePoint side = surface_point(random, element);
+  const FramedPoint side = surface_point(random, element);
   const glm::dvec3 p = side.position - (random.integer(1, 4) / 4.0) * side.radial;
   const glm::dvec3 w = random.chance(2, 3) ? at.position - p : any_vector(random, element);
   return one_in_three_nudged(random, {p, std::ldexp(1, random.integer(-3, 3)) * w});
 }
 
-DrawnRay solid(Draws& random, Given shapes) {
+DrawnRay solid(Draws& random, ShapeSpan shapes) {
   if (random.chance(1, 2)) return cap(random, random.integer(0, 4), shapes);
   const FramedShape& disc = random.any_of(shapes.subspan(1));
-  const SurfacePoint across = surface_point(random, disc);
+  const FramedPoint across = surface_point(random, disc);
   if (random.chance(1, 2)) {
     const glm::dvec3 w = any_vector(random, disc);
     return arriving(random, across.position, w, steps(w, disc.radius(), random.integer(0, 4)));
   }
-  const SurfacePoint side = surface_point(random, shapes.front());
+  const FramedPoint side = surface_point(random, shapes.front());
   const glm::dvec3 p = side.position - (random.integer(1, 4) / 4.0) * side.radial;
   return {p, std::ldexp(1, random.integer(-3, 3)) * (across.position - p)};
 }

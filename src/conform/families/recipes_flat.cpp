@@ -13,9 +13,9 @@ FramedShapes with_plane(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay flat(Draws& random, int log2_distance, Given shapes) {
+DrawnRay flat(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& plane = shapes.front();
-  const SurfacePoint at = surface_point(random, plane);
+  const FramedPoint at = surface_point(random, plane);
   const glm::dvec3 w = any_vector(random, plane);
   DrawnRay ray = arriving(random, at.position, w, steps(w, plane.radius(), log2_distance));
   if (!random.chance(1, 6)) return ray;
@@ -24,9 +24,9 @@ DrawnRay flat(Draws& random, int log2_distance, Given shapes) {
   return ray;
 }
 
-DrawnRay grazing(Draws& random, int minus_log2_angle, Given shapes) {
+DrawnRay grazing(Draws& random, int minus_log2_angle, ShapeSpan shapes) {
   const FramedShape& plane = shapes.front();
-  SurfacePoint at = surface_point(random, plane);
+  FramedPoint at = surface_point(random, plane);
   glm::dvec3 w = tangent_vector(random, at);
   if (random.chance(1, 2)) {
     w += std::ldexp(1, -minus_log2_angle) / steps(w, 1, 0) * plane.d;

@@ -17,7 +17,7 @@ FramedShape near_zero(Draws& random, FramedShape shape) {
 
 /// A point of a triangle at an edge or a vertex, moved inwards by the share `inwards`, which becomes the least of its
 /// barycentric coordinates.
-SurfacePoint beside_edge(Draws& random, const FramedShape& shape, double inwards) {
+FramedPoint beside_edge(Draws& random, const FramedShape& shape, double inwards) {
   const std::size_t i = random.below(3);
   const glm::dvec3 &from = shape.vertices[i], &to = shape.vertices[(i + 1) % 3], &other = shape.vertices[(i + 2) % 3];
   const double part = random.chance(1, 2) ? 0 : random.integer(1, 7) / 8.0;
@@ -28,17 +28,17 @@ SurfacePoint beside_edge(Draws& random, const FramedShape& shape, double inwards
 
 /// A point within the bound of the shape by the share `inwards` of its size, beyond it where that is negative: of
 /// altura within an end, of the radius within the rim of a disc or the limb of a sphere.
-SurfacePoint beside_bound(Draws& random, const FramedShape& shape, double inwards) {
+FramedPoint beside_bound(Draws& random, const FramedShape& shape, double inwards) {
   if (shape.tipo == Tipo::soy_triangulo) return beside_edge(random, shape, inwards);
   if (is_axial(shape.tipo)) return surface_point_at(random, shape, random.chance(1, 2) ? inwards : 1 - inwards);
-  SurfacePoint at = rim_point(random, shape);
+  FramedPoint at = rim_point(random, shape);
   at.position -= inwards * (is_flat(shape.tipo) ? at.along : at.radial);
   return at;
 }
 
 /// The direction of a ray through such a point: for a sphere in its limb's plane, so that the ray comes no nearer; for
 /// a shape with an axis mostly inwards, so that the ray meets it there first.
-glm::dvec3 direction(Draws& random, const FramedShape& shape, const SurfacePoint& at) {
+glm::dvec3 direction(Draws& random, const FramedShape& shape, const FramedPoint& at) {
   if (shape.tipo == Tipo::soy_esfera) return tangent_vector(random, at);
   if (!is_axial(shape.tipo)) return any_vector(random, shape);
   const glm::dvec3 w = random.chance(1, 4) ? perpendicular_vector(random, shape) : any_vector(random, shape);
@@ -54,10 +54,10 @@ FramedShapes bounded(Draws& random, int) {
 }
 
 /// The origin is rounded first, so that only v is off by a rounding.
-DrawnRay margin(Draws& random, int minus_log2_margin, Given shapes) {
+DrawnRay margin(Draws& random, int minus_log2_margin, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const double inwards = random.sign() * std::ldexp(1, -minus_log2_margin);
-  const SurfacePoint at = beside_bound(random, shape, inwards);
+  const FramedPoint at = beside_bound(random, shape, inwards);
   const glm::dvec3 w = direction(random, shape, at), to = random.rounded(at.position);
   const glm::dvec3 p = random.rounded(to - steps(w, shape.radius(), random.integer(0, 2)) * w);
   return {p, std::ldexp(1, random.integer(-3, 3)) * (to - p)};

@@ -63,7 +63,7 @@ std::optional<DrawnRay> tangent_to_tilted(Draws& random, const FramedShape& shap
   return std::nullopt;
 }
 
-glm::dvec3 entering_both(Draws& random, const FramedShape& shape, const SurfacePoint& one, const SurfacePoint& other) {
+glm::dvec3 entering_both(Draws& random, const FramedShape& shape, const FramedPoint& one, const FramedPoint& other) {
   glm::dvec3 w;
   for (int i = 0; i < 16; ++i) {
     w = inwards(any_vector(random, shape), one);
@@ -86,18 +86,18 @@ void add_crossing_sphere(Draws& random, FramedShapes& shapes) {
   const FramedShape first = shapes[0];
   FramedShape sphere = lattice_shape(random, Tipo::soy_esfera);
   const bool fits = first.tipo == Tipo::soy_cilindro && random.chance(1, 2);
-  const SurfacePoint shared = surface_point(random, first);
+  const FramedPoint shared = surface_point(random, first);
   if (fits) {
     sphere.radio = first.radio;
     sphere.centro = first.centro + std::floor(first.altura / 2) * first.d;
     for (int i = 0; i < 8; ++i) {
-      const SurfacePoint at = surface_point_at(random, first, std::floor(first.altura / 2) / first.altura);
+      const FramedPoint at = surface_point_at(random, first, std::floor(first.altura / 2) / first.altura);
       shapes[0].shared.push_back(at);
       sphere.shared.push_back(at);
     }
   } else {
     sphere.centro = glm::dvec3(0);
-    SurfacePoint at = surface_point(random, sphere);
+    FramedPoint at = surface_point(random, sphere);
     sphere.centro = shared.position - at.radial;
     at.position = shared.position;
     shapes[0].shared.push_back(shared);
@@ -113,8 +113,8 @@ void add_cone_on_base(Draws& random, FramedShapes& shapes) {
   cone.proporcion = std::ldexp(1, random.integer(-2, 2));
   cone.altura = shapes[0].radio / cone.proporcion;
   for (int i = 0; i < 8; ++i) {
-    const SurfacePoint of_cone = surface_point_at(random, cone, 0);
-    SurfacePoint of_cylinder = of_cone;
+    const FramedPoint of_cone = surface_point_at(random, cone, 0);
+    FramedPoint of_cylinder = of_cone;
     of_cylinder.along = cone.d;
     shapes[0].shared.push_back(of_cylinder);
     cone.shared.push_back(of_cone);
@@ -124,7 +124,7 @@ void add_cone_on_base(Draws& random, FramedShapes& shapes) {
 
 }  // namespace
 
-DrawnRay apex(Draws& random, int log2_distance, Given shapes) {
+DrawnRay apex(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   const glm::dvec3 w = any_vector(random, shape);
   return one_in_three_nudged(random, arriving(random, shape.apex(), w, steps(w, shape.radius(), log2_distance)));
@@ -136,21 +136,21 @@ FramedShapes rim(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay rim(Draws& random, int log2_distance, Given shapes) {
+DrawnRay rim(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   if (!shape.lattice && shape.centro == glm::dvec3(0))
     return one_in_three_nudged(random, in_plane_of_rim(random, shape));
-  const SurfacePoint at = rim_point(random, shape);
+  const FramedPoint at = rim_point(random, shape);
   glm::dvec3 w = any_vector(random, shape);
   if (random.chance(3, 4)) w = inwards(w, at);
   return one_in_three_nudged(random, arriving(random, at.position, w, steps(w, shape.radius(), log2_distance)));
 }
 
-DrawnRay inside(Draws& random, int quarters, Given shapes) {
+DrawnRay inside(Draws& random, int quarters, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
-  const SurfacePoint side = surface_point(random, shape);
+  const FramedPoint side = surface_point(random, shape);
   const glm::dvec3 p = side.position - (quarters / 4.0) * side.radial;
-  const SurfacePoint exit = random.chance(1, 3) ? rim_point(random, shape) : surface_point(random, shape);
+  const FramedPoint exit = random.chance(1, 3) ? rim_point(random, shape) : surface_point(random, shape);
   return {p, std::ldexp(1, random.integer(-3, 3)) * (exit.position - p)};
 }
 
@@ -160,10 +160,10 @@ FramedShapes with_twin(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay on_surface(Draws& random, int percent_named, Given shapes) {
+DrawnRay on_surface(Draws& random, int percent_named, ShapeSpan shapes) {
   const std::size_t place = random.below(shapes.size());
   const FramedShape& shape = shapes[place];
-  const SurfacePoint at = random.chance(1, 4) ? rim_point(random, shape) : surface_point(random, shape);
+  const FramedPoint at = random.chance(1, 4) ? rim_point(random, shape) : surface_point(random, shape);
   const glm::dvec3 w = random.chance(1, 4) ? tangent_vector(random, at) : any_vector(random, shape);
   DrawnRay ray{at.position, random.signed_power(-3, 3) * w};
   if (!shape.lattice && random.chance(1, 2)) ray = nudged(random, ray);
@@ -186,15 +186,15 @@ FramedShapes tangent(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay tangent(Draws& random, int log2_distance, Given shapes) {
+DrawnRay tangent(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   if (const auto ray = tangent_to_tilted(random, shape)) return one_in_three_nudged(random, *ray);
-  const SurfacePoint at = surface_point(random, shape);
+  const FramedPoint at = surface_point(random, shape);
   const glm::dvec3 u = tangent_vector(random, at);
   return one_in_three_nudged(random, arriving(random, at.position, u, steps(u, shape.radius(), log2_distance)));
 }
 
-DrawnRay zero_b(Draws& random, int percent_from_centre, Given shapes) {
+DrawnRay zero_b(Draws& random, int percent_from_centre, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   // A ray from the centre of a sphere or of a cylinder's base has B = 0 whatever the axis.
   if (has_constant_radius(shape.tipo) && random.integer(0, 99) < percent_from_centre) {
@@ -203,7 +203,7 @@ DrawnRay zero_b(Draws& random, int percent_from_centre, Given shapes) {
     return {shape.centro, w};
   }
   // A ray from the middle of a chord has opposite roots.
-  const SurfacePoint one = surface_point(random, shape), other = surface_point(random, shape);
+  const FramedPoint one = surface_point(random, shape), other = surface_point(random, shape);
   const DrawnRay ray{0.5 * (one.position + other.position),
                      std::ldexp(1, random.integer(-3, 3)) * (other.position - one.position)};
   return random.chance(1, 4) ? nudged(random, ray) : ray;
@@ -231,7 +231,7 @@ FramedShapes tie(Draws& random, int) {
   contract::unreachable();
 }
 
-DrawnRay tie(Draws& random, int log2_distance, Given shapes) {
+DrawnRay tie(Draws& random, int log2_distance, ShapeSpan shapes) {
   const FramedShape& shape = shapes[0];
   if (shape.shared.empty()) return ordinary(random, shape, log2_distance);
   const std::size_t i = random.below(shape.shared.size());

@@ -38,12 +38,12 @@ FramedShapes as_many(Draws& random, int count) {
   return shapes;
 }
 
-DrawnRay generic(Draws& random, int, Given shapes) {
+DrawnRay generic(Draws& random, int, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   return ordinary(random, shape, random.integer(0, 4));
 }
 
-DrawnRay far_origin(Draws& random, int log2_distance, Given shapes) {
+DrawnRay far_origin(Draws& random, int log2_distance, ShapeSpan shapes) {
   return ordinary(random, random.any_of(shapes), log2_distance);
 }
 
@@ -66,18 +66,18 @@ FramedShapes huge_ratio(Draws& random, int log2_ratio) {
   // A great element that passes by the small ones: a point of its surface is near their place.
   FramedShape great = scaled(any_shape(random, any_type(random)), log2_ratio);
   great.centro = glm::dvec3(0);
-  const SurfacePoint near = surface_point(random, great);
+  const FramedPoint near = surface_point(random, great);
   great.centro = 32.0 * random.lattice_vector(16) - near.position;
   shapes.push_back(great);
   return shapes;
 }
 
-DrawnRay near_small(Draws& random, int, Given shapes) {
+DrawnRay near_small(Draws& random, int, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes.first(shapes.size() - 1));
   return ordinary(random, shape, random.integer(0, 3));
 }
 
-DrawnRay direction_scale(Draws& random, int log2_scale, Given shapes) {
+DrawnRay direction_scale(Draws& random, int log2_scale, ShapeSpan shapes) {
   DrawnRay ray = generic(random, 0, shapes);
   ray.v *= std::ldexp(1, log2_scale);
   return ray;
@@ -85,7 +85,7 @@ DrawnRay direction_scale(Draws& random, int log2_scale, Given shapes) {
 
 FramedShapes degenerate_numbers(Draws& random, int log2_scale) { return scaled_up(random, log2_scale); }
 
-DrawnRay degenerate_numbers(Draws& random, int log2_scale, Given shapes) {
+DrawnRay degenerate_numbers(Draws& random, int log2_scale, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   DrawnRay ray = ordinary_scaled(random, shape, log2_scale, random.integer(0, 4));
   if (random.chance(1, 2)) return ray;
@@ -109,12 +109,12 @@ FramedShapes long_thin(Draws& random, int log2_ratio) {
   return shapes;
 }
 
-DrawnRay long_thin(Draws& random, int log2_ratio, Given shapes) {
+DrawnRay long_thin(Draws& random, int log2_ratio, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
   return ordinary(random, shape, random.integer(0, log2_ratio));
 }
 
-DrawnRay near_origin(Draws& random, int minus_log2_distance, Given shapes) {
+DrawnRay near_origin(Draws& random, int minus_log2_distance, ShapeSpan shapes) {
   return ordinary(random, random.any_of(shapes), -minus_log2_distance);
 }
 
@@ -130,7 +130,7 @@ FramedShapes grid(Draws& random, int count) {
   return shapes;
 }
 
-DrawnRay grid(Draws& random, int, Given) {
+DrawnRay grid(Draws& random, int, ShapeSpan) {
   const double x = quarters(random, 5), y = quarters(random, 5), z = quarters(random, 5);
   const double power = random.signed_power(-2, 1);
   return {{x, y, z}, power * random.lattice_vector(4)};

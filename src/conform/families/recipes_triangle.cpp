@@ -169,10 +169,10 @@ FramedShapes fan(Draws& random, int) {
   return shapes;
 }
 
-DrawnRay edge(Draws& random, int log2_distance, Given shapes) {
+DrawnRay edge(Draws& random, int log2_distance, ShapeSpan shapes) {
   const std::size_t place = random.below(shapes.size());
   const FramedShape& shape = shapes[place];
-  const SurfacePoint& at = random.any_of(shape.shared);
+  const FramedPoint& at = random.any_of(shape.shared);
   const glm::dvec3 w = random.chance(1, 8) ? tangent_vector(random, at) : any_vector(random, shape);
   DrawnRay ray = arriving(random, at.position, w, steps(w, shape.radius(), log2_distance));
   if (!random.chance(1, 8)) return one_in_three_nudged(random, ray);
@@ -205,11 +205,11 @@ FramedShapes closed_mesh(Draws& random, int sides) {
 }
 
 /// A ray from inside a closed mesh to one of its shared points.
-DrawnRay vertex(Draws& random, int, Given shapes) {
+DrawnRay vertex(Draws& random, int, ShapeSpan shapes) {
   const glm::dvec3 hub = shapes.front().centro;
   const glm::dvec3 side = random.any_of(random.any_of(shapes).vertices);
   const glm::dvec3 p = random.rounded(hub + random.integer(0, 2) / 4.0 * (side - hub));
-  const SurfacePoint& at = random.any_of(random.any_of(shapes).shared);
+  const FramedPoint& at = random.any_of(random.any_of(shapes).shared);
   return one_in_three_nudged(random, {p, std::ldexp(1, random.integer(-3, 3)) * (at.position - p)});
 }
 
@@ -221,9 +221,9 @@ FramedShapes sliver(Draws& random, int minus_log2_height) {
   return {sliver, huge_through(random, glm::floor(sliver.vertices[0]))};
 }
 
-DrawnRay sliver(Draws& random, int, Given shapes) {
+DrawnRay sliver(Draws& random, int, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
-  const SurfacePoint at = random.chance(1, 2) ? rim_point(random, shape) : surface_point(random, shape);
+  const FramedPoint at = random.chance(1, 2) ? rim_point(random, shape) : surface_point(random, shape);
   const glm::dvec3 w = random.chance(1, 6) ? tangent_vector(random, at) : any_vector(random, shape);
   const int log2_distance = is_huge(shape) ? random.integer(-40, -20) : random.integer(-2, 30);
   return one_in_three_nudged(random, arriving(random, at.position, w, steps(w, shape.radius(), log2_distance)));
@@ -231,9 +231,9 @@ DrawnRay sliver(Draws& random, int, Given shapes) {
 
 FramedShapes coplanar(Draws& random, int) { return random.chance(3, 4) ? overlapping(random) : tilted_twins(random); }
 
-DrawnRay coplanar(Draws& random, int minus_log2_angle, Given shapes) {
+DrawnRay coplanar(Draws& random, int minus_log2_angle, ShapeSpan shapes) {
   const FramedShape& shape = random.any_of(shapes);
-  const SurfacePoint at = random.chance(1, 4) ? rim_point(random, shape) : surface_point(random, shape);
+  const FramedPoint at = random.chance(1, 4) ? rim_point(random, shape) : surface_point(random, shape);
   if (random.chance(1, 2)) {
     const glm::dvec3 w = any_vector(random, shape);
     return one_in_three_nudged(random,

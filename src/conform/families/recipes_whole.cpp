@@ -66,7 +66,7 @@ FramedShapes scale(Draws& random, int log2_scale) {
   return shapes;
 }
 
-DrawnRay scale(Draws& random, int log2_scale, Given shapes) {
+DrawnRay scale(Draws& random, int log2_scale, ShapeSpan shapes) {
   const FramedShape shape = scaled(random.any_of(shapes), -log2_scale);
   return scaled(ordinary(random, shape, random.integer(0, 4)), log2_scale);
 }

@@ -57,7 +57,7 @@ SuiteOptions read_options(const io::Source& source) {
         options.rays = read_whole(in, "rays");
         return;
       case numbers:
-        options.numbers = read_word<Format>(in, "numbers", format_words);
+        options.numbers = read_word<NumberFormat>(in, "numbers", format_words);
         return;
       case caps:
         options.caps = read_word<Caps>(in, "caps", caps_words);

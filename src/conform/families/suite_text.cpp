@@ -29,7 +29,7 @@ void write_solids(Writer& out, const SuiteCase& of) {
 void write_truths(Writer& out, const SuiteCase& of) {
   out.key("truths").begin_array();
   for (std::size_t i = 0; i < of.truths.size(); ++i) {
-    const Truth& truth = of.truths[i];
+    const ExactAnswer& truth = of.truths[i];
     out.new_line().begin_object().member("ray", std::uint64_t{i}).member("ambiguity", name(truth.ambiguity));
     out.key("permissible").begin_array();
     for (const scene::Hit& hit : truth.permissible) {
@@ -72,7 +72,7 @@ std::string hits_text(const std::vector<scene::Hit>& hits, const scene::Scene& s
   return text;
 }
 
-void write_summary(Writer& out, const FamilySummary& of, Format numbers) {
+void write_summary(Writer& out, const FamilySummary& of, NumberFormat numbers) {
   const Range range = parameter(*of.family, numbers);
   out.new_line().begin_object();
   write_family(out, *of.family);
@@ -91,7 +91,7 @@ void write_summary(Writer& out, const FamilySummary& of, Format numbers) {
 std::vector<File> case_files(const SuiteCase& of, const Count& counted) {
   const auto& [scene, rays] = of.the_case;
   std::vector<scene::Hit> hits;
-  for (const Truth& truth : of.truths) hits.push_back(truth.hit);
+  for (const ExactAnswer& truth : of.truths) hits.push_back(truth.hit);
   return {{scene_ending, io::scene_text(scene)},    {rays_ending, io::rays_text(rays, scene)},
           {".rays.npy", io::rays_npy(rays)},        {".hits.jsonl", hits_text(hits, scene)},
           {".hits.npy", io::hits_npy(hits, scene)}, {sidecar_ending, sidecar_text(of, counted)}};

@@ -22,13 +22,13 @@ glm::dvec3 across_axis(Random& random, const FramedShape& shape, double radius) 
   }
 }
 
-SurfacePoint triangle_point(Random& random, const FramedShape& shape) {
+FramedPoint triangle_point(Random& random, const FramedShape& shape) {
   const int i = random.integer(1, 6), j = random.integer(1, 7 - i);
   return {shape.vertices[0] + i / 8.0 * shape.e1 + j / 8.0 * shape.e2, shape.d, shape.e1, shape.e2};
 }
 
 /// A vertex, or a point between two.
-SurfacePoint edge_point(Random& random, const FramedShape& shape) {
+FramedPoint edge_point(Random& random, const FramedShape& shape) {
   const std::size_t i = random.below(3);
   const double part = random.integer(0, 7) / 8.0;
   const glm::dvec3 &from = shape.vertices[i], &to = shape.vertices[(i + 1) % 3];
@@ -37,19 +37,19 @@ SurfacePoint edge_point(Random& random, const FramedShape& shape) {
 
 /// A point at most `greatest` times radio from the middle, in steps of that part of it, and two directions in the
 /// plane.
-SurfacePoint point_around(Random& random, const FramedShape& shape, int least, int greatest, double part) {
+FramedPoint point_around(Random& random, const FramedShape& shape, int least, int greatest, double part) {
   const glm::dvec3 radial = across_axis(random, shape, shape.radio);
   const glm::dvec3 position = shape.centro + part * random.integer(least, greatest) * radial;
   return {position, shape.d, glm::cross(shape.d, radial), radial};
 }
 
-SurfacePoint flat_point(Random& random, const FramedShape& shape) {
+FramedPoint flat_point(Random& random, const FramedShape& shape) {
   if (shape.tipo == Tipo::soy_triangulo) return triangle_point(random, shape);
   if (shape.tipo == Tipo::soy_disco) return point_around(random, shape, -7, 7, 1.0 / 8);
   return point_around(random, shape, -2, 2, 1);
 }
 
-SurfacePoint sphere_point(Random& random, const FramedShape& shape) {
+FramedPoint sphere_point(Random& random, const FramedShape& shape) {
   const glm::dvec3 radial = shape.lattice ? on_sphere(random, shape.radio) : shape.radio * random.direction();
   for (;;) {
     const glm::dvec3 around = glm::cross(radial, random.lattice_vector(2));
@@ -70,7 +70,7 @@ double share_of_far_end(const FramedShape& shape) { return has_apex(shape.tipo) 
 
 }  // namespace
 
-SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double part) {
+FramedPoint surface_point_at(Random& random, const FramedShape& shape, double part) {
   if (is_flat(shape.tipo)) return flat_point(random, shape);
   if (!is_axial(shape.tipo)) return sphere_point(random, shape);
   const glm::dvec3 base = across_axis(random, shape, shape.radius()), around = glm::cross(shape.d, base);
@@ -81,19 +81,19 @@ SurfacePoint surface_point_at(Random& random, const FramedShape& shape, double p
   return {shape.centro + base + part * along, (1 - part * narrowing) * base, around, along};
 }
 
-SurfacePoint surface_point(Random& random, const FramedShape& shape) {
+FramedPoint surface_point(Random& random, const FramedShape& shape) {
   if (!is_axial(shape.tipo)) return surface_point_at(random, shape, 0);
   return surface_point_at(random, shape, random.integer(1, 7) / 8.0);
 }
 
-SurfacePoint rim_point(Random& random, const FramedShape& shape) {
+FramedPoint rim_point(Random& random, const FramedShape& shape) {
   if (shape.tipo == Tipo::soy_triangulo) return edge_point(random, shape);
   if (shape.tipo == Tipo::soy_disco) return point_around(random, shape, 1, 1, 1);
   const bool has_two_rims = is_axial(shape.tipo) && !has_apex(shape.tipo);
   return surface_point_at(random, shape, has_two_rims ? random.integer(0, 1) : 0);
 }
 
-glm::dvec3 whole_generator(const FramedShape& shape, const SurfacePoint& at) {
+glm::dvec3 whole_generator(const FramedShape& shape, const FramedPoint& at) {
   if (!is_axial(shape.tipo)) return glm::dvec3(0);
   return has_constant_radius(shape.tipo) ? shape.altura * at.along : at.along;
 }
@@ -102,7 +102,7 @@ glm::dvec3 any_vector(Random& random, const FramedShape& shape) {
   return shape.lattice ? random.lattice_vector(8) : 8.0 * random.direction();
 }
 
-glm::dvec3 tangent_vector(Random& random, const SurfacePoint& at) {
+glm::dvec3 tangent_vector(Random& random, const FramedPoint& at) {
   for (;;) {
     const double around = random.signed_power(0, 2), along = random.integer(-3, 3);
     const glm::dvec3 u = around * at.around + along * at.along;
@@ -128,7 +128,7 @@ glm::dvec3 perpendicular_vector(Random& random, const FramedShape& shape) {
   }
 }
 
-glm::dvec3 inwards(const glm::dvec3& v, const SurfacePoint& at) {
+glm::dvec3 inwards(const glm::dvec3& v, const FramedPoint& at) {
   const glm::dvec3 normal = glm::cross(at.around, at.along);
   return glm::dot(v, normal) * glm::dot(at.radial, normal) > 0 ? -v : v;
 }

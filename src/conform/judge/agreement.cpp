@@ -8,7 +8,7 @@ namespace durero::conform {
 
 model::Rayo RaysTowards::next() {
   for (;;) {
-    const oracle::Ball& ball = balls_[random_.below(balls_.size())];
+    const oracle::BallNode& ball = balls_[random_.below(balls_.size())];
     const glm::dvec3 to = ball.center + random_.in_cube(1) * ball.radius;
     const glm::dvec3 away = random_.in_cube(1);
     const glm::dvec3 from = to + away * (ball.radius * random_.uniform(1, 8));
@@ -18,7 +18,7 @@ model::Rayo RaysTowards::next() {
 
 std::uint64_t Agreement::rays() const { return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}); }
 
-void Agreement::add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::Verdict verdict) {
+void Agreement::add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::SampledVerdict verdict) {
   if (!agrees(verdict) && !first) first = {rays(), query, claimed, verdict};
   ++counts[static_cast<std::size_t>(verdict)];
 }
@@ -27,7 +27,7 @@ Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& firs
                     std::uint64_t seed, const std::function<void(std::uint64_t)>& judged) {
   constexpr std::uint64_t block = std::uint64_t{1} << 16U;  // so that memory does not grow with the number of rays
   Agreement agreement;
-  const std::vector<oracle::Ball> balls = oracle.bounds();
+  const std::vector<oracle::BallNode> balls = oracle.bounds();
   if (balls.empty()) return agreement;
   RaysTowards stream(balls, seed);
   // A ray counts as judged when all its pairs with elements are; `judged` receives one ray for as many pairs as there

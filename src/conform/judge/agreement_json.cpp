@@ -11,9 +11,10 @@ namespace {
 using io::json::Writer;
 
 /// The predicate that the samples assert of every right hit, and that a hit with this verdict breaks.
-std::string_view predicate(oracle::sampled::Verdict verdict) {
-  return verdict == oracle::sampled::Verdict::incomplete ? "where the ray meets an element, a sample of it is near"
-                                                         : "no sample lies on the ray before the hit";
+std::string_view predicate(oracle::sampled::SampledVerdict verdict) {
+  return verdict == oracle::sampled::SampledVerdict::incomplete
+             ? "where the ray meets an element, a sample of it is near"
+             : "no sample lies on the ray before the hit";
 }
 
 void write_elements(Writer& out, const AgreementCall& call, const scene::Hit& claimed) {
@@ -47,7 +48,7 @@ std::string agreement_json(const Agreement& agreement, const AgreementCall& call
   out.member("file", text::escaped(call.file.name())).member("engine", call.engine).member("seed", call.seed);
   out.member("rays", agreement.rays()).member("ok", !agreement.first).new_line().key("verdicts").begin_object();
   for (std::size_t i = 0; i < oracle::sampled::verdict_count; ++i)
-    out.member(name(static_cast<oracle::sampled::Verdict>(i)), agreement.counts[i]);
+    out.member(name(static_cast<oracle::sampled::SampledVerdict>(i)), agreement.counts[i]);
   out.end_object().new_line().key("findings").begin_array();
   if (agreement.first) write_finding(out, call, *agreement.first);
   out.end_array().end_object();

@@ -23,13 +23,13 @@ namespace durero::conform {
 using number::Dyadic;
 
 /// The unit of rounding ε of a format: half the distance from 1 to the next number.
-constexpr double unit(Format format) { return format == Format::binary32 ? 0x1p-24 : 0x1p-53; }
+constexpr double unit(NumberFormat format) { return format == NumberFormat::binary32 ? 0x1p-24 : 0x1p-53; }
 /// The least positive number of a format, a subnormal.
-constexpr double least(Format format) { return format == Format::binary32 ? 0x1p-149 : 0x1p-1074; }
+constexpr double least(NumberFormat format) { return format == NumberFormat::binary32 ? 0x1p-149 : 0x1p-1074; }
 
 /// The precision that a system claims.
 struct Precision {
-  Format format;
+  NumberFormat format;
   double thickness = 0;  ///< Profile::thickness
 };
 

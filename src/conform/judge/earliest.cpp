@@ -21,7 +21,7 @@ std::optional<Along> shell_along(const Shape& shape, const model::Rayo& rayo, co
   const Dyadic m = magnitude(shape, rayo, {});
   const Allowance allowed(precision, Dyadic(5) * m, rayo);
   if (allowed.times(Dyadic(8) + Dyadic(2) * Dyadic(proportion(shape))) > m) return std::nullopt;
-  return shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::outwards);
+  return shell(shape, surface::along<Dyadic>(rayo), allowed, EndShift::outwards);
 }
 
 /// The shell of a plane, which a ray may meet at any distance. M is at most m + t·L there, with L the largest

@@ -86,9 +86,9 @@ double distance(const scene::Triangle& e, const Point<Dyadic>& w, const Dyadic& 
 }
 
 /// The distance from a number of the format to the next, away from 0.
-double last_place(double x, Format format) {
+double last_place(double x, NumberFormat format) {
   const double magnitude = std::abs(x);
-  if (format == Format::binary64) return std::nextafter(magnitude, infinity) - magnitude;
+  if (format == NumberFormat::binary64) return std::nextafter(magnitude, infinity) - magnitude;
   const auto narrow = static_cast<float>(magnitude);
   return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity())) -
          static_cast<double>(narrow);
@@ -96,7 +96,7 @@ double last_place(double x, Format format) {
 
 }  // namespace
 
-bool is_far(const Trial& trial, const Place& place) {
+bool is_far(const ClaimContext& trial, const ClaimedPoint& place) {
   const model::Rayo& rayo = trial.ray.rayo;
   const scene::Hit& hit = trial.truth.hit;
   if (!std::isfinite(hit.t)) return true;
@@ -112,9 +112,9 @@ bool is_far(const Trial& trial, const Place& place) {
   });
 }
 
-double ulps(const Trial& trial, const Claim& claim, const Place& place) {
+double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (!trial.has_hit()) return 0;
-  const Format format = trial.profile.format;
+  const NumberFormat format = trial.profile.format;
   if (!place.given) {
     const glm::dvec3& right = trial.truth.hit.punto;
     return largest(*claim.punto - right) / last_place(largest(right), format);
@@ -123,7 +123,7 @@ double ulps(const Trial& trial, const Claim& claim, const Place& place) {
   return std::isfinite(right) ? std::abs(*claim.t - right) / last_place(right, format) : infinity;
 }
 
-double backward_error(const Trial& trial, const Claim& claim, const Place& place) {
+double backward_error(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   double least_distance = infinity;
   trial.scene.for_each([&](scene::ElementRef element, const auto& shape) {
     if (!trial.names(claim, element)) return;
@@ -134,7 +134,7 @@ double backward_error(const Trial& trial, const Claim& claim, const Place& place
   return least_distance / unit(trial.profile.format);
 }
 
-double backward_error_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
+double backward_error_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   const scene::Hit& hit = trial.truth.hit;
   const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
   const glm::dvec3 way = place.given ? (*place.given - hit.t) * v : *claim.punto - hit.punto;

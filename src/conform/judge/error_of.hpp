@@ -10,14 +10,14 @@ namespace durero::conform {
 /// is the radius of a sphere or a disc, the larger of altura and the base's radius of a shape with an axis, the longest
 /// edge of a triangle, and the distance t!·|v| to a plane. A place is far from a point with an infinite t.
 /// Precondition: the truth is no miss.
-bool is_far(const Trial& trial, const Place& place);
+bool is_far(const ClaimContext& trial, const ClaimedPoint& place);
 
-/// The errors of a claimed hit as Judgement::ulps and Judgement::backward define them.
-double ulps(const Trial& trial, const Claim& claim, const Place& place);
-double backward_error(const Trial& trial, const Claim& claim, const Place& place);
+/// The errors of a claimed hit as ClaimJudgement::ulps and ClaimJudgement::backward define them.
+double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);
+double backward_error(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);
 /// The backward error of a place near the truth's point, by binary64 and so more quickly: the component across the
 /// surface of the step between the two points. It is off by 1 at most, for that point is rounded. Precondition: the
 /// claim may name an element of the truth.
-double backward_error_near_truth(const Trial& trial, const Claim& claim, const Place& place);
+double backward_error_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);
 
 }  // namespace durero::conform

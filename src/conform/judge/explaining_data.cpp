@@ -20,7 +20,7 @@ namespace {
 std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& profile) {
   const Claim& claim = finding.claim;
   if (claim.outcome != Claim::Outcome::hit) return std::nullopt;
-  const Trial trial(finding.of, 0, profile);
+  const ClaimContext trial(finding.of, 0, profile);
   if (!place(trial, claim)) return std::nullopt;
   if (claim.punto) return claim.punto;
   const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
@@ -45,7 +45,7 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
 /// profile; the number of a hit, which is rounded, nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   if (claim.outcome != Claim::Outcome::miss) return is_right(of, claim, profile);
-  return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(Trial(of, 0, profile));
+  return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(ClaimContext(of, 0, profile));
 }
 
 /// Whether the claim is right for some data off by that length besides, as far as exact arithmetic can tell.
@@ -123,9 +123,9 @@ std::vector<double*> lengths(Draft& draft) {
 }
 
 /// The search for data with the smallest change that explains the claim.
-class Search {
+class DataSearch {
  public:
-  Search(const Finding& finding, const Profile& profile, double unit)
+  DataSearch(const Finding& finding, const Profile& profile, double unit)
       : finding_(&finding), profile_(&profile), unit_(unit), given_(finding.of), count_(lengths(given_).size()) {}
 
   void attempt(const ChangedData& candidate) {
@@ -172,7 +172,7 @@ std::optional<ExplainingData> explaining_data(const Finding& finding, const Prof
   data.most = 2 - std::ilogb(data.epsilon);  // data off by 4M have little to do with those given
   int k = declared;
   while (k <= data.most && !may_be_explained(finding, profile, std::ldexp(unit_of_data, k))) data.excluded = k++;
-  Search search(finding, profile, unit_of_data);
+  DataSearch search(finding, profile, unit_of_data);
   if (claimed) {
     for (const ChangedData& candidate : with_point(finding, *claimed)) search.attempt(candidate);
   }

@@ -24,7 +24,7 @@ using Elements = std::vector<ElementRef>;
 /// √3·(7 + 1 + 1)/16·δ < δ of a point of the element, and may lie on it. The truth lies before the end of every zone of
 /// every element, and so no zone ends 2δ/|v| before the claim. A product that underflows is off by less than the share
 /// of δ for subnormals.
-bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
+bool is_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   const scene::ElementSet& first = trial.truth.hit.elementos;
   if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
     return false;
@@ -36,7 +36,7 @@ bool is_near_truth(const Trial& trial, const Claim& claim, const Place& place) {
 }
 
 /// The solids that the origin may lie inside.
-Elements solids_around_origin(const Trial& trial) {
+Elements solids_around_origin(const ClaimContext& trial) {
   Elements around;
   trial.scene.for_each([&](ElementRef element, const auto&) {
     if (trial.may_start_inside(element)) around.push_back(element);
@@ -53,7 +53,7 @@ bool may_leave_unseen(const Profile& profile) {
 /// The zones up to `limit` that a hit must not lie behind, and that make a miss wrong: all zones within the limits of
 /// the profile, and the zone of a closed mesh where the system claims to be watertight. Zones of solids that a ray from
 /// inside may leave unseen are left out.
-std::vector<Zone> walls(const Trial& trial, double limit) {
+std::vector<Zone> walls(const ClaimContext& trial, double limit) {
   std::vector<Zone> all = zones(trial.elements(), trial.ray, trial.precision(), limit);
   if (trial.profile.watertight) {
     if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
@@ -68,14 +68,14 @@ std::vector<Zone> walls(const Trial& trial, double limit) {
   return all;
 }
 
-Verdict of_miss(const Trial& trial) {
+Verdict of_miss(const ClaimContext& trial) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::exact;
   return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
 }
 
 /// Whether the claimed hit may be the origin itself, inside a solid that the claim may name, of a system that answers
 /// the origin there.
-bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& place) {
+bool is_at_origin_inside(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (trial.profile.inside != Inside::origin) return false;
   const Elements around = solids_around_origin(trial);
   return std::any_of(around.begin(), around.end(), [&](ElementRef element) {
@@ -84,17 +84,18 @@ bool is_at_origin_inside(const Trial& trial, const Claim& claim, const Place& pl
 }
 
 /// Whether the place may lie both on the element and on the ray.
-bool may_be_of(const Trial& trial, ElementRef element, const Place& place) {
+bool may_be_of(const ClaimContext& trial, ElementRef element, const ClaimedPoint& place) {
   return may_lie_on(trial.elements(), element, place, trial.ray.rayo, trial.precision()) &&
          may_lie_on_ray(trial, element, place);
 }
 
-bool may_be_of_any(const Trial& trial, const Place& place) {
+bool may_be_of_any(const ClaimContext& trial, const ClaimedPoint& place) {
   return trial.scene.any_of([&](ElementRef element, const auto&) { return may_be_of(trial, element, place); });
 }
 
 /// The zones that certainly end before the place, where the place lies on `element`.
-std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef element, std::vector<Zone> zones) {
+std::vector<Zone> passed_by(const ClaimContext& trial, const ClaimedPoint& place, ElementRef element,
+                            std::vector<Zone> zones) {
   const model::Rayo& rayo = trial.ray.rayo;
   const Dyadic own = Dyadic(place.deviation) * delta(trial.elements(), element, place, rayo, trial.precision());
   std::erase_if(zones, [&](const Zone& zone) { return !is_behind(place, own, zone, rayo); });
@@ -102,7 +103,8 @@ std::vector<Zone> passed_by(const Trial& trial, const Place& place, ElementRef e
 }
 
 /// The verdict on a place that may lie on `element`, which the claim may name, but lies behind at least one zone.
-Verdict of_passed(const Trial& trial, const Place& place, ElementRef element, const std::vector<Zone>& passed) {
+Verdict of_passed(const ClaimContext& trial, const ClaimedPoint& place, ElementRef element,
+                  const std::vector<Zone>& passed) {
   const bool is_later = std::any_of(passed.begin(), passed.end(),
                                     [&](const Zone& zone) { return trial.body(zone.element) == trial.body(element); });
   if (!is_later) return Verdict::wrong_element;
@@ -110,7 +112,7 @@ Verdict of_passed(const Trial& trial, const Place& place, ElementRef element, co
 }
 
 /// The verdict on a place that lies on no element which the claim may name.
-Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bool is_on_another) {
+Verdict of_beside(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place, bool is_on_another) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
   if (is_on_another) return Verdict::wrong_element;
   if (is_far(trial, place)) return Verdict::misplaced;
@@ -122,7 +124,7 @@ Verdict of_beside(const Trial& trial, const Claim& claim, const Place& place, bo
 
 /// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
 /// where the place may lie on an element that the claim may name and no zone certainly ends before it.
-Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
+Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
   Elements at;
   trial.scene.for_each([&](ElementRef element, const auto&) {
@@ -140,7 +142,7 @@ Verdict of_place(const Trial& trial, const Claim& claim, const Place& place) {
 }
 
 /// Whether the ray of some data may meet the element with no zone of another body certainly before.
-bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone>& zones) {
+bool may_be_first(const ClaimContext& trial, ElementRef element, const std::vector<Zone>& zones) {
   const model::Rayo& rayo = trial.ray.rayo;
   const auto t = earliest(trial.elements(), element, rayo, trial.precision());
   return t && std::none_of(zones.begin(), zones.end(), [&](const Zone& zone) {
@@ -150,7 +152,7 @@ bool may_be_first(const Trial& trial, ElementRef element, const std::vector<Zone
 }
 
 /// The verdict on a hit without a place, which is right where an element that it may name is first for some data.
-Verdict of_element(const Trial& trial, const Claim& claim) {
+Verdict of_element(const ClaimContext& trial, const Claim& claim) {
   const scene::ElementSet& first = trial.truth.hit.elementos;
   const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
   if (std::any_of(first.begin(), first.end(), is_named)) return Verdict::right;
@@ -163,10 +165,10 @@ Verdict of_element(const Trial& trial, const Claim& claim) {
   return first.empty() ? Verdict::phantom : Verdict::wrong_element;
 }
 
-Judgement of_hit(const Trial& trial, const Claim& claim) {
+ClaimJudgement of_hit(const ClaimContext& trial, const Claim& claim) {
   if (!claim.t && !claim.punto) return {.verdict = of_element(trial, claim)};
   if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
-  const std::optional<Place> where = place(trial, claim);
+  const std::optional<ClaimedPoint> where = place(trial, claim);
   if (!where) return {.verdict = Verdict::non_finite};
   const bool is_near = is_near_truth(trial, claim, *where);
   return {.verdict = is_near ? Verdict::right : of_place(trial, claim, *where),
@@ -174,7 +176,7 @@ Judgement of_hit(const Trial& trial, const Claim& claim) {
           .backward = is_near ? backward_error_near_truth(trial, claim, *where) : backward_error(trial, claim, *where)};
 }
 
-Judgement inside_profile(const Trial& trial, const Claim& claim) {
+ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
   switch (claim.outcome) {
     case Claim::Outcome::hit:
       return of_hit(trial, claim);
@@ -193,19 +195,19 @@ Judgement inside_profile(const Trial& trial, const Claim& claim) {
 /// The verdict that the claim would get on a ray outside the profile. Limits are lifted where the exact first hit is
 /// beyond them, for within them the ray has no hit to be judged by.
 Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
-  const Trial trial(of, ray, profile);
+  const ClaimContext trial(of, ray, profile);
   if (!is_truth_beyond_limits(trial)) return inside_profile(trial, claim).verdict;
   const Profile unlimited = without_limits(profile);
-  return inside_profile(Trial(of, ray, unlimited), claim).verdict;
+  return inside_profile(ClaimContext(of, ray, unlimited), claim).verdict;
 }
 
 }  // namespace
 
-Judgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
-  const Trial trial(of, ray, profile);
+ClaimJudgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
+  const ClaimContext trial(of, ray, profile);
   std::string clause = outside(of, ray, profile);
   if (clause.empty()) return inside_profile(trial, claim);
-  Judgement skipped{.clause = std::move(clause)};
+  ClaimJudgement skipped{.clause = std::move(clause)};
   if (claim.outcome != Claim::Outcome::unanswered) skipped.otherwise = otherwise(of, ray, claim, profile);
   return skipped;
 }

@@ -20,7 +20,7 @@ using surface::exact::Parameter;
 /// Lengths are compared by their squares: (t·|v|)² is one number with the root of t. For the parameter,
 /// (limit·|v| + by)² would need a second root; the largest coordinate of v stands for |v| in by/|v|, whose magnitude is
 /// larger by that.
-int compared(const Trial& trial, const Parameter& t, double limit, const Dyadic& by) {
+int compared(const ClaimContext& trial, const Parameter& t, double limit, const Dyadic& by) {
   const glm::dvec3& v = trial.ray.rayo.v().xyz();
   if (trial.profile.measure != Measure::length) {
     const Dyadic longest(largest(v));
@@ -33,13 +33,13 @@ int compared(const Trial& trial, const Parameter& t, double limit, const Dyadic&
 
 }  // namespace
 
-bool is_truth_beyond_limits(const Trial& trial) {
+bool is_truth_beyond_limits(const ClaimContext& trial) {
   if (!trial.has_hit()) return false;
   const double number = number_of_truth(trial);
   return number < trial.profile.least_t || number > trial.profile.greatest_t;
 }
 
-bool is_all_beyond_limits(const Trial& trial) {
+bool is_all_beyond_limits(const ClaimContext& trial) {
   const auto is_beyond = [&](const surface::exact::Crossing& crossing) {
     const auto& [begin, end] = crossing.segment;
     if (!begin || !end || *begin != *end) return false;
@@ -57,7 +57,7 @@ Profile without_limits(Profile profile) {
   return profile;
 }
 
-bool is_within_limits(const Trial& trial, const Zone& zone) {
+bool is_within_limits(const ClaimContext& trial, const Zone& zone) {
   const auto& [least, greatest] = std::pair(trial.profile.least_t, trial.profile.greatest_t);
   const Dyadic apart = number::shifted(zone.delta, 1);
   const bool is_behind_least = least == 0 || compared(trial, zone.begin, least, apart) >= 0;

@@ -9,11 +9,11 @@
 namespace durero::conform {
 
 /// Whether the number of the exact first hit is beyond a limit.
-bool is_truth_beyond_limits(const Trial& trial);
+bool is_truth_beyond_limits(const ClaimContext& trial);
 
 /// Whether every crossing of the ray of the data given is beyond a limit: a miss is then an answer of these data too. A
 /// stretch inside a surface counts as within the limits.
-bool is_all_beyond_limits(const Trial& trial);
+bool is_all_beyond_limits(const ClaimContext& trial);
 
 /// The profile with its limits lifted.
 Profile without_limits(Profile profile);
@@ -24,6 +24,6 @@ Profile without_limits(Profile profile);
 /// t·|v| of those data is off by √3·δ, for v; it is rounded once to the system's format, and the limit as well, by
 /// √3/16·δ each where they are near one another, for δ is 16ε·M at least, and no coordinate of t·v is larger than M.
 /// Together this is less than 2δ, in t less than 2δ/|v|.
-bool is_within_limits(const Trial& trial, const Zone& zone);
+bool is_within_limits(const ClaimContext& trial, const Zone& zone);
 
 }  // namespace durero::conform

@@ -86,7 +86,7 @@ std::optional<Zone> zone_of_mesh(const scene::Scene& scene, const model::Rayo& r
   if (allowed.times(32) > Dyadic(longest)) return std::nullopt;
   const Point<Dyadic> origin{p.x, p.y, p.z};
   const bool is_near = std::any_of(triangles.begin(), triangles.end(), [&](const scene::Triangle& triangle) {
-    return may_hold(shell(triangle, origin, allowed, Ends::outwards));
+    return may_hold(shell(triangle, origin, allowed, EndShift::outwards));
   });
   if (is_near || !is_inside(triangles, rayo.p())) return std::nullopt;
   return Zone{{scene::Triangle::tipo, 0}, Parameter{}, leaving(triangles, rayo, allowed.times(4)), allowed.delta};

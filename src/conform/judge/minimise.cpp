@@ -9,9 +9,9 @@ namespace durero::conform {
 namespace {
 
 /// The search for a smaller failure: the smallest so far, and the condition that a smaller one must meet.
-class Search {
+class FailureMinimiser {
  public:
-  Search(const Finding& finding, const Profile& profile, const Ask& ask)
+  FailureMinimiser(const Finding& finding, const Profile& profile, const Ask& ask)
       : profile_(profile), ask_(ask), draft_(finding.of), best_(finding) {}
 
   /// Keeps the change where the system still fails with the same verdict. Returns whether it did.
@@ -22,7 +22,7 @@ class Search {
     std::optional<SuiteCase> of = changed.built(best_.of);
     if (!of || !outside(*of, 0, profile_).empty()) return false;
     const Claim claim = ask_(*of);
-    const Judgement judgement = judge(*of, 0, claim, profile_);
+    const ClaimJudgement judgement = judge(*of, 0, claim, profile_);
     if (judgement.verdict != best_.judgement.verdict) return false;
     draft_ = std::move(changed);
     best_ = {std::move(*of), 0, claim, judgement};
@@ -39,7 +39,7 @@ class Search {
   Finding best_;
 };
 
-void leave_out_elements(Search& search) {
+void leave_out_elements(FailureMinimiser& search) {
   for (std::size_t i = search.draft().elements.size(); i-- > 0;) {
     if (search.draft().elements.size() == 1) return;
     search.attempt(
@@ -54,7 +54,7 @@ void translate(Draft& draft, const glm::dvec3& by) {
 }
 
 /// Moves the scene to the origin, and scales it to a size near 1.
-void move_home(Search& search) {
+void move_home(FailureMinimiser& search) {
   search.attempt([](Draft& draft) { translate(draft, -*places(draft.elements.front().shape).points.front()); });
   search.attempt([](Draft& draft) {
     const Places of = places(draft.elements.front().shape);
@@ -66,7 +66,7 @@ void move_home(Search& search) {
   });
 }
 
-bool straighten_axis(Search& search, std::size_t element) {
+bool straighten_axis(FailureMinimiser& search, std::size_t element) {
   for (const int coordinate : {2, 1, 0}) {
     for (const double sign : {1.0, -1.0}) {
       const bool is_straight = search.attempt([&](Draft& draft) {
@@ -81,7 +81,7 @@ bool straighten_axis(Search& search, std::size_t element) {
   return false;
 }
 
-void straighten_axes(Search& search) {
+void straighten_axes(FailureMinimiser& search) {
   for (std::size_t i = 0; i < search.draft().elements.size(); ++i) {
     Draft draft = search.draft();
     if (!places(draft.elements[i].shape).axes.empty()) straighten_axis(search, i);
@@ -112,7 +112,7 @@ std::vector<double*> numbers(Draft& draft) {
   return all;
 }
 
-bool round_number(Search& search, std::size_t place) {
+bool round_number(FailureMinimiser& search, std::size_t place) {
   Draft before = search.draft();
   const double x = *numbers(before)[place];
   const auto set = [&](double rounder) {
@@ -129,7 +129,7 @@ bool round_number(Search& search, std::size_t place) {
 }
 
 /// Tries rounder numbers. Returns whether some number became rounder.
-bool round_numbers(Search& search) {
+bool round_numbers(FailureMinimiser& search) {
   Draft draft = search.draft();
   const std::size_t count = numbers(draft).size();
   bool some = false;
@@ -141,7 +141,7 @@ bool round_numbers(Search& search) {
 
 Finding minimised(const Finding& finding, const Profile& profile, const Ask& ask) {
   constexpr int most_rounds = 4;
-  Search search(finding, profile, ask);
+  FailureMinimiser search(finding, profile, ask);
   leave_out_elements(search);
   move_home(search);
   straighten_axes(search);

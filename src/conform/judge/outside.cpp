@@ -18,12 +18,12 @@ using scene::ElementRef;
 /// Whether x, a length or the largest coordinate of v or of a triangle, is a normal number of the format: a smaller one
 /// is no length any more. The coordinates of a point or a unit vector need only be not too large, for each may vanish
 /// beside the others.
-bool is_of(double x, Format format) {
-  return format == Format::binary64 || (std::abs(x) <= static_cast<double>(std::numeric_limits<float>::max()) &&
-                                        std::abs(x) >= static_cast<double>(std::numeric_limits<float>::min()));
+bool is_of(double x, NumberFormat format) {
+  return format == NumberFormat::binary64 || (std::abs(x) <= static_cast<double>(std::numeric_limits<float>::max()) &&
+                                              std::abs(x) >= static_cast<double>(std::numeric_limits<float>::min()));
 }
-bool is_of(const glm::dvec3& v, Format format) { return largest(v) < 1 || is_of(largest(v), format); }
-bool is_of(const scene::Corners& corners, Format format) { return is_of(largest(corners), format); }
+bool is_of(const glm::dvec3& v, NumberFormat format) { return largest(v) < 1 || is_of(largest(v), format); }
+bool is_of(const scene::Corners& corners, NumberFormat format) { return is_of(largest(corners), format); }
 
 bool is_beyond(double x, double least_allowed, double greatest_allowed) {
   return x < least_allowed || x > greatest_allowed;
@@ -38,7 +38,7 @@ std::string beyond(double x, std::string_view what, double least_allowed, double
 /// The clause of the profile that excludes an element by its type, the format of its numbers, its sizes or its
 /// coordinates; empty where none does.
 template <class Shape>
-std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape) {
+std::string clause_of(const ClaimContext& trial, ElementRef element, const Shape& shape) {
   const Profile& profile = trial.profile;
   const model::Tipo tipo = trial.body(element).tipo;
   if (std::find(profile.tipos.begin(), profile.tipos.end(), tipo) == profile.tipos.end())
@@ -64,7 +64,7 @@ std::string clause_of(const Trial& trial, ElementRef element, const Shape& shape
 }  // namespace
 
 std::string outside(const SuiteCase& of, std::size_t number, const Profile& profile) {
-  const Trial trial(of, number, profile);
+  const ClaimContext trial(of, number, profile);
   std::string clause;
   trial.scene.any_of([&](ElementRef element, const auto& shape) {
     clause = clause_of(trial, element, shape);

@@ -23,7 +23,7 @@ using surface::Linear;
 using surface::Point;
 
 /// The direction in which the ends of an element are moved.
-enum class Ends { outwards, inwards };
+enum class EndShift { outwards, inwards };
 
 /// The type of a wall or an end: a number for a point, a quadratic for a ray.
 template <class T>
@@ -75,12 +75,12 @@ inline int sign_at(const surface::Quadratic<Dyadic>& f, const number::DyadicSurd
   return number::sign(number::DyadicSurd{rational, number::shifted((f.A * x + f.B * w) * y, 1), radicand});
 }
 
-inline Dyadic moved(const Dyadic& by, Ends ends) { return ends == Ends::outwards ? by : -by; }
+inline Dyadic moved(const Dyadic& by, EndShift ends) { return ends == EndShift::outwards ? by : -by; }
 
 /// The walls of a sphere lie 7δ from it: the distance from the centre is off by the ray's share, and the radius by δ,
 /// together 6.42·δ.
 template <class T>
-Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allowed, Ends) {
+Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allowed, EndShift) {
   const Dyadic eta = allowed.times(7), r(e.radio);
   const auto squared = squared_length(from(e.centro, w));
   return {squared - square(r + eta), squared - square(r - eta), {}, number::sign(r - eta) <= 0};
@@ -94,7 +94,7 @@ Shell<T> shell(const scene::Sphere& e, const Point<T>& w, const Allowance& allow
 /// 2·2.62·(1 + g)·δ: 10.7·δ + 5.3·g·δ. R(s) is off by δ for radio, δ for k (and g·δ where altura is off as well), k·δ
 /// for altura and k times the error of s. Together the walls are off by (13 + 7g + k·(10 + 3g))·δ.
 template <class T, surface::Axial Shape>
-Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+Shell<T> shell(const Shape& e, const Point<T>& w, const Allowance& allowed, EndShift ends) {
   const Dyadic k(proportion(e)), g = allowed.u * k, altura(e.altura);
   const Dyadic along = Dyadic(10) + Dyadic(3) * g;
   const Dyadic eta = allowed.times(Dyadic(13) + Dyadic(7) * g + k * along), end = moved(allowed.times(along), ends);
@@ -116,7 +116,7 @@ inline const Dyadic plane_wall(15);
 /// The walls of a plane: q·d is off by the ray's share, and by |q|·√3·u for d. |q| ≤ |p| + |t·v| + |centro| ≤ 3√3·M
 /// gives 9·δ; together 14.5·δ.
 template <class T>
-Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowed, Ends) {
+Shell<T> shell(const scene::Plane& e, const Point<T>& w, const Allowance& allowed, EndShift) {
   const Dyadic eta = allowed.times(plane_wall);
   const T value = potencia(e, w);
   return {bound(value - eta), bound(value - (-eta))};
@@ -136,7 +136,7 @@ Shell<T> shell_of_disc(const scene::Disc& e, const Point<T>& w, const Dyadic& et
 /// The walls of a disc follow from those of a plane, but |q| ≤ M up to a small part: 5.42·δ + 1.74·δ. In the plane |q|
 /// is off by the ray's share and the radius by δ: 6.42·δ.
 template <class T>
-Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed, EndShift ends) {
   return shell_of_disc(e, w, allowed.times(8), Dyadic(e.radio) + moved(allowed.times(7), ends));
 }
 
@@ -148,7 +148,7 @@ Shell<T> shell(const scene::Disc& e, const Point<T>& w, const Allowance& allowed
 /// numbers were rounded where the solid ends, by δ/16 each, and |vector|² = 1 ± 2⁻⁵⁰ puts it half a δ away at most:
 /// 0.61·δ more.
 template <class T>
-Shell<T> shell(const DiscOfSolid& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+Shell<T> shell(const DiscOfSolid& e, const Point<T>& w, const Allowance& allowed, EndShift ends) {
   const Dyadic k(e.proporcion), across = Dyadic(9) + k + allowed.u * k;
   return shell_of_disc(e.disc, w, allowed.times(11), Dyadic(e.disc.radio) + moved(allowed.times(across), ends));
 }
@@ -176,7 +176,7 @@ T dot(const Point<T>& a, const Point<Dyadic>& b) {
 /// every such triangle. While the vertices move to their places in straight lines, the edge never meets the stretch nor
 /// the triangle its two ends, and the number of crossings stays odd.
 template <class T>
-Shell<T> shell(const scene::Triangle& e, const Point<T>& w, const Allowance& allowed, Ends ends) {
+Shell<T> shell(const scene::Triangle& e, const Point<T>& w, const Allowance& allowed, EndShift ends) {
   const Dyadic eta = allowed.times(6), end = moved(eta, ends);
   const auto& [a, b, c] = e.vertices;
   const Point<Dyadic> normal = cross(surface::between<Dyadic>(a, b), surface::between<Dyadic>(a, c));
@@ -187,7 +187,7 @@ Shell<T> shell(const scene::Triangle& e, const Point<T>& w, const Allowance& all
     const Point<Dyadic> inwards = cross(normal, surface::between<Dyadic>(begin, finish));
     result.bounds.push_back(bound(dot(from(begin, w), inwards) - (-(end * length_above(inwards)))));
   }
-  if (ends == Ends::inwards) return result;
+  if (ends == EndShift::inwards) return result;
   const surface::Box box = surface::box(e);
   const auto beside = [&](const T& x, double low, double high) {
     result.bounds.push_back(bound(x - (Dyadic(low) - end)));

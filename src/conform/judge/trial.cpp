@@ -31,9 +31,11 @@ double times_length(double t, const glm::dvec3& v) {
   return number::round_to_binary64(number::DyadicSurd{.y = t, .delta = squared});
 }
 
-bool gives_point(const Trial& trial, const Claim& claim) { return trial.profile.measure == Measure::point || !claim.t; }
+bool gives_point(const ClaimContext& trial, const Claim& claim) {
+  return trial.profile.measure == Measure::point || !claim.t;
+}
 
-Place place_at(const model::Rayo& rayo, double t, int deviation) {
+ClaimedPoint place_at(const model::Rayo& rayo, double t, int deviation) {
   const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
   const auto coordinate = [&](double from, double step) { return Dyadic(from) + Dyadic(t) * Dyadic(step); };
   return {{.x = t},
@@ -44,47 +46,47 @@ Place place_at(const model::Rayo& rayo, double t, int deviation) {
 }
 
 /// The place of a claimed point. Its t is that of the foot of the perpendicular from the point to the ray's line.
-Place place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
+ClaimedPoint place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
   const Point<Dyadic> v = exact(rayo.v().xyz()), from_p = from(rayo.p().xyz(), exact(punto));
   const Dyadic way = std::max({absolute(from_p.x), absolute(from_p.y), absolute(from_p.z)});
   return {{.x = dot(from_p, v), .w = dot(v, v)}, exact(punto), way, 4, std::nullopt};
 }
 
 /// The square of 4δ, with δ of the element at the place.
-Dyadic squared_deviation(const Trial& trial, scene::ElementRef element, const Place& place) {
+Dyadic squared_deviation(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
   return square(Dyadic(4) * delta(trial.elements(), element, place, trial.ray.rayo, trial.precision()));
 }
 
 }  // namespace
 
-scene::ElementRef Trial::body(scene::ElementRef element) const {
+scene::ElementRef ClaimContext::body(scene::ElementRef element) const {
   if (profile.caps == Caps::open) return element;
   const Solid* solid = solid_closed_by(solids, element);
   return solid == nullptr ? element : solid->wall;
 }
 
-bool Trial::is_solid(scene::ElementRef element) const {
+bool ClaimContext::is_solid(scene::ElementRef element) const {
   if (element.tipo == model::Tipo::soy_esfera) return true;
   return profile.caps == Caps::solid &&
          std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.wall == element; });
 }
 
-bool Trial::may_start_inside(scene::ElementRef element) const {
+bool ClaimContext::may_start_inside(scene::ElementRef element) const {
   const glm::dvec3& p = ray.rayo.p().xyz();
-  const Place origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
+  const ClaimedPoint origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
   return is_solid(element) && may_lie_inside(elements(), element, origin, ray.rayo, precision());
 }
 
-double rounded(double x, Format format) {
-  return format == Format::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
+double rounded(double x, NumberFormat format) {
+  return format == NumberFormat::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
 
-double number_of_truth(const Trial& trial) {
+double number_of_truth(const ClaimContext& trial) {
   const double t = trial.truth.hit.t;
   return trial.profile.measure == Measure::length ? times_length(t, trial.ray.rayo.v().xyz()) : t;
 }
 
-bool is_the_truth(const Trial& trial, const Claim& claim) {
+bool is_the_truth(const ClaimContext& trial, const Claim& claim) {
   const auto& [scene, solids, ray, truth, profile] = trial;
   const scene::ElementSet& first = truth.hit.elementos;
   if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
@@ -97,7 +99,7 @@ bool is_the_truth(const Trial& trial, const Claim& claim) {
   return claim.t == rounded(number_of_truth(trial), profile.format);
 }
 
-std::optional<Place> place(const Trial& trial, const Claim& claim) {
+std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim) {
   const model::Rayo& rayo = trial.ray.rayo;
   if (gives_point(trial, claim)) {
     const glm::dvec3 p = claim.punto.value_or(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
@@ -109,14 +111,14 @@ std::optional<Place> place(const Trial& trial, const Claim& claim) {
   return is_length ? place_at(rayo, over_length(*claim.t, rayo.v().xyz()), 2) : place_at(rayo, *claim.t, 0);
 }
 
-bool may_lie_on_ray(const Trial& trial, scene::ElementRef element, const Place& place) {
+bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
   const Point<Dyadic> v = exact(trial.ray.rayo.v().xyz()), q = from(trial.ray.rayo.p().xyz(), place.punto);
   const Dyadic beside = squared_deviation(trial, element, place), x = dot(q, v), vv = dot(v, v);
   const bool is_before = number::sign(x) < 0 && square(x) > beside * vv;
   return !is_before && dot(q, q) * vv - square(x) <= beside * vv;
 }
 
-bool may_be_origin(const Trial& trial, scene::ElementRef element, const Place& place) {
+bool may_be_origin(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
   const Point<Dyadic> q = from(trial.ray.rayo.p().xyz(), place.punto);
   return dot(q, q) <= squared_deviation(trial, element, place);
 }

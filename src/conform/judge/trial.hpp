@@ -11,14 +11,14 @@
 
 namespace durero::conform {
 
-struct Trial {
+struct ClaimContext {
   const scene::Scene& scene;
   const std::vector<Solid>& solids;
   const scene::Query& ray;
-  const Truth& truth;
+  const ExactAnswer& truth;
   const Profile& profile;
 
-  Trial(const SuiteCase& of, std::size_t number, const Profile& asked)
+  ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked)
       : scene(of.the_case.scene),
         solids(of.solids),
         ray(of.the_case.rays[number]),
@@ -46,23 +46,23 @@ struct Trial {
 };
 
 /// The number of the format nearest to x, which is x itself in binary64.
-double rounded(double x, Format format);
+double rounded(double x, NumberFormat format);
 
 /// The true value of the number that the system calls distance: t! of Primera_Interseccion, or t!·|v| where the system
 /// measures lengths, rounded to binary64.
-double number_of_truth(const Trial& trial);
+double number_of_truth(const ClaimContext& trial);
 
 /// Whether the hit may name an element of the truth and gives exactly the true number (number_of_truth(), or the
 /// point), rounded to the format.
-bool is_the_truth(const Trial& trial, const Claim& claim);
+bool is_the_truth(const ClaimContext& trial, const Claim& claim);
 
 /// The place that the claim gives by t, by a length or by a point; nothing where the number is missing or not finite.
-std::optional<Place> place(const Trial& trial, const Claim& claim);
+std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim);
 
 /// Whether the place lies on the ray of some data within the allowance. A point given by its coordinates may lie beside
 /// the ray by 2√3·δ and a rounding, less than 4δ, and a place may lie before the origin by as much.
-bool may_lie_on_ray(const Trial& trial, scene::ElementRef element, const Place& place);
+bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
 /// Whether the place may be the origin itself: it is within 4δ of p, with δ of the element.
-bool may_be_origin(const Trial& trial, scene::ElementRef element, const Place& place);
+bool may_be_origin(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
 
 }  // namespace durero::conform

@@ -11,24 +11,24 @@ namespace durero::conform {
 namespace {
 
 /// A place where the ray meets an element: a point, or an end of a stretch inside the surface. Without t it is t → 0⁺.
-struct ElementPlace {
+struct ElementMeeting {
   std::optional<Parameter> t;
   scene::ElementRef e;
   Ambiguity weakness;
 };
 
-bool at_one_point(const ElementPlace& a, const ElementPlace& b) {
+bool at_one_point(const ElementMeeting& a, const ElementMeeting& b) {
   return a.t && b.t ? surface::exact::order(*a.t, *b.t) == 0 : a.t.has_value() == b.t.has_value();
 }
 
-bool earlier(const ElementPlace& a, const ElementPlace& b) {
+bool earlier(const ElementMeeting& a, const ElementMeeting& b) {
   if (!a.t || !b.t) return std::pair(a.t.has_value(), a.e) < std::pair(b.t.has_value(), b.e);
   const auto by_t = surface::exact::order(*a.t, *b.t);
   return by_t != 0 ? by_t < 0 : a.e < b.e;
 }
 
 /// The places of one element are added to the list; a stretch counts with both its ends.
-void add_places(std::vector<ElementPlace>& to, const Candidate& c) {
+void add_places(std::vector<ElementMeeting>& to, const ElementQuadratic& c) {
   const surface::exact::Reach reach = surface::exact::reach(c.f);
   for (const Parameter& t : reach.points()) to.push_back({t, c.e, weakness(c, t)});
   if (!reach.segment) return;
@@ -38,9 +38,9 @@ void add_places(std::vector<ElementPlace>& to, const Candidate& c) {
 
 /// The limit beyond which nothing is permissible: the nearest crossing that no small change removes, rounded up;
 /// infinity without such a crossing.
-double limit_by(const std::vector<ElementPlace>& places) {
+double limit_by(const std::vector<ElementMeeting>& places) {
   double limit = trace::no_limit;
-  for (const ElementPlace& place : places) {
+  for (const ElementMeeting& place : places) {
     if (place.t && place.weakness == Ambiguity::none) limit = std::min(limit, rounded_up(*place.t));
   }
   return limit;
@@ -65,13 +65,13 @@ class Sight {
   std::optional<scene::Hit> clear_hit() const {
     if (!unclear_.empty() || met_.size() > 1) return std::nullopt;
     if (met_.empty()) return scene::Hit{};
-    const trace::Rounded rounded = search_.rounded_hit(met_.front().first, met_.front().second);
+    const trace::RoundedPoint rounded = search_.rounded_hit(met_.front().first, met_.front().second);
     return scene::Hit{model::Resultado::hit, rounded.t, rounded.punto, {met_.front().first}};
   }
 
   /// The exact places, ascending, on the elements that are not excluded.
-  std::vector<ElementPlace> places() {
-    std::vector<ElementPlace> all;
+  std::vector<ElementMeeting> places() {
+    std::vector<ElementMeeting> all;
     for (const scene::ElementRef e : unclear_) add_places(all, candidate(query_, e));
     limit_ = std::min(limit_, limit_by(all));
     leave_out_beyond_limit();
@@ -101,12 +101,12 @@ class Sight {
 };
 
 /// A meeting is the set of places where the ray meets elements at one point.
-using Meeting = std::span<const ElementPlace>;
+using Meeting = std::span<const ElementMeeting>;
 
 /// The first meeting, which is removed from the front of the places. Precondition: there are some.
-Meeting take_meeting(std::span<const ElementPlace>& left) {
+Meeting take_meeting(std::span<const ElementMeeting>& left) {
   const auto beyond = std::find_if(left.begin(), left.end(),
-                                   [&](const ElementPlace& place) { return !at_one_point(place, left.front()); });
+                                   [&](const ElementMeeting& place) { return !at_one_point(place, left.front()); });
   const Meeting meeting = left.first(static_cast<std::size_t>(beyond - left.begin()));
   left = left.subspan(meeting.size());
   return meeting;
@@ -121,7 +121,7 @@ bool is_robust(Meeting meeting) {
 Ambiguity ambiguity(Meeting meeting) {
   using enum Ambiguity;
   for (const Ambiguity weak : {in_surface, apex, edge, rim, tangent}) {
-    if (std::any_of(meeting.begin(), meeting.end(), [&](const ElementPlace& p) { return p.weakness == weak; }))
+    if (std::any_of(meeting.begin(), meeting.end(), [&](const ElementMeeting& p) { return p.weakness == weak; }))
       return weak;
   }
   return meeting.size() > 1 ? tie : none;
@@ -132,7 +132,7 @@ scene::Hit hit_at(const model::Rayo& rayo, Meeting meeting) {
   const std::optional<Parameter>& t = meeting.front().t;
   scene::Hit hit{model::Resultado::hit, 0, rayo.p().xyz()};
   if (t) hit = surface::exact::rounded_hit(rayo, *t, {});
-  for (const ElementPlace& place : meeting) hit.elementos.push_back(place.e);
+  for (const ElementMeeting& place : meeting) hit.elementos.push_back(place.e);
   return hit;
 }
 
@@ -173,15 +173,15 @@ std::string_view name(Ambiguity ambiguity) {
   contract::unreachable();
 }
 
-Truth truth(const scene::Scene& scene, const scene::Query& ray) {
+ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) {
   Sight sight(scene, ray);
   if (const auto hit = sight.clear_hit()) return {*hit};
-  const std::vector<ElementPlace> all = sight.places();
+  const std::vector<ElementMeeting> all = sight.places();
   if (all.empty()) return {};
-  std::span<const ElementPlace> left = all;
+  std::span<const ElementMeeting> left = all;
   Meeting meeting = take_meeting(left);
   const scene::Hit first = hit_at(ray.rayo, meeting);
-  Truth found{answer_at(first, meeting), ambiguity(meeting)};
+  ExactAnswer found{answer_at(first, meeting), ambiguity(meeting)};
   if (!meeting.front().t) found.permissible.push_back(first);
   add_each_alone(found.permissible, first);
   while (!is_robust(meeting)) {

@@ -29,7 +29,7 @@ class Varying {
     std::optional<SuiteCase> of = draft.built(finding_->of);
     if (!of || !outside(*of, 0, *profile_).empty()) return;
     const Claim claim = (*ask_)(*of);
-    const Judgement judgement = judge(*of, 0, claim, *profile_);
+    const ClaimJudgement judgement = judge(*of, 0, claim, *profile_);
     all_.push_back({std::move(what), {std::move(*of), 0, claim, judgement}});
   }
 

@@ -69,7 +69,7 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
   const Dyadic longest(largest(rayo.v().xyz()));
   const Dyadic M = magnitude(shape, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
   const Allowance allowed(precision, M, rayo);
-  const Shell<Linear<Dyadic>> around = shell(shape, surface::along<Dyadic>(rayo), allowed, Ends::inwards);
+  const Shell<Linear<Dyadic>> around = shell(shape, surface::along<Dyadic>(rayo), allowed, EndShift::inwards);
   if (around.filled) return std::nullopt;
   Walls walls;
   walls.take(around.outer, true, crossing);
@@ -84,8 +84,9 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
 
 /// The shell of the element at the place, with its ends moved outwards.
 template <class Shape>
-Shell<Dyadic> shell_at(const Shape& shape, const Place& place, const model::Rayo& rayo, const Precision& precision) {
-  return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), Ends::outwards);
+Shell<Dyadic> shell_at(const Shape& shape, const ClaimedPoint& place, const model::Rayo& rayo,
+                       const Precision& precision) {
+  return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), EndShift::outwards);
 }
 
 }  // namespace
@@ -112,13 +113,13 @@ std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, 
   return all;
 }
 
-Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-             const Precision& precision) {
+Dyadic delta(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
+             const model::Rayo& rayo, const Precision& precision) {
   return elements.visit(
       element, [&](const auto& shape) { return Allowance(precision, magnitude(shape, rayo, place.way), rayo).delta; });
 }
 
-bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
+bool is_behind(const ClaimedPoint& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
   const Dyadic longest(largest(rayo.v().xyz()));
   const auto& [x, y, radicand, w] = place.t;
   // t − (own + 2δ)/longest as one quotient; longest is at most |v|.
@@ -126,12 +127,12 @@ bool is_behind(const Place& place, const Dyadic& own, const Zone& zone, const mo
   return order(zone.end, least) < 0;
 }
 
-bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                const Precision& precision) {
+bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
+                const model::Rayo& rayo, const Precision& precision) {
   return elements.visit(element, [&](const auto& shape) { return may_hold(shell_at(shape, place, rayo, precision)); });
 }
 
-bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const Place& place,
+bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
                     const model::Rayo& rayo, const Precision& precision) {
   return elements.visit(element,
                         [&](const auto& shape) { return may_hold_inside(shell_at(shape, place, rayo, precision)); });

@@ -51,7 +51,7 @@ std::optional<surface::exact::Parameter> earliest(const AskedElements& elements,
 /// A place is the point of a ray that a claim gives. A t that the system gives is exactly that of some moved data. A t
 /// computed here from a length is off by √3·δ for v and a rounding, less than 2δ/|v|; from a point, by 2√3·δ and a
 /// rounding, less than 4δ/|v|.
-struct Place {
+struct ClaimedPoint {
   surface::exact::Parameter t;
   surface::Point<number::Dyadic> punto;
   number::Dyadic way;             ///< the largest magnitude of a coordinate of t·v
@@ -60,19 +60,19 @@ struct Place {
 };
 
 /// The allowance δ of an element at the place.
-number::Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Place& place,
+number::Dyadic delta(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
                      const model::Rayo& rayo, const Precision& precision);
 
 /// Whether the zone ends before the place, whatever the data. The place's t is off by at most `own`/|v| for the data of
 /// the claimed element. The end of the zone is off by 2δ/|v| for the data of its own element: √3·δ for v and 0.22·δ for
 /// roundings.
-bool is_behind(const Place& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
+bool is_behind(const ClaimedPoint& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
 
 /// Whether the place lies on the element for some data within the allowance; may_lie_inside() also counts the inside of
 /// the element, as if filled and closed.
-bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const Place& place, const model::Rayo& rayo,
-                const Precision& precision);
-bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const Place& place,
+bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
+                const model::Rayo& rayo, const Precision& precision);
+bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
                     const model::Rayo& rayo, const Precision& precision);
 
 }  // namespace durero::conform

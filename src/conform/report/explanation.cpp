@@ -52,7 +52,7 @@ std::string answer_text(const scene::Scene& scene, const scene::Hit& hit) {
 std::string exact_answer(const SuiteCase& of, std::size_t ray) {
   const scene::Scene& scene = of.the_case.scene;
   const scene::Query& query = of.the_case.rays[ray];
-  const Truth& truth = of.truths[ray];
+  const ExactAnswer& truth = of.truths[ray];
   std::string text = fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
   const auto crossings = surface::exact::all_hits(scene, query.rayo, query.en);
   for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(scene, crossing);

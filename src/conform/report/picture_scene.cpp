@@ -15,26 +15,26 @@ using scene::ElementRef;
 
 constexpr double scene_width = 420, scene_height = 320;
 
-struct Flat {
+struct PlanePoint {
   double x, y;
 };
 
 /// The oblique projection of a point from above, in which no coordinate axis shrinks to a point.
-Flat projected(const glm::dvec3& p) { return {0.8 * p.x - 0.6 * p.y, p.z * 0.9 + 0.26 * p.x + 0.35 * p.y}; }
+PlanePoint projected(const glm::dvec3& p) { return {0.8 * p.x - 0.6 * p.y, p.z * 0.9 + 0.26 * p.x + 0.35 * p.y}; }
 
 /// The frame of a drawing: a rectangle around the points to show.
-class Frame {
+class Viewport {
  public:
   void include(const glm::dvec3& p) {
-    const Flat at = projected(p);
+    const PlanePoint at = projected(p);
     if (!std::isfinite(at.x) || !std::isfinite(at.y)) return;
     low_ = {std::min(low_.x, at.x), std::min(low_.y, at.y)};
     high_ = {std::max(high_.x, at.x), std::max(high_.y, at.y)};
   }
   double size() const { return std::max({high_.x - low_.x, high_.y - low_.y, std::numeric_limits<double>::min()}); }
   /// A place on the picture; far outside it where the point is.
-  Flat place(const glm::dvec3& p) const {
-    const Flat at = projected(p);
+  PlanePoint place(const glm::dvec3& p) const {
+    const PlanePoint at = projected(p);
     const double scale = 0.8 * std::min(scene_width, scene_height) / size();
     const auto clamped = [](double x) { return std::clamp(x, -10 * scene_width, 10 * scene_width); };
     return {clamped(scene_width / 2 + (at.x - (low_.x + high_.x) / 2) * scale),
@@ -43,7 +43,7 @@ class Frame {
 
  private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Flat low_{infinity, infinity}, high_{-infinity, -infinity};
+  PlanePoint low_{infinity, infinity}, high_{-infinity, -infinity};
 };
 
 oracle::Parametrisation surface_of(const scene::Scene& scene, ElementRef e) {
@@ -52,18 +52,18 @@ oracle::Parametrisation surface_of(const scene::Scene& scene, ElementRef e) {
 
 /// A line of equal u or v of a surface, as points.
 template <class Point>
-std::string line_svg(const Frame& frame, Point point) {
+std::string line_svg(const Viewport& frame, Point point) {
   constexpr int pieces = 48;
   std::string points;
   for (int i = 0; i <= pieces; ++i) {
-    const Flat at = frame.place(point(double(i) / pieces));
+    const PlanePoint at = frame.place(point(double(i) / pieces));
     points += fmt::format("{:.1f},{:.1f} ", at.x, at.y);
   }
   points.pop_back();
   return fmt::format("<polyline class=\"element\" points=\"{}\"/>\n", points);
 }
 
-std::string element_svg(const Frame& frame, const oracle::Parametrisation& surface) {
+std::string element_svg(const Viewport& frame, const oracle::Parametrisation& surface) {
   std::string svg;
   for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0})
     svg += line_svg(frame, [&](double v) { return surface.point(u, v); });
@@ -84,8 +84,8 @@ std::vector<ElementRef> elements_shown(const JudgedCase& judged) {
   return shown;
 }
 
-Frame frame_of(const JudgedCase& judged) {
-  Frame frame;
+Viewport frame_of(const JudgedCase& judged) {
+  Viewport frame;
   for (const ElementRef e : elements_shown(judged)) {
     const oracle::Parametrisation surface = surface_of(judged.of.the_case.scene, e);
     if (surface.is_patch()) continue;
@@ -106,13 +106,13 @@ glm::dvec3 shown_point(const scene::Query& ray, const scene::Hit& hit, const glm
   return p + std::max(0.0, glm::dot(middle - p, v)) * v;
 }
 
-std::string ray_svg(const Frame& frame, const scene::Query& ray, const glm::dvec3& point, Verdict verdict) {
+std::string ray_svg(const Viewport& frame, const scene::Query& ray, const glm::dvec3& point, Verdict verdict) {
   std::string svg;
-  const Flat at = frame.place(point);
+  const PlanePoint at = frame.place(point);
   if (is_failure(verdict)) {
     const glm::dvec3 p = ray.rayo.p().xyz(), way = point - p;
     const double length = glm::length(way), shown = std::min(length, frame.size() / 3);
-    const Flat from = frame.place(length > 0 ? point - way * (shown / length) : p);
+    const PlanePoint from = frame.place(length > 0 ? point - way * (shown / length) : p);
     svg += fmt::format("<line class=\"ray\" x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n",
                        from.x, from.y, at.x, at.y, colour(verdict));
   }
@@ -124,7 +124,7 @@ std::string ray_svg(const Frame& frame, const scene::Query& ray, const glm::dvec
 
 std::string scene_svg(const JudgedCase& judged) {
   const scene::Scene& scene = judged.of.the_case.scene;
-  const Frame frame = frame_of(judged);
+  const Viewport frame = frame_of(judged);
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", scene_width, scene_height);
   scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
   const std::vector<ElementRef> shown = elements_shown(judged);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double width = 420, height = 240, left = 46, right = 12, top = 12, bottom = 40;
 
-struct Axis {
+struct PlotAxis {
   double least, greatest, from, to;  // a number, and where it stands
   double place(double x) const { return from + (x - least) / std::max(greatest - least, 1.0) * (to - from); }
 };
@@ -26,7 +26,7 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, text);
 }
 
-std::string ticks(const Axis& across, const Axis& up) {
+std::string ticks(const PlotAxis& across, const PlotAxis& up) {
   std::string svg;
   const double step = std::max(1.0, std::round((up.greatest - up.least) / 6));
   for (double y = up.least; y <= up.greatest; y += step) {
@@ -43,10 +43,10 @@ std::string ticks(const Axis& across, const Axis& up) {
 
 std::string spread_svg(const FamilyTally& family) {
   const Range& range = family.family->parameter;
-  const Axis across{double(range.least), double(range.greatest), left, width - right};
+  const PlotAxis across{double(range.least), double(range.greatest), left, width - right};
   double highest = 6;
   for (const Spread& spread : family.spreads) highest = std::max(highest, level(spread, 0) + 1);
-  const Axis up{-10, std::ceil(highest) + 1, height - bottom, top};
+  const PlotAxis up{-10, std::ceil(highest) + 1, height - bottom, top};
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", width, height) + ticks(across, up);
   for (const bool failing : {false, true}) {  // failing cases are drawn over the others
     for (const Spread& spread : family.spreads) {

@@ -55,7 +55,7 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
   if (!options.tipos.empty() && options.tipos.size() < scene::shape_count)
     text += " --types " + type_words(options.tipos);
   if (options.caps == Caps::solid) text += " --solids";
-  if (options.numbers == Format::binary64) text += " --numbers binary64";
+  if (options.numbers == NumberFormat::binary64) text += " --numbers binary64";
   return text;
 }
 

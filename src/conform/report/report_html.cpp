@@ -56,7 +56,7 @@ std::string figure(const std::string& svg, const std::string& caption) {
 }
 
 std::string finding_html(const Report& report, const Finding& finding) {
-  const Judgement& is = finding.judgement;
+  const ClaimJudgement& is = finding.judgement;
   std::string html =
       fmt::format("<p><b>{}</b>: {}. Expected {}; got {}.", name(is.verdict), as_markup(meaning(is.verdict)),
                   as_markup(truth_words(finding)), as_markup(claim_words(finding)));
@@ -86,7 +86,7 @@ std::string profile_html(const Profile& profile) {
   std::string html = "<h2>The profile that was judged by</h2>\n<table>\n";
   for (const ProfileLine& line : profile_lines(profile)) {
     std::string why;
-    for (const Source& source : profile.sources) {
+    for (const Citation& source : profile.sources) {
       if (source.claim != line.claim) continue;
       why += fmt::format("<q>{}</q> ({}) ", as_markup(source.sentence), as_markup(source.place));
     }

@@ -24,7 +24,7 @@ void write_profile(Writer& out, const Profile& profile) {
   out.key("profile").begin_object();
   for (const ProfileLine& line : profile_lines(profile)) out.member(line.claim, line.value);
   out.end_object().new_line().key("sources").begin_array();
-  for (const Source& source : profile.sources) {
+  for (const Citation& source : profile.sources) {
     out.new_line().begin_object().member("claim", source.claim).member("sentence", source.sentence);
     out.member("place", source.place).end_object();
   }

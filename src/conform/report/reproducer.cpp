@@ -49,11 +49,11 @@ std::string filled(std::string_view line, const Words& words) {
 
 /// A line of a template: its text, and the types of the elements for which it is repeated; without types it stands
 /// once.
-struct Line {
+struct TemplateLine {
   std::string text;
   std::vector<std::string> tipos{};
 
-  explicit Line(const std::string& line) : text(line) {
+  explicit TemplateLine(const std::string& line) : text(line) {
     const std::size_t at = line.find_first_not_of(' ');
     if (at == line.npos || line[at] != '@' || line.compare(at, 2, "@(") == 0) return;
     const std::size_t end = std::min(line.find(' ', at), line.size());
@@ -68,13 +68,14 @@ struct Line {
 };
 
 /// A template that is filled in line after line.
-class Filling {
+class TemplateFiller {
  public:
-  Filling(Words words, std::vector<ElementWords> elements) : words_(std::move(words)), elements_(std::move(elements)) {
+  TemplateFiller(Words words, std::vector<ElementWords> elements)
+      : words_(std::move(words)), elements_(std::move(elements)) {
     for (ElementWords& element : elements_) element.words.insert(words_.begin(), words_.end());
   }
 
-  void add(const Line& line) {
+  void add(const TemplateLine& line) {
     if (!line.tipos.empty()) return block_.push_back(line);
     end_block();
     text_ += filled(line.text, words_) + "\n";
@@ -89,7 +90,7 @@ class Filling {
   void end_block() {
     if (block_.empty()) return;
     for (const ElementWords& element : elements_) {
-      for (const Line& line : block_) {
+      for (const TemplateLine& line : block_) {
         if (line.stands_for(element.tipo)) text_ += filled(line.text, element.words) + "\n";
       }
     }
@@ -98,7 +99,7 @@ class Filling {
 
   Words words_;
   std::vector<ElementWords> elements_;
-  std::vector<Line> block_;
+  std::vector<TemplateLine> block_;
   std::string text_;
 };
 
@@ -152,13 +153,13 @@ std::string reproducer_text(const System& system, const Finding& finding, const 
   words["about"] = about;
   words["expected"] = expected_answer(finding, system.profile);
   words.insert(system.reproducer.words.begin(), system.reproducer.words.end());
-  Filling filling(std::move(words), element_words(finding.of));
+  TemplateFiller filling(std::move(words), element_words(finding.of));
   std::istringstream lines(std::string(io::read_source(system.reproducer.program).text()));
   std::size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
     try {
-      filling.add(Line(line));
+      filling.add(TemplateLine(line));
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(fmt::format("{}:{}: {}", system.reproducer.program, number, error.what()));
     }

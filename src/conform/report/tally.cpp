@@ -26,20 +26,21 @@ std::uint64_t sum_of(const std::vector<FamilyTally>& families, Count count) {
 }
 
 /// Whether a judgement is worse than a finding: farther from the surface, then of a scene that is easier to read.
-bool is_worse(const Judgement& a, std::size_t elements, const Finding& b) {
+bool is_worse(const ClaimJudgement& a, std::size_t elements, const Finding& b) {
   if (a.backward != b.judgement.backward) return a.backward > b.judgement.backward;
   return elements < b.of.the_case.scene.size();
 }
 
-void keep_worst(FamilyTally& tally, const SuiteCase& of, std::size_t ray, const Claim& claim, const Judgement& is) {
+void keep_worst(FamilyTally& tally, const SuiteCase& of, std::size_t ray, const Claim& claim,
+                const ClaimJudgement& is) {
   std::optional<Finding>& worst = tally.worst[place(is.verdict)];
   if (worst && !is_worse(is, of.the_case.scene.size(), *worst)) return;
   worst = Finding{with_ray_alone(of, ray), ray, claim, is};
 }
 
-std::size_t failures_in(std::span<const Judgement> judgements) {
+std::size_t failures_in(std::span<const ClaimJudgement> judgements) {
   return static_cast<std::size_t>(
-      std::ranges::count_if(judgements, [](const Judgement& is) { return is_failure(is.verdict); }));
+      std::ranges::count_if(judgements, [](const ClaimJudgement& is) { return is_failure(is.verdict); }));
 }
 
 bool has_distance(Verdict verdict) {
@@ -52,9 +53,9 @@ int rank(Verdict verdict) {
   return is_gross(verdict) ? 3 : is_failure(verdict) ? 2 : verdict == Verdict::right ? 1 : 0;
 }
 
-Spread spread_of(const SuiteCase& of, std::span<const Judgement> judgements) {
+Spread spread_of(const SuiteCase& of, std::span<const ClaimJudgement> judgements) {
   Spread spread{.parameter = of.parameter};
-  for (const Judgement& is : judgements) {
+  for (const ClaimJudgement& is : judgements) {
     if (std::isfinite(is.backward)) spread.backward = std::max(spread.backward, is.backward);
     if (rank(is.verdict) > rank(spread.worst)) spread.worst = is.verdict;
   }
@@ -89,11 +90,11 @@ FamilyTally& Tally::tally_of(const Family& family) {
   return families_.back();
 }
 
-std::vector<Judgement> Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile) {
+std::vector<ClaimJudgement> Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile) {
   FamilyTally& tally = tally_of(*of.family);
-  std::vector<Judgement> judgements;
+  std::vector<ClaimJudgement> judgements;
   for (std::size_t ray = 0; ray < claims.size(); ++ray) {
-    const Judgement& is = judgements.emplace_back(judge(of, ray, claims[ray], profile));
+    const ClaimJudgement& is = judgements.emplace_back(judge(of, ray, claims[ray], profile));
     ++tally.counts[place(is.verdict)];
     if (is.verdict == Verdict::skipped) ++tally.clauses[is.clause];
     if (claims[ray].outcome == Claim::Outcome::hit && has_distance(is.verdict)) ++tally.ulps[ulp_bin(is.ulps)];

@@ -57,20 +57,22 @@ struct Recorder {
   Document& document;
   const Stream& stream;
 
-  bool Null() { return add(Kind::null, tell() - 4); }
-  bool Bool(bool value) { return add(Kind::boolean, tell() - (value ? 4U : 5U)); }
+  bool Null() { return add(TokenKind::null, tell() - 4); }
+  bool Bool(bool value) { return add(TokenKind::boolean, tell() - (value ? 4U : 5U)); }
   bool RawNumber(const char*, rapidjson::SizeType, bool) {
     std::size_t start = tell();
     const std::string_view text = document.source_->text();
     while (start > base() && is_number_byte(text[start - 1])) --start;
-    return add(Kind::number, start);
+    return add(TokenKind::number, start);
   }
-  bool String(const char* value, rapidjson::SizeType length, bool) { return text_token(Kind::string, {value, length}); }
-  bool Key(const char* value, rapidjson::SizeType length, bool) { return text_token(Kind::key, {value, length}); }
-  bool StartObject() { return add(Kind::object, tell()); }
-  bool EndObject(rapidjson::SizeType) { return add(Kind::end_object, tell()); }
-  bool StartArray() { return add(Kind::array, tell()); }
-  bool EndArray(rapidjson::SizeType) { return add(Kind::end_array, tell()); }
+  bool String(const char* value, rapidjson::SizeType length, bool) {
+    return text_token(TokenKind::string, {value, length});
+  }
+  bool Key(const char* value, rapidjson::SizeType length, bool) { return text_token(TokenKind::key, {value, length}); }
+  bool StartObject() { return add(TokenKind::object, tell()); }
+  bool EndObject(rapidjson::SizeType) { return add(TokenKind::end_object, tell()); }
+  bool StartArray() { return add(TokenKind::array, tell()); }
+  bool EndArray(rapidjson::SizeType) { return add(TokenKind::end_array, tell()); }
   // Numbers arrive raw only.
   bool Int(int) { return false; }
   bool Uint(unsigned) { return false; }
@@ -82,7 +84,7 @@ struct Recorder {
   std::size_t base() const { return static_cast<std::size_t>(stream.begin - document.source_->text().data()); }
   std::size_t tell() const { return base() + stream.Tell(); }
 
-  bool add(Kind kind, std::size_t offset) {
+  bool add(TokenKind kind, std::size_t offset) {
     document.tokens_.push_back(Document::token(offset, kind));
     return true;
   }
@@ -90,7 +92,7 @@ struct Recorder {
   // The opening quote of a string that ends here. An escape is longer than what it stands for, so where the string as
   // read is as long as the string as written there is none; otherwise the opening quote is the nearest one before that
   // no backslash, or an even number of them, precedes.
-  bool text_token(Kind kind, std::string_view value) {
+  bool text_token(TokenKind kind, std::string_view value) {
     const std::string_view text = document.source_->text();
     const std::size_t closing = tell() - 1;
     std::size_t opening = closing - value.size() - 1;
@@ -122,7 +124,7 @@ Document::Document(const Source& source, std::size_t begin, std::size_t end) : s
     source.fail(begin + std::min(result.Offset(), text.size()), wrong, expected);
   }
   if (stream.next != stream.end) source.fail(begin + stream.Tell(), "a NUL byte", "expected the end of the text");
-  tokens_.push_back(token(end, Kind::end));
+  tokens_.push_back(token(end, TokenKind::end));
 }
 
 std::string_view Document::number_text(Token token) const {
@@ -141,7 +143,7 @@ std::string_view Document::string_value(Token token) const {
 }
 
 double Reader::number(std::string_view what) {
-  if (kind() != Kind::number) wrong_kind(what, "a number");
+  if (kind() != TokenKind::number) wrong_kind(what, "a number");
   const std::string_view text = document_->number_text(token());
   const auto value = read_finite(text);
   if (!value) {
@@ -152,7 +154,7 @@ double Reader::number(std::string_view what) {
 }
 
 double Reader::extended_number(std::string_view what) {
-  if (kind() != Kind::string) return number(what);
+  if (kind() != TokenKind::string) return number(what);
   const std::size_t at = offset();
   const std::string_view text = string(what);
   for (const std::string_view known : {"inf", "-inf", "nan"}) {
@@ -162,25 +164,25 @@ double Reader::extended_number(std::string_view what) {
 }
 
 std::string_view Reader::string(std::string_view what) {
-  if (kind() != Kind::string) wrong_kind(what, "a string");
+  if (kind() != TokenKind::string) wrong_kind(what, "a string");
   return document_->string_value(document_->tokens()[next_++]);
 }
 
 void Reader::skip() {
   std::size_t depth = 0;
   do {
-    const Kind passed = kind();
+    const TokenKind passed = kind();
     ++next_;
-    depth += passed == Kind::array || passed == Kind::object;
-    depth -= passed == Kind::end_array || passed == Kind::end_object;
+    depth += passed == TokenKind::array || passed == TokenKind::object;
+    depth -= passed == TokenKind::end_array || passed == TokenKind::end_object;
   } while (depth > 0);
 }
 
 std::optional<Reader> Reader::member(std::string_view name) const {
-  if (kind() != Kind::object) return std::nullopt;
+  if (kind() != TokenKind::object) return std::nullopt;
   Reader ahead = *this;
   ++ahead.next_;
-  while (ahead.kind() != Kind::end_object) {
+  while (ahead.kind() != TokenKind::end_object) {
     if (ahead.take_key().name == name) return ahead;
     ahead.skip();
   }
@@ -188,7 +190,7 @@ std::optional<Reader> Reader::member(std::string_view name) const {
 }
 
 bool Reader::boolean(std::string_view what) {
-  if (kind() != Kind::boolean) wrong_kind(what, "true or false");
+  if (kind() != TokenKind::boolean) wrong_kind(what, "true or false");
   return document_->source().text()[document_->tokens()[next_++].offset] == 't';
 }
 
@@ -200,8 +202,8 @@ void Reader::require_three(std::string_view what, std::size_t count, std::size_t
   if (count != 3) fail(at, fmt::format("{} has {} items", what, count), expected);
 }
 
-void Reader::open(Kind wanted, std::string_view what) {
-  if (kind() != wanted) wrong_kind(what, wanted == Kind::array ? "an array" : "an object");
+void Reader::open(TokenKind wanted, std::string_view what) {
+  if (kind() != wanted) wrong_kind(what, wanted == TokenKind::array ? "an array" : "an object");
   ++next_;
 }
 

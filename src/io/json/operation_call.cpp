@@ -8,14 +8,14 @@
 namespace durero::io {
 namespace {
 
-double read_component(Cursor& in) {
+double read_component(WordCursor& in) {
   in.skip_blanks();
   const double component = in.number(",()", "a triple");
   in.skip_blanks();
   return component;
 }
 
-glm::dvec3 read_triple(Cursor& in) {
+glm::dvec3 read_triple(WordCursor& in) {
   glm::dvec3 v{};
   v.x = read_component(in);
   in.expect(',', "in (x,y,z)");
@@ -27,7 +27,7 @@ glm::dvec3 read_triple(Cursor& in) {
 }
 
 // ((x,y,z),(x,y,z),(x,y,z)), of which the first bracket has been read.
-std::array<glm::dvec3, 3> read_three_points(Cursor& in) {
+std::array<glm::dvec3, 3> read_three_points(WordCursor& in) {
   constexpr std::string_view where = "in ((x,y,z),(x,y,z),(x,y,z))";
   std::array<glm::dvec3, 3> points{};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -41,7 +41,7 @@ std::array<glm::dvec3, 3> read_three_points(Cursor& in) {
   return points;
 }
 
-CallInput read_input(Cursor& in) {
+CallInput read_input(WordCursor& in) {
   CallInput input{{}, in.offset(), 0, {}};
   input.name = in.word("=?");
   if (input.name.empty()) in.fail(in.offset(), in.here(), "expected an input, name?=value");
@@ -68,7 +68,7 @@ std::string without_mark(std::string_view name) {
   return std::string(name);
 }
 
-Call read_text_call(Cursor& in) {
+Call read_text_call(WordCursor& in) {
   const std::size_t at = in.offset();
   Call call{std::string(in.word("#")), at, {}};
   in.skip_blanks();
@@ -82,10 +82,10 @@ Call read_text_call(Cursor& in) {
 }
 
 void read_array(json::Reader& in, std::string_view what, CallInput& input) {
-  const json::Kind first = in.kind_of_first_item();
-  if (first == json::Kind::array) {
+  const json::TokenKind first = in.kind_of_first_item();
+  if (first == json::TokenKind::array) {
     input.value = in.three_points(what);
-  } else if (first == json::Kind::string || first == json::Kind::end_array) {
+  } else if (first == json::TokenKind::string || first == json::TokenKind::end_array) {
     std::vector<std::string> names;
     in.array(what, [&] { names.emplace_back(in.string(what)); });
     input.value = std::move(names);
@@ -110,10 +110,10 @@ Call read_json_call(const Source& source, std::size_t begin, std::size_t end) {
     }
     CallInput input{without_mark(key.name), key.offset, at, {}};
     switch (in.kind()) {
-      case json::Kind::number:
+      case json::TokenKind::number:
         input.value = in.number(key.name);
         break;
-      case json::Kind::array:
+      case json::TokenKind::array:
         read_array(in, key.name, input);
         break;
       default:
@@ -127,8 +127,8 @@ Call read_json_call(const Source& source, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-std::optional<Call> read_call(const Source& source, const Line& line) {
-  Cursor in(source, line);
+std::optional<Call> read_call(const Source& source, const TextLine& line) {
+  WordCursor in(source, line);
   if (in.done()) return std::nullopt;
   return in.at('{') ? read_json_call(source, in.offset(), line.end) : read_text_call(in);
 }

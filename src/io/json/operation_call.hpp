@@ -34,6 +34,6 @@ struct Call {
 
 /// The operation of a line, as text or, where it starts with {, as JSON; nothing of a line that is blank or a comment.
 /// Throws InputError.
-std::optional<Call> read_call(const Source& source, const Line& line);
+std::optional<Call> read_call(const Source& source, const TextLine& line);
 
 }  // namespace durero::io

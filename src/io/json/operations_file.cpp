@@ -19,10 +19,10 @@
 namespace durero::io {
 namespace {
 
-using AnyEdit = decltype(Step::edit);
+using AnyEdit = decltype(ScriptStep::edit);
 
 // What a script may say of one operation, and the edit that it then means.
-struct Schema {
+struct OperationSchema {
   Signature signature;
   AnyEdit (*read)(const Inputs& in, const scene::Stage& stage);
 };
@@ -106,8 +106,8 @@ AnyEdit read_closing(const Inputs& in, const scene::Stage&) {
 }
 
 // The additions and removals of each shape, each followed by the general one, as the text has them.
-std::vector<Schema> all_schemas() {
-  std::vector<Schema> all;
+std::vector<OperationSchema> all_schemas() {
+  std::vector<OperationSchema> all;
   Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     Signature signature{Shape::Addition::schema, {"e"}, {material}};
@@ -126,8 +126,8 @@ std::vector<Schema> all_schemas() {
   return all;
 }
 
-const std::vector<Schema>& schemas() {
-  static const std::vector<Schema> all = all_schemas();
+const std::vector<OperationSchema>& schemas() {
+  static const std::vector<OperationSchema> all = all_schemas();
   return all;
 }
 
@@ -184,7 +184,7 @@ class WrittenSchemas {
 
 [[noreturn]] void refuse_unknown(const Source& source, const Call& call, const std::vector<WrittenSchemas>& written) {
   std::vector<std::string_view> known;
-  for (const Schema& schema : schemas()) known.push_back(schema.signature.name);
+  for (const OperationSchema& schema : schemas()) known.push_back(schema.signature.name);
   for (const WrittenSchemas& of : written) of.list(known);
   const std::vector<std::string> all(known.begin(), known.end());
   const auto near = text::nearest(call.schema, all);
@@ -194,7 +194,7 @@ class WrittenSchemas {
 
 AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,
                 const std::vector<WrittenSchemas>& written) {
-  for (const Schema& schema : schemas())
+  for (const OperationSchema& schema : schemas())
     if (schema.signature.name == call.schema) return schema.read(Inputs(source, call, schema.signature), stage);
   for (const WrittenSchemas& of : written)
     if (auto edit = of.read(source, call, stage)) return *std::move(edit);
@@ -206,10 +206,11 @@ AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stag
 std::string addition_name(std::string_view word) { return operation_name("Agregar", word); }
 std::string removal_name(std::string_view word) { return operation_name("Eliminar", word); }
 
-std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types) {
+std::vector<ScriptStep> read_script(const Source& source, const scene::Stage& stage,
+                                    std::span<const WrittenType> types) {
   std::vector<WrittenSchemas> written;
   for (std::size_t i = 0; i < types.size(); ++i) written.emplace_back(types[i], i);
-  std::vector<Step> script;
+  std::vector<ScriptStep> script;
   Lines lines(source.text());
   while (const auto line = lines.next()) {
     const auto call = read_call(source, *line);

@@ -29,12 +29,12 @@ std::vector<std::string> pointers_of(const Source& file, const std::vector<Input
   }
 }
 
-std::vector<Finding> findings_of(const Source& file, std::vector<InputError> errors) {
+std::vector<SceneDefect> findings_of(const Source& file, std::vector<InputError> errors) {
   std::ranges::stable_sort(errors, {}, &InputError::offset);
   const std::vector<std::string> pointers = pointers_of(file, errors);
-  std::vector<Finding> findings;
+  std::vector<SceneDefect> findings;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    Finding& finding =
+    SceneDefect& finding =
         findings.emplace_back(errors[i].broken(), std::string(errors[i].message()), std::nullopt, errors[i].place());
     if (i < pointers.size()) finding.pointer = pointers[i];
   }
@@ -52,7 +52,7 @@ void for_each_count(const SceneCheck& check, Visit&& visit) {
   for (const auto& [word, count] : check.written) visit(word, count);
 }
 
-void write_finding(json::Writer& out, const Finding& finding) {
+void write_finding(json::Writer& out, const SceneDefect& finding) {
   out.new_line().begin_object();
   if (finding.broken != nullptr)
     out.member("label", finding.broken->label).member("predicate", finding.broken->predicate);
@@ -62,7 +62,7 @@ void write_finding(json::Writer& out, const Finding& finding) {
   out.end_object();
 }
 
-std::string_view rule_of(const Finding& finding) {
+std::string_view rule_of(const SceneDefect& finding) {
   return finding.broken == nullptr ? malformed : finding.broken->label;
 }
 
@@ -74,7 +74,7 @@ std::vector<SarifRule> rules_of(const SceneCheck& check) {
       rules.push_back({clause.label, clause.predicate});
   };
   for (const model::Judgement& judgement : model::inv(model::Escena{})) add(*judgement.what);
-  for (const Finding& finding : check.findings)
+  for (const SceneDefect& finding : check.findings)
     if (finding.broken != nullptr) add(*finding.broken);
   if (!check.warnings.empty())
     rules.push_back({sends_on_too_much, "A surface sends on no more light than it receives."});
@@ -95,7 +95,7 @@ std::string uri_of(std::string_view file) {
   return uri;
 }
 
-void write_result(json::Writer& out, std::string_view uri, const Finding& finding) {
+void write_result(json::Writer& out, std::string_view uri, const SceneDefect& finding) {
   out.new_line().begin_object().member("ruleId", rule_of(finding)).member("level", "error");
   write_sarif_message(out, "message", finding.message);
   out.key("locations").begin_array().begin_object().key("physicalLocation").begin_object();
@@ -151,8 +151,8 @@ SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, c
   return check;
 }
 
-std::vector<Finding> broken_invariants(const Source& file, const model::Escena& escena) {
-  std::vector<Finding> findings;
+std::vector<SceneDefect> broken_invariants(const Source& file, const model::Escena& escena) {
+  std::vector<SceneDefect> findings;
   for (const model::Elemento& e : escena.elementos) {
     for (const model::Judgement& judgement : model::inv_at(escena, e)) {
       if (judgement.holds) continue;
@@ -192,7 +192,7 @@ std::string check_json(const SceneCheck& check) {
     out.end_array();
   }
   out.new_line().key("findings").begin_array();
-  for (const Finding& finding : check.findings) write_finding(out, finding);
+  for (const SceneDefect& finding : check.findings) write_finding(out, finding);
   out.end_array();
   if (!check.warnings.empty()) {
     out.new_line().key("warnings").begin_array();
@@ -210,7 +210,7 @@ std::string check_sarif(const SceneCheck& check) {
   begin_sarif(out, "durero check", rules_of(check));
   out.member("columnKind", "unicodeCodePoints").key("results").begin_array();
   const std::string uri = uri_of(check.file);
-  for (const Finding& finding : check.findings) write_result(out, uri, finding);
+  for (const SceneDefect& finding : check.findings) write_result(out, uri, finding);
   for (const Warning& warning : check.warnings) write_warning(out, uri, warning);
   end_sarif(out);
   return text + "\n";

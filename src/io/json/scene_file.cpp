@@ -14,7 +14,7 @@
 namespace durero::io {
 namespace {
 
-enum Key : std::size_t {
+enum SceneKey : std::size_t {
   format,
   version,
   elementos,
@@ -53,7 +53,7 @@ class SceneReader {
     json::Reader in(document);
     json::require_version(in, scene_format);
     in.object("a scene", scene_keys, required_scene_keys, [&](std::size_t key) {
-      const bool is_right = read_or_pass(in, [&] { read_part(in, static_cast<Key>(key)); });
+      const bool is_right = read_or_pass(in, [&] { read_part(in, static_cast<SceneKey>(key)); });
       if (key == materials) materials_are_known_ = is_right;
       if (key == textures) textures_are_known_ = is_right;
     });
@@ -88,7 +88,7 @@ class SceneReader {
     return is_right;
   }
 
-  void read_part(json::Reader& in, Key key) {
+  void read_part(json::Reader& in, SceneKey key) {
     scene::Stage& stage = scene_.stage();
     switch (key) {
       case format:

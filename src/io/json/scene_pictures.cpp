@@ -14,8 +14,8 @@
 namespace durero::io {
 namespace {
 
-using scene::Picture;
 using scene::PictureFile;
+using scene::TexelImage;
 using scene::Texture;
 
 class PictureReader {
@@ -28,13 +28,13 @@ class PictureReader {
     const auto at = [&](const json::Reader& scene) {
       return scene.member("textures").value().member(texture.name).value().member("image").value().offset();
     };
-    Picture picture = read(texture.image.file, texture.curve, "image", at);
+    TexelImage picture = read(texture.image.file, texture.curve, "image", at);
     const bool is_mipmap = texture.filter == scene::Filter::mipmap;
     if (is_mipmap && !has_mipmap(picture))
       fail(texture.image.file, "image", at, fmt::format("it has {} by {} texels", picture.width, picture.height),
            "2ⁿ by 2ⁿ for a mipmap");
-    texture.image.levels = std::make_shared<const std::vector<Picture>>(
-        is_mipmap ? mipmap(std::move(picture)) : std::vector<Picture>{std::move(picture)});
+    texture.image.levels = std::make_shared<const std::vector<TexelImage>>(
+        is_mipmap ? mipmap(std::move(picture)) : std::vector<TexelImage>{std::move(picture)});
   }
 
   void read(scene::Environment& environment) {
@@ -45,8 +45,8 @@ class PictureReader {
         const json::Reader in = scene.member("environment").value().member(kind).value();
         return environment.kind == scene::Surroundings::box ? item(in, i) : in.offset();
       };
-      file.levels = std::make_shared<const std::vector<Picture>>(
-          std::vector<Picture>{read(file.file, scene::Curve::srgb, kind, at)});
+      file.levels = std::make_shared<const std::vector<TexelImage>>(
+          std::vector<TexelImage>{read(file.file, scene::TransferFunction::srgb, kind, at)});
     }
   }
 
@@ -62,7 +62,7 @@ class PictureReader {
     return offset;
   }
 
-  Picture read(const std::string& file, scene::Curve curve, std::string_view what, const Place& at) {
+  TexelImage read(const std::string& file, scene::TransferFunction curve, std::string_view what, const Place& at) {
     try {
       return picture_of(text::read_file((folder_ / file).string()), curve);
     } catch (const std::system_error& error) {

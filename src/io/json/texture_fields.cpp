@@ -105,7 +105,7 @@ class TextureReader {
         texture_.edges = static_cast<scene::Edges>(read_word(in_, "edges", scene::edges_words));
         return;
       case curve:
-        texture_.curve = static_cast<scene::Curve>(read_word(in_, "curve", scene::curve_words));
+        texture_.curve = static_cast<scene::TransferFunction>(read_word(in_, "curve", scene::curve_words));
         return;
       case near:
         texture_.near = read_positive(in_, "near");

@@ -23,7 +23,7 @@ void add_name(const json::Reader& in, scene::Scene& scene, const Placed<std::str
 
 std::optional<std::size_t> written_type(const json::Reader& in, std::span<const WrittenType> types) {
   auto tipo_here = in.member("tipo");
-  if (types.empty() || !tipo_here || tipo_here->kind() != json::Kind::string) return std::nullopt;
+  if (types.empty() || !tipo_here || tipo_here->kind() != json::TokenKind::string) return std::nullopt;
   const auto found = std::ranges::find(types, tipo_here->string("tipo"), &WrittenType::word);
   if (found == types.end()) return std::nullopt;
   return static_cast<std::size_t>(found - types.begin());

@@ -21,9 +21,9 @@ std::string prefix_of(const Source& source, std::vector<std::string>& lost) {
 }
 
 /// Of each group the names of its triangles. Those that were left out are in no scene.
-class Members {
+class GroupMembers {
  public:
-  Members(const FaceGroups& groups, const scene::Scene& scene)
+  GroupMembers(const FaceGroups& groups, const scene::Scene& scene)
       : groups_(groups), scene_(scene), elementos_(groups.numbers.size()) {}
 
   void add(std::size_t face, const Polygons& polygons, std::size_t before) {
@@ -60,7 +60,7 @@ Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<s
   scene::Scene scene;
   scene.put_off_audits();
   Polygons polygons(scene, prefix_of(source, lost));
-  Members members(groups, scene);
+  GroupMembers members(groups, scene);
   std::vector<glm::dvec3> polygon;
   for (std::size_t i = 0; i < soup.faces.size(); ++i) {
     polygon.clear();

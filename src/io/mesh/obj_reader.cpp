@@ -33,7 +33,7 @@ class ObjLines {
   std::vector<std::string> read() {
     Lines lines(joined_);
     while (const auto line = lines.next()) {
-      Cursor in(source_, joined_, *line);
+      WordCursor in(source_, joined_, *line);
       if (!in.done()) read_statement(in);
     }
     if (!soup_.whole) source_.fail(soup_.end, "no mesh", "expected vertices (v) and faces (f)");
@@ -42,7 +42,7 @@ class ObjLines {
   }
 
  private:
-  void read_statement(Cursor& in) {
+  void read_statement(WordCursor& in) {
     const std::size_t at = in.offset();
     const std::string_view statement = in.word("#");
     in.skip_blanks();
@@ -69,7 +69,7 @@ class ObjLines {
     }
   }
 
-  [[noreturn]] static void fail_unknown(const Cursor& in, std::size_t at, std::string_view statement) {
+  [[noreturn]] static void fail_unknown(const WordCursor& in, std::size_t at, std::string_view statement) {
     std::vector<std::string> known;
     for (const ObjWord& row : obj_words) known.emplace_back(row.word);
     in.fail(at, fmt::format("unknown statement {}", text::shown(statement)),
@@ -77,7 +77,7 @@ class ObjLines {
   }
 
   // x y z, and perhaps a weight or a colour or both.
-  void read_vertex(Cursor& in, std::size_t line_at) {
+  void read_vertex(WordCursor& in, std::size_t line_at) {
     for (int i = 0; i < 3; ++i) {
       const std::size_t at = in.offset();
       const std::string_view digits = in.word("#");
@@ -96,7 +96,7 @@ class ObjLines {
   }
 
   // A number that no triangle keeps, which may be none of binary64: inf, nan.
-  static void read_left_out(Cursor& in) {
+  static void read_left_out(WordCursor& in) {
     const std::size_t at = in.offset();
     const std::string_view digits = in.word("#");
     if (!read_number(digits)) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a number");
@@ -104,7 +104,7 @@ class ObjLines {
   }
 
   // u, and perhaps v and a third, which a surface has no use for.
-  void read_texture_coordinate(Cursor& in) {
+  void read_texture_coordinate(WordCursor& in) {
     std::array<double, 3> numbers{};
     std::size_t count = 0;
     do {
@@ -117,7 +117,7 @@ class ObjLines {
 
   // The faces that follow are in the group of the first name, whatever was named before; in none where there is none,
   // or none that a group can have.
-  void read_group(Cursor& in) {
+  void read_group(WordCursor& in) {
     group_ = FaceGroups::none;
     for (bool first = true; !in.done(); first = false) {
       const std::string_view name = in.word("#");
@@ -131,7 +131,7 @@ class ObjLines {
     }
   }
 
-  void read_face(Cursor& in, std::size_t at) {
+  void read_face(WordCursor& in, std::size_t at) {
     const Face& face = faces_ < soup_.faces.size() ? soup_.faces[faces_] : none_;
     Face textures;
     std::size_t corners = 0;
@@ -158,7 +158,7 @@ class ObjLines {
     textures_.of_face.push_back(std::move(textures));
   }
 
-  void check_vertex(const Cursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
+  void check_vertex(const WordCursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
     const std::size_t count = soup_.vertices.size();
     if (vertex < 0 || static_cast<std::size_t>(vertex) >= count) {
       in.fail(at, fmt::format("{} names no vertex", text::shown(corner)), expected_number(count, "v"));

@@ -177,7 +177,7 @@ class HeaderReader {
 
   const Source& source_;
   Lines lines_;
-  std::optional<Cursor> line_;
+  std::optional<WordCursor> line_;
   std::size_t begin_ = 0;  // of the line's first word
   PlyHeader header_;
 };

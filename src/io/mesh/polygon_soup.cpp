@@ -16,9 +16,9 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 
 /// A text as a stream reads it, and how far it has.
-class Bytes : public std::streambuf {
+class TextBuffer : public std::streambuf {
  public:
-  explicit Bytes(std::string_view text) {
+  explicit TextBuffer(std::string_view text) {
     char* const begin = const_cast<char*>(text.data());  // it is only read
     setg(begin, begin, begin + text.size());
   }
@@ -28,14 +28,14 @@ class Bytes : public std::streambuf {
 /// The faces as the library adds them: once it has read them, or the line that they stand on.
 class Faces : public std::vector<Face> {
  public:
-  Faces(const Bytes& bytes, std::vector<std::size_t>& ends) : bytes_(&bytes), ends_(&ends) {}
+  Faces(const TextBuffer& bytes, std::vector<std::size_t>& ends) : bytes_(&bytes), ends_(&ends) {}
   void emplace_back() {
     std::vector<Face>::emplace_back();
     ends_->push_back(bytes_->passed());
   }
 
  private:
-  const Bytes* bytes_;
+  const TextBuffer* bytes_;
   std::vector<std::size_t>* ends_;
 };
 
@@ -43,7 +43,7 @@ class Faces : public std::vector<Face> {
 template <class Read>
 PolygonSoup soup_of(std::string_view text, Read&& read) {
   PolygonSoup soup;
-  Bytes bytes(text);
+  TextBuffer bytes(text);
   std::istream in(&bytes);
   std::vector<Point> points;
   Faces faces(bytes, soup.face_ends);

@@ -32,8 +32,8 @@ class NffWords {
 
   const Source& source_;
   Lines lines_;
-  std::optional<Cursor> line_;  // on the next word; nothing at the end of the text
-  bool crossed_ = false;        // a line end was passed on the way to the next word
+  std::optional<WordCursor> line_;  // on the next word; nothing at the end of the text
+  bool crossed_ = false;            // a line end was passed on the way to the next word
 };
 
 }  // namespace durero::io

@@ -11,8 +11,8 @@
 namespace durero::io {
 namespace {
 
-using scene::Curve;
-using scene::Picture;
+using scene::TexelImage;
+using scene::TransferFunction;
 
 void require_size(std::size_t width, std::size_t height) {
   if (width * height > most_texels)
@@ -20,16 +20,18 @@ void require_size(std::size_t width, std::size_t height) {
 }
 
 /// What each byte stands for.
-std::array<double, 256> values_of(Curve curve) {
+std::array<double, 256> values_of(TransferFunction curve) {
   std::array<double, 256> values{};
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = curve == Curve::srgb ? linear_light(static_cast<std::uint8_t>(i)) : static_cast<double>(i) / 255;
+    values[i] =
+        curve == TransferFunction::srgb ? linear_light(static_cast<std::uint8_t>(i)) : static_cast<double>(i) / 255;
   return values;
 }
 
-Picture picture_of_bytes(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& rgb, Curve curve) {
+TexelImage picture_of_bytes(std::uint32_t width, std::uint32_t height, const std::vector<std::uint8_t>& rgb,
+                            TransferFunction curve) {
   const auto values = values_of(curve);
-  Picture picture{width, height};
+  TexelImage picture{width, height};
   picture.texels.reserve(std::size_t{width} * height);
   for (std::size_t i = 0; i < rgb.size(); i += 3)
     picture.texels.emplace_back(values[rgb[i]], values[rgb[i + 1]], values[rgb[i + 2]]);
@@ -70,7 +72,7 @@ void require_end(std::string_view bytes) {
   throw PictureError("it ends before its end chunk, IEND");
 }
 
-Picture picture_of_png(std::string_view bytes, Curve curve) {
+TexelImage picture_of_png(std::string_view bytes, TransferFunction curve) {
   Png png;
   if (!png_image_begin_read_from_memory(&png.image, bytes.data(), bytes.size())) png.fail();
   require_size(png.image.width, png.image.height);
@@ -81,14 +83,14 @@ Picture picture_of_png(std::string_view bytes, Curve curve) {
   }
   const auto rgb = png.samples<std::uint16_t>(PNG_FORMAT_LINEAR_RGB);
   require_end(bytes);
-  Picture picture{png.image.width, png.image.height};
+  TexelImage picture{png.image.width, png.image.height};
   picture.texels.reserve(rgb.size() / 3);
   for (std::size_t i = 0; i < rgb.size(); i += 3)
     picture.texels.push_back(glm::dvec3(rgb[i], rgb[i + 1], rgb[i + 2]) / 65535.0);
   return picture;
 }
 
-Picture picture_of_jpeg(std::string_view bytes, Curve curve) {
+TexelImage picture_of_jpeg(std::string_view bytes, TransferFunction curve) {
   Jpeg jpeg;
   const std::string wrong = decode_jpeg(bytes, most_texels, jpeg);
   if (!wrong.empty()) throw PictureError("libjpeg: " + wrong);
@@ -103,7 +105,7 @@ double linear_light(std::uint8_t srgb) noexcept {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-Picture picture_of(std::string_view bytes, Curve curve) {
+TexelImage picture_of(std::string_view bytes, TransferFunction curve) {
   if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return picture_of_png(bytes, curve);
   if (bytes.starts_with("\xff\xd8\xff")) return picture_of_jpeg(bytes, curve);
   throw PictureError("it is no picture");

@@ -7,9 +7,9 @@ namespace durero::io {
 namespace {
 
 /// Replaces numbers, and counts.
-class Linear {
+class ColorLinearizer {
  public:
-  explicit Linear(const PovGamma& gamma) : gamma_(gamma) {}
+  explicit ColorLinearizer(const PovGamma& gamma) : gamma_(gamma) {}
 
   std::optional<std::size_t> changed() const { return is_finite_ ? std::optional(changed_) : std::nullopt; }
 
@@ -57,7 +57,7 @@ PovGamma default_gamma(std::optional<double> version) {
 }
 
 std::optional<std::size_t> make_linear(const PovGamma& gamma, scene::Stage& stage) {
-  Linear linear(gamma);
+  ColorLinearizer linear(gamma);
   if (stage.background) linear.make(*stage.background);
   for (scene::Light& light : stage.lights) linear.make(light.color);
   for (scene::DirectionalLight& light : stage.directional_lights) linear.make(light.color);

@@ -47,8 +47,9 @@ std::string image_map(const scene::PictureFile& picture, std::string_view option
 }
 
 std::string image_map(const Texture& texture) {
-  return image_map(texture.image, fmt::format("gamma {}{}", texture.curve == scene::Curve::srgb ? "srgb" : "1",
-                                              texture.filter == scene::Filter::nearest ? "" : " interpolate 2"));
+  return image_map(texture.image,
+                   fmt::format("gamma {}{}", texture.curve == scene::TransferFunction::srgb ? "srgb" : "1",
+                               texture.filter == scene::Filter::nearest ? "" : " interpolate 2"));
 }
 
 /// 0 where the first colour is, 1 where the second is, of x and y in the texture.

@@ -39,7 +39,7 @@ std::string expected_of(std::string_view word, std::initializer_list<Words> list
 constexpr int deepest = 200;
 
 /// What an object tells of its look: the number of its material, or that it has none.
-struct Look {
+struct ObjectMaterial {
   bool is_told = false;
   std::optional<std::uint32_t> material{};
 };
@@ -51,7 +51,7 @@ struct Object {
   std::string_view text{};  ///< of what it consists of, without attributes
   std::optional<PovShape> shape{};
   std::vector<Object> parts{};
-  Look look{};
+  ObjectMaterial look{};
   std::array<bool, 3> flags{};  ///< in step with their words
 };
 
@@ -146,9 +146,9 @@ class PovReader {
 
   /// Adds what an object stands for to the scene, and to the group that it is in. What it does not tell of its look, it
   /// has from what it is in.
-  void add(const Object& object, const Look& around, scene::Group& into) {
+  void add(const Object& object, const ObjectMaterial& around, scene::Group& into) {
     if (is_only_a_shadow(object)) return;
-    const Look& look = object.look.is_told ? object.look : around;
+    const ObjectMaterial& look = object.look.is_told ? object.look : around;
     if (object.shape) return add_shape(object, look, into);
     if (object.word == "object") return add(object.parts.front(), look, into);
     scene::Group own;
@@ -157,7 +157,7 @@ class PovReader {
   }
 
   /// A shape with caps is a group: an element, and the discs that close it.
-  void add_shape(const Object& object, const Look& look, scene::Group& into) {
+  void add_shape(const Object& object, const ObjectMaterial& look, scene::Group& into) {
     const std::string name =
         std::visit([&](const auto& shape) { return add(object, shape, look); }, object.shape->surface);
     if (name.empty()) return;
@@ -183,7 +183,7 @@ class PovReader {
 
   /// The name of the new element; empty where it is a triangle that is left out.
   template <class Shape>
-  std::string add(const Object& object, const Shape& shape, const Look& look) {
+  std::string add(const Object& object, const Shape& shape, const ObjectMaterial& look) {
     static constexpr std::string_view letters = "scktpdv";  // by type
     std::string name = numbered(letters[scene::place_of<Shape>], numbered_[scene::place_of<Shape>]);
     const model::Answer answer = scene_.add(model::Elemento{name}, shape, look.material);

@@ -17,7 +17,7 @@ std::optional<scene::Resolution> pov_size(const Source& source) {
   const auto line = Lines(source.text()).next();
   if (!line || !source.text().starts_with("//")) return std::nullopt;
   scene::Resolution size{};
-  for (Cursor in(source, *line); !in.done(); in.skip_blanks()) {
+  for (WordCursor in(source, *line); !in.done(); in.skip_blanks()) {
     const std::string_view word = in.word("");
     for (const auto& [letters, side] : {std::pair{"Ww", &size.width}, std::pair{"Hh", &size.height}}) {
       if (word.size() < 3 || std::string_view("+-").find(word[0]) == word.npos ||

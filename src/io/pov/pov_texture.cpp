@@ -41,7 +41,7 @@ bool is_color(Coefficient coefficient) {
 std::string rgb(const glm::dvec3& color) { return fmt::format("rgb <{}, {}, {}>", color.x, color.y, color.z); }
 
 /// A summand of the colour of a point: a pigment, and what a finish makes of it.
-struct Part {
+struct PigmentTerm {
   glm::dvec3 color;
   std::string pigment;  ///< behind the colour
   std::string finish;
@@ -49,8 +49,8 @@ struct Part {
 
 /// The summands of the local model that are not 0, each as a texture of its own. POV-Ray's diffuse term with brilliance
 /// 0 is the light alone, whatever its angle: k_a.
-std::vector<Part> parts_of(const scene::Material& m) {
-  std::vector<Part> parts;
+std::vector<PigmentTerm> parts_of(const scene::Material& m) {
+  std::vector<PigmentTerm> parts;
   const bool shows_color = m.color != black;
   if (m.k_d > 0 && shows_color) parts.push_back({m.color, "", fmt::format("diffuse {}", m.k_d)});
   if (m.k_a > 0 && shows_color) parts.push_back({m.color, "", fmt::format("diffuse {} brilliance 0", m.k_a)});
@@ -69,7 +69,7 @@ std::string of_the_first(const scene::Material& m, double count) {
 }
 
 /// Something that textures multiply: its texture, so many times itself in red, green and blue.
-struct Worn {
+struct TexturedFactor {
   std::vector<Coefficient> factors;
   std::function<std::string(const glm::dvec3&)> times;
 };
@@ -81,9 +81,9 @@ std::string texture_text(const glm::dvec3& color, std::string_view pigment, std:
 
 /// All summands, each by itself: highlight and mirror, too. That of k_a has the normal of the surface, since a relief
 /// that is turned away from a light is lit by it all the same.
-std::vector<Worn> worn_by(const scene::Material& m, const std::string& normal) {
+std::vector<TexturedFactor> worn_by(const scene::Material& m, const std::string& normal) {
   using enum Coefficient;
-  std::vector<Worn> parts;
+  std::vector<TexturedFactor> parts;
   const auto add = [&](const glm::dvec3& own, std::vector<Coefficient> factors, const std::string& finish,
                        const std::string& turned = "", const std::string& pigment = "") {
     if (own == black) return;
@@ -140,12 +140,12 @@ std::string pov_attributes(const scene::Material& m, const PovPatterns& patterns
   struct Term {
     std::string share;  // of itself, from place to place; empty where it is whole
     glm::dvec3 of;
-    const Worn* part;
+    const TexturedFactor* part;
   };
   const std::string normal = m.bump ? patterns.normal(*m.bump, at) : "";
-  const std::vector<Worn> parts = worn_by(m, normal);
+  const std::vector<TexturedFactor> parts = worn_by(m, normal);
   std::vector<Term> terms;
-  for (const Worn& part : parts) {
+  for (const TexturedFactor& part : parts) {
     const auto channels = product(m, patterns, at, part.factors);
     if (!channels) {
       terms.push_back({"", glm::dvec3(1), &part});
@@ -171,9 +171,9 @@ std::string pov_attributes(const scene::Material& m, const PovPatterns& patterns
 }
 
 std::string pov_attributes(const scene::Material& m) {
-  const std::vector<Part> parts = parts_of(m);
+  const std::vector<PigmentTerm> parts = parts_of(m);
   const auto count = static_cast<double>(parts.size());
-  const auto texture = [&](const Part& part) {
+  const auto texture = [&](const PigmentTerm& part) {
     return fmt::format("pigment {{ {}{} }} finish {{ ambient 0 {}{} }}", rgb(count * part.color), part.pigment,
                        part.finish, &part == &parts.front() ? of_the_first(m, count) : "");
   };
@@ -181,7 +181,7 @@ std::string pov_attributes(const scene::Material& m) {
   if (parts.size() == 1) {
     text = fmt::format("texture {{ {} }}", texture(parts.front()));
   } else {
-    for (const Part& part : parts) text += fmt::format(" [1 {}]", texture(part));
+    for (const PigmentTerm& part : parts) text += fmt::format(" [1 {}]", texture(part));
     text = fmt::format("texture {{ average texture_map {{{} }} }}", text);
   }
   return text + interior(m);

@@ -159,7 +159,7 @@ class PovWriter {
   }
   std::string shape_text(const scene::Cone& c) { return cone_text(ends_.of(c)); }
   std::string shape_text(const scene::TruncatedCone& c) { return cone_text(ends_.of(c)); }
-  static std::string cone_text(const std::optional<Ends>& ends) {
+  static std::string cone_text(const std::optional<AxisEnds>& ends) {
     return ends ? fmt::format("cone {{ {}, {}, {}, {} open }}", text(ends->base), ends->wide, text(ends->top),
                               ends->narrow)
                 : "";

@@ -94,15 +94,15 @@ void read_elements(json::Reader& in, const scene::Scene& scene, scene::ElementSe
   std::ranges::sort(all);
 }
 
-enum Key : std::size_t { ray, outcome, elementos, t, point };
+enum HitKey : std::size_t { ray, outcome, elementos, t, point };
 constexpr std::string_view hit_keys[] = {"ray", "outcome", "elementos", "t", "point"};
 constexpr std::size_t required_hit_keys = 3;
 
-struct Seen {
+struct GivenKeys {
   bool t = false, point = false;
 };
 
-void read_part(json::Reader& in, Key key, const scene::Scene& scene, RayHit& read, Seen& seen) {
+void read_part(json::Reader& in, HitKey key, const scene::Scene& scene, RayHit& read, GivenKeys& seen) {
   switch (key) {
     case ray:
       read.offset = in.offset();
@@ -126,9 +126,9 @@ void read_part(json::Reader& in, Key key, const scene::Scene& scene, RayHit& rea
 
 void read_hit(const json::Document& document, std::size_t at, const scene::Scene& scene, RayHit& read) {
   json::Reader in(document);
-  Seen seen;
+  GivenKeys seen;
   in.object("a hit", hit_keys, required_hit_keys,
-            [&](std::size_t key) { read_part(in, static_cast<Key>(key), scene, read, seen); });
+            [&](std::size_t key) { read_part(in, static_cast<HitKey>(key), scene, read, seen); });
   const bool is_hit = read.hit.resultado == Resultado::hit;
   if (seen.t != is_hit || seen.point != is_hit) {
     in.fail(at, fmt::format("outcome {} {} t and point", model::name(read.hit.resultado), is_hit ? "without" : "with"),

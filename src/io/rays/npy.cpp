@@ -42,7 +42,7 @@ double binary64(std::string_view bytes, bool is_big_endian) {
 }
 
 // Where the data start, and the Python dictionary before them.
-struct Head {
+struct NpyHeader {
   std::string_view dictionary;
   std::size_t data;
 };
@@ -61,7 +61,7 @@ std::size_t head_size(std::string_view text) {
   return 8 + width + std::min<std::size_t>(little_endian(text.substr(8, width)), longest_dictionary);
 }
 
-Head read_head(const Source& source) {
+NpyHeader read_head(const Source& source) {
   const std::string_view text = source.text();
   if (!is_npy(text)) refuse(source, "no NumPy file", "expected one that starts with \\x93NUMPY");
   const std::size_t version = text.size() > 6 ? static_cast<unsigned char>(text[6]) : 0;
@@ -108,14 +108,14 @@ std::optional<std::pair<std::size_t, std::size_t>> read_shape(std::string_view t
   return std::pair{shape[0], shape[1]};
 }
 
-std::pair<std::size_t, std::size_t> shape_of(const Source& source, const Head& head) {
+std::pair<std::size_t, std::size_t> shape_of(const Source& source, const NpyHeader& head) {
   const auto shape = read_shape(value_of(source, head.dictionary, "shape"));
   if (!shape) refuse(source, "another shape", "expected (n,) or (n, m)");
   return *shape;
 }
 
 // Whether the numbers of a table are big-endian.
-bool read_byte_order(const Source& source, const Head& head) {
+bool read_byte_order(const Source& source, const NpyHeader& head) {
   const std::string_view descr = value_of(source, head.dictionary, "descr");
   const bool big = descr.starts_with("'>f8'") || descr.starts_with("\">f8\"");
   if (!big && !descr.starts_with("'<f8'") && !descr.starts_with("\"<f8\"")) {
@@ -141,7 +141,7 @@ NpyReader::NpyReader(Input& input, std::size_t columns) : input_(input), columns
   while (is_npy(input) && input.waiting().size() < head_size(input.waiting()) && input.read()) {
   }
   const Source source(input.name(), std::string(input.waiting().substr(0, head_size(input.waiting()))));
-  const Head head = read_head(source);
+  const NpyHeader head = read_head(source);
   is_big_endian_ = read_byte_order(source, head);
   is_fortran_ = value_of(source, head.dictionary, "fortran_order").starts_with("True");
   const auto shape = shape_of(source, head);

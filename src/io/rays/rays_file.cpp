@@ -24,7 +24,7 @@ bool is_null(const double* v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
 
 const std::string null_expected = fmt::format("expected {} ({})", model::Rayo_inv_1.predicate, model::Rayo_inv_1.label);
 
-double read_value(Cursor& in, std::size_t count) {
+double read_value(WordCursor& in, std::size_t count) {
   if (in.done())
     in.fail(in.offset(), fmt::format("the ray ends after {} numbers", count), "expected px py pz vx vy vz");
   const double value = in.number("#", "a ray");
@@ -32,7 +32,7 @@ double read_value(Cursor& in, std::size_t count) {
   return value;
 }
 
-scene::ElementRef read_element(Cursor& in, const scene::Scene& scene) {
+scene::ElementRef read_element(WordCursor& in, const scene::Scene& scene) {
   const std::size_t at = in.offset();
   const std::string_view word = in.word("#");
   if (!word.starts_with('@')) in.fail(at, fmt::format("{} after six numbers", text::shown(word)), "expected @name");
@@ -43,7 +43,7 @@ scene::ElementRef read_element(Cursor& in, const scene::Scene& scene) {
   return *element;
 }
 
-Ray read_ray(Cursor& in, const scene::Scene& scene) {
+Ray read_ray(WordCursor& in, const scene::Scene& scene) {
   double n[numbers_in_ray];
   std::size_t v_offset = 0;
   for (std::size_t i = 0; i < numbers_in_ray; ++i) {
@@ -63,7 +63,7 @@ Ray read_ray(Cursor& in, const scene::Scene& scene) {
 Ray row_ray(const std::string& name, const double* n, std::size_t row) {
   const double* wrong = std::find_if_not(n, n + numbers_in_ray, [](double x) { return std::isfinite(x); });
   if (wrong != n + numbers_in_ray) {
-    const Place place{row, static_cast<std::size_t>(wrong - n) + 1};
+    const TextPosition place{row, static_cast<std::size_t>(wrong - n) + 1};
     throw InputError(name, place, number_text(*wrong), "expected a finite number");
   }
   if (is_null(n + 3)) throw InputError(name, {row, 4}, "v is (0, 0, 0)", null_expected, &model::Rayo_inv_1);
@@ -71,7 +71,7 @@ Ray row_ray(const std::string& name, const double* n, std::size_t row) {
 }
 
 // How many of the bytes that wait are whole lines; at the end all are, and so is a line that is too long already, which
-// its Cursor refuses.
+// its WordCursor refuses.
 std::size_t whole_lines(Input& input) {
   std::size_t searched = 0;
   for (;;) {
@@ -113,7 +113,7 @@ bool RayReader::next_lines(std::vector<Ray>& rays) {
   Lines lines(text.text());
   while (const auto line = lines.next()) {
     ++done_;
-    Cursor in(text, *line);
+    WordCursor in(text, *line);
     if (!in.done()) rays.push_back(read_ray(in, scene_));
   }
   return true;
@@ -139,7 +139,7 @@ bool begins_as_rays(const Source& source) {
   if (is_npy(source.text())) return true;
   Lines lines(source.text());
   while (const auto line = lines.next()) {
-    Cursor in(source, *line);
+    WordCursor in(source, *line);
     if (!in.done()) return read_finite(in.word("#")).has_value();
   }
   return false;

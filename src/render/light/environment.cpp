@@ -57,15 +57,15 @@ glm::dvec3 direction_on_ball(const glm::dvec2& at) {
   return 2 * n.z * n - glm::dvec3(0, 0, 1);
 }
 
-const scene::Picture& picture_of(const Environment& environment, std::size_t i) {
+const scene::TexelImage& picture_of(const Environment& environment, std::size_t i) {
   if (!environment.pictures.at(i).levels) throw std::domain_error("the pictures of the scene have not been read");
   return environment.pictures[i].levels->front();
 }
 
 /// The continuation beyond the edges: a panorama ends where it begins, and no other picture goes on.
-Beyond beyond(Surroundings kind) {
+WrapModes beyond(Surroundings kind) {
   using enum scene::Edges;
-  return kind == Surroundings::equirectangular ? Beyond{repeat, clamp} : Beyond{clamp, clamp};
+  return kind == Surroundings::equirectangular ? WrapModes{repeat, clamp} : WrapModes{clamp, clamp};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ scene::Resolution size_of(scene::Surroundings kind, std::uint32_t width) {
 }
 
 std::vector<Image> environment_map(const scene::Scene& scene, const engine::Engine& engine, scene::Surroundings kind,
-                                   std::uint32_t width, const glm::dvec3& from, const Limits& limits) {
+                                   std::uint32_t width, const glm::dvec3& from, const PathLimits& limits) {
   const std::size_t count = pictures_of(kind);
   if (count == 0) throw std::domain_error("a gradient has no picture");
   const scene::Resolution size = size_of(kind, width);

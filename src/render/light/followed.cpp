@@ -24,7 +24,7 @@ glm::dvec3 all_lights(const scene::Stage& stage) {
 /// seen, and the share that this sends on of the bound for a shorter row. Both this bound and the colour are sums of
 /// numbers that are not negative, of fewer than 2²⁰ terms, so that the rounding of each is below 2⁻³² of it: 2⁻³⁰ more
 /// than the sum is above the computed colour.
-std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& limits) {
+std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const PathLimits& limits) {
   const glm::dvec3 lights = all_lights(stage);
   const glm::dvec3 beyond =
       stage.environment ? most_of(*stage.environment) : stage.background.value_or(default_background);
@@ -41,7 +41,7 @@ std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const Limits& li
 
 }  // namespace
 
-Followed::Followed(const scene::Scene& of, const engine::Engine& by, const Limits& to)
+TracingContext::TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to)
     : scene(of), engine(by), limits(to), looks(of.stage()), most(most_brought(of.stage(), to)) {}
 
 std::uint32_t depth_of(const scene::Stage& stage) {

@@ -11,13 +11,13 @@
 namespace durero::render {
 
 /// The data are prepared once, from a scene and an engine that outlive this object unedited.
-struct Followed {
+struct TracingContext {
   /// Prepares the data. Throws as brought() does.
-  Followed(const scene::Scene& of, const engine::Engine& by, const Limits& to);
+  TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to);
 
   const scene::Scene& scene;
   const engine::Engine& engine;
-  const Limits limits;
+  const PathLimits limits;
   const Looks looks;
   const std::vector<glm::dvec3> most;  ///< bounds on the colour of a ray, by the number that it may still have in a row
 };

@@ -13,11 +13,11 @@ namespace durero::render {
 class Follower {
  public:
   /// A follower for a scene and an engine that outlive it unedited. Throws as brought() does.
-  Follower(const scene::Scene& scene, const engine::Engine& engine, const Limits& limits);
+  Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits);
   ~Follower();
 
   /// The colours of these rays, as render::brought() gives them.
-  std::vector<Brought> brought(std::span<const scene::Query> rays) const;
+  std::vector<PathRadiance> brought(std::span<const scene::Query> rays) const;
 
  private:
   struct Held;

@@ -32,7 +32,7 @@ class AskedLights {
   /// Adds each colour to that of its ray where its light is seen; no query waits after that. unseen(queries, answers)
   /// tells for which queries the light is not seen.
   template <class Unseen>
-  void add_seen(std::span<Brought> sums, Unseen&& unseen) {
+  void add_seen(std::span<PathRadiance> sums, Unseen&& unseen) {
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       unseen_[i].resize(queries_[i].size());
       unseen(std::span<const scene::Query>(queries_[i]), std::span<bool>(unseen_[i].data(), unseen_[i].size()));
@@ -63,7 +63,7 @@ struct Shadows {
       : points(stage.lights.size()), directions(stage.directional_lights.size()) {}
 
   /// Adds the colours of the seen lights to the sums of the rays.
-  void add_light(const engine::Engine& engine, std::span<Brought> sums) {
+  void add_light(const engine::Engine& engine, std::span<PathRadiance> sums) {
     points.add_seen(sums, [&](auto queries, auto unseen) { engine.occluded_segments(queries, unseen); });
     directions.add_seen(sums, [&](auto queries, auto unseen) {
       met.resize(queries.size());

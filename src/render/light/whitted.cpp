@@ -22,7 +22,7 @@ namespace durero::render {
 namespace {
 
 /// A meeting of a path with a surface.
-struct Meeting {
+struct PathVertex {
   const Path& path;
   const scene::Query& query;
   const scene::Hit& hit;
@@ -41,7 +41,7 @@ scene::ElementRef front(const scene::Scene& scene, const scene::ElementSet& elem
 
 /// The factor of S in the local model: the share of a light from that unit direction that is sent towards the ray. A
 /// relief sees no light that the surface has its back to.
-glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
+glm::dvec3 sent(const PathVertex& at, const glm::dvec3& l, double cosine) {
   const Look& m = at.look;
   if (!(glm::dot(l, at.normal) > 0)) cosine = 0;
   glm::dvec3 sum = m.color * (m.k_a + m.k_d * std::max(0.0, cosine));
@@ -56,7 +56,7 @@ glm::dvec3 sent(const Meeting& at, const glm::dvec3& l, double cosine) {
 /// A tracer follows rays, some at a time, and keeps its memory from one call to the next.
 class Tracer {
  public:
-  explicit Tracer(const Followed& followed)
+  explicit Tracer(const TracingContext& followed)
       : followed_(followed),
         scene_(followed.scene),
         engine_(followed.engine),
@@ -64,7 +64,7 @@ class Tracer {
         shadows_(followed.scene.stage()) {}
 
   /// Adds what each ray brings to its sum.
-  void follow(std::span<const scene::Query> rays, std::span<Brought> sums) {
+  void follow(std::span<const scene::Query> rays, std::span<PathRadiance> sums) {
     sums_ = sums;
     now_.clear();
     for (std::uint32_t i = 0; i < rays.size(); ++i) now_.paths.push_back({.ray = i, .weight = glm::dvec3(1)});
@@ -117,7 +117,7 @@ class Tracer {
   }
 
   void meet(const Path& path, const scene::Query& query, const scene::Hit& hit) {
-    Brought& sum = sums_[path.ray];
+    PathRadiance& sum = sums_[path.ray];
     ++sum.rays;
     sum.depth = std::max(sum.depth, path.depth);
     if (hit.resultado != model::Resultado::hit) {
@@ -130,17 +130,17 @@ class Tracer {
     const glm::dvec3 d = unit(query.rayo.v().xyz());
     const bool enters = !(glm::dot(n, d) > 0);
     const double way = path.way + glm::distance(query.rayo.p().xyz(), hit.punto);
-    const Worn& worn = followed_.looks.of(index);
+    const TexturedMaterial& worn = followed_.looks.of(index);
     const Look* look = &worn.plain;
     glm::dvec3 facing = n;
     if (!worn.is_bare()) {
-      const Coordinates coordinates = render::coordinates(scene_, element, hit.punto);
+      const TextureCoordinates coordinates = render::coordinates(scene_, element, hit.punto);
       if (worn.varies) look = &varied_.emplace(worn.look(coordinates, way));
       if (worn.relief) facing = worn.normal(tangents(scene_, element, coordinates), n, coordinates);
     }
     if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
     if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen
-    const Meeting at{path, query, hit, *look, n, facing, d, way};
+    const PathVertex at{path, query, hit, *look, n, facing, d, way};
     sum.color += path.weight * (at.look.emission + at.look.ambient);
     ask_lights(at);
     if (path.depth == limits_.max_depth || !at.look.sends_rays_on()) return;
@@ -154,7 +154,7 @@ class Tracer {
 
   /// flatten compiles into this function and send() all that they call: a ray whose numbers pass through memory on
   /// their way to where it waits is stalled there (the mirrors of demo/ took 5 % longer).
-  [[gnu::flatten]] void ask_lights(const Meeting& at) {
+  [[gnu::flatten]] void ask_lights(const PathVertex& at) {
     const scene::Stage& stage = scene_.stage();
     for (std::size_t i = 0; i < stage.lights.size(); ++i) {
       const scene::Light& light = stage.lights[i];
@@ -172,7 +172,7 @@ class Tracer {
     }
   }
 
-  void send_on(const Meeting& at, std::uint32_t material, bool enters) {
+  void send_on(const PathVertex& at, std::uint32_t material, bool enters) {
     const Look& m = at.look;
     glm::dvec3 mirror = m.k_ps * m.M_PS;
     if (m.k_t > 0) {
@@ -193,7 +193,7 @@ class Tracer {
   }
 
   /// Whether all elements met are flat, and met for the first time.
-  static bool is_sheet(const Meeting& at) {
+  static bool is_sheet(const PathVertex& at) {
     const scene::Origin start(at.query.en);
     return std::ranges::all_of(at.hit.elementos,
                                [&](scene::ElementRef e) { return surface::is_flat(e.tipo) && !start.contains(e); });
@@ -202,7 +202,7 @@ class Tracer {
   /// Continues the same ray behind a sheet that does not bend it. Its query names the sheet as an origin too, and so it
   /// meets the sheet no more (puntos_desde.def.1); since no new start is rounded, it meets the elements behind as if
   /// there were no sheet.
-  void go_on(const Meeting& at, const glm::dvec3& share, Media media) {
+  void go_on(const PathVertex& at, const glm::dvec3& share, Media media) {
     scene::ElementSet on;
     std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on));
     send(at, share, at.query.rayo, on, std::move(media), at.path.way);
@@ -210,16 +210,16 @@ class Tracer {
 
   /// The refracted direction. Where a relief would send it back through the surface, the direction that the surface
   /// alone gives; likewise for the mirrored one.
-  static std::optional<glm::dvec3> through(const Meeting& at, double ratio) {
+  static std::optional<glm::dvec3> through(const PathVertex& at, double ratio) {
     const auto t = refracted(at.d, at.facing, ratio);
     return t && !(glm::dot(*t, at.normal) < 0) ? refracted(at.d, at.normal, ratio) : t;
   }
 
   /// Sends a ray in a direction from the point of the meeting.
-  [[gnu::flatten]] void send(const Meeting& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
+  [[gnu::flatten]] void send(const PathVertex& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
     send(at, share, {model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos, std::move(media), at.way);
   }
-  void send(const Meeting& at, const glm::dvec3& share, const model::Rayo& ray, const scene::ElementSet& en,
+  void send(const PathVertex& at, const glm::dvec3& share, const model::Rayo& ray, const scene::ElementSet& en,
             Media media, double way) {
     const glm::dvec3 weight = at.path.weight * share;
     if (weight == glm::dvec3(0)) return;
@@ -230,11 +230,11 @@ class Tracer {
     born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), way}, ray, en);
   }
 
-  const Followed& followed_;
+  const TracingContext& followed_;
   const scene::Scene& scene_;
   const engine::Engine& engine_;
-  const Limits limits_;
-  std::span<Brought> sums_;
+  const PathLimits limits_;
+  std::span<PathRadiance> sums_;
   Paths now_, born_;            ///< the paths that are followed, and the paths that these send on
   std::vector<Paths> waiting_;  ///< the waiting paths of each ray, the next ones last
   std::size_t held_ = 0;        ///< the number of waiting paths
@@ -247,7 +247,7 @@ class Tracer {
 
 /// The data of a follower.
 struct Follower::Held {
-  Followed followed;
+  TracingContext followed;
   std::mutex mutex{};
   std::vector<std::unique_ptr<Tracer>> idle{};  ///< tracers whose memory is used again
 
@@ -265,14 +265,14 @@ struct Follower::Held {
   }
 };
 
-Follower::Follower(const scene::Scene& scene, const engine::Engine& engine, const Limits& limits) {
+Follower::Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits) {
   if (limits.max_depth > 0) held_.reset(new Held{.followed{scene, engine, limits}});
 }
 
 Follower::~Follower() = default;
 
-std::vector<Brought> Follower::brought(std::span<const scene::Query> rays) const {
-  std::vector<Brought> sums(rays.size());
+std::vector<PathRadiance> Follower::brought(std::span<const scene::Query> rays) const {
+  std::vector<PathRadiance> sums(rays.size());
   if (!held_) return sums;
   std::unique_ptr<Tracer> tracer = held_->taken();
   tracer->follow(rays, sums);
@@ -280,8 +280,8 @@ std::vector<Brought> Follower::brought(std::span<const scene::Query> rays) const
   return sums;
 }
 
-std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
-                             std::span<const scene::Query> rays, const Limits& limits) {
+std::vector<PathRadiance> brought(const scene::Scene& scene, const engine::Engine& engine,
+                                  std::span<const scene::Query> rays, const PathLimits& limits) {
   return Follower(scene, engine, limits).brought(rays);
 }
 

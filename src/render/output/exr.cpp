@@ -19,9 +19,9 @@ namespace durero::render {
 namespace {
 
 /// A file in memory.
-class Bytes : public Imf::OStream {
+class MemoryStream : public Imf::OStream {
  public:
-  Bytes() : OStream("picture") {}
+  MemoryStream() : OStream("picture") {}
   void write(const char* from, int count) override {
     const auto size = static_cast<std::size_t>(count);
     if (bytes.size() < at_ + size) bytes.resize(at_ + size);
@@ -43,8 +43,8 @@ class Planes {
   Planes(Imf::Header& header, std::size_t pixels) : header_(header), pixels_(pixels) {}
 
   /// The channel whose value at pixel i is of(i): binary32, or a whole number.
-  template <class Of>
-  void add(const char* name, Of&& of) {
+  template <class Sampler>
+  void add(const char* name, Sampler&& of) {
     constexpr bool whole = std::is_integral_v<decltype(of(std::size_t{}))>;
     using Value = std::conditional_t<whole, std::uint32_t, float>;
     auto& values = std::get<std::vector<std::vector<Value>>>(planes_).emplace_back(pixels_);
@@ -64,7 +64,7 @@ class Planes {
   Imf::FrameBuffer buffer_{};
 };
 
-void add_channels(Planes& planes, const std::vector<Seen>& pixels) {
+void add_channels(Planes& planes, const std::vector<PrimaryHit>& pixels) {
   planes.add("Z", [&](std::size_t i) { return pixels[i].depth; });
   planes.add("N.X", [&](std::size_t i) { return pixels[i].normal.x; });
   planes.add("N.Y", [&](std::size_t i) { return pixels[i].normal.y; });
@@ -94,7 +94,7 @@ std::string encode_exr(const Picture& picture, std::span<const Note> notes, cons
     add_channels(planes, channels->pixels);
     header.insert("elements", Imf::StringVectorAttribute(channels->names));
   }
-  Bytes file;
+  MemoryStream file;
   {
     Imf::OutputFile out(file, header, 0);  // on this thread; its end writes the table of lines
     out.setFrameBuffer(planes.buffer());

@@ -9,7 +9,7 @@
 
 namespace durero::render {
 
-Refined::Refined(const scene::Scene& scene, const engine::Engine& engine, const Frame& frame)
+Refined::Refined(const scene::Scene& scene, const engine::Engine& engine, const RenderSettings& frame)
     : view_(std::make_unique<const View>(scene, engine, frame)), sums_(view_->crop.size) {}
 
 Refined::~Refined() = default;
@@ -24,7 +24,7 @@ void Refined::pass(const Progress& progress) {
       const auto key = [&] { return key_of(view.crop.x + x, view.crop.y + y, 0); };
       points[x] = view.point(x, y, passes_ == 0 ? glm::dvec2(0) : in_net(passes_, key()));
     }
-    const std::vector<Brought> found = view.brought_by(points);
+    const std::vector<PathRadiance> found = view.brought_by(points);
     for (std::uint32_t x = 0; x < width; ++x) {
       const std::size_t at = std::size_t(y) * width + x;
       next.rgb[at] = sums_.rgb[at] + found[x].color;

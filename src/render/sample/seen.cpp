@@ -36,7 +36,7 @@ std::uint32_t level_of(const scene::Scene& scene, const model::Rayo& ray, const 
   return static_cast<std::uint32_t>(last) + 1;
 }
 
-Seen seen_by(const View& view, const Numbers& numbers, const model::Rayo& ray, const scene::Hit& hit) {
+PrimaryHit seen_by(const View& view, const Numbers& numbers, const model::Rayo& ray, const scene::Hit& hit) {
   if (hit.resultado != model::Resultado::hit) return {};
   const auto front = std::ranges::min_element(hit.elementos, {}, [&](auto element) { return numbers.at(element); });
   const glm::dvec3 n = view.engine.normal(view.scene, *front, hit.punto), v = ray.v().xyz();
@@ -48,11 +48,11 @@ Seen seen_by(const View& view, const Numbers& numbers, const model::Rayo& ray, c
 
 }  // namespace
 
-std::vector<Seen> seen(const scene::Scene& scene, const engine::Engine& engine, const Frame& frame) {
+std::vector<PrimaryHit> seen(const scene::Scene& scene, const engine::Engine& engine, const RenderSettings& frame) {
   const View view(scene, engine, frame);
   const Numbers numbers = numbers_of(scene);
   const std::uint32_t width = view.crop.size.width;
-  std::vector<Seen> all(std::size_t(width) * view.crop.size.height);
+  std::vector<PrimaryHit> all(std::size_t(width) * view.crop.size.height);
   by_rows(view.crop.size.height, {}, [&](std::uint32_t y) {
     std::vector<scene::Query> queries;
     for (std::uint32_t x = 0; x < width; ++x) queries.push_back({view.rays.ray(view.crop.x + x, view.crop.y + y)});

@@ -45,7 +45,7 @@ void Estimate::grow_to(std::uint32_t points_then) {
   points = points_then;
 }
 
-void Estimate::take(std::uint32_t i, const Brought& brought) {
+void Estimate::take(std::uint32_t i, const PathRadiance& brought) {
   sums[i / (points / blocks())] += brought.color;
   add(all, brought);
 }
@@ -74,11 +74,11 @@ Statistical::Statistical(const View& view, const Samples& samples)
   by_rows(view.crop.size.height + 3, {}, [&](std::uint32_t y) {
     std::vector<glm::dvec2> points(corners_in_row_);
     for (std::uint32_t x = 0; x < corners_in_row_; ++x) points[x] = view.point(x, y, {-1.5, -1.5});
-    const std::vector<Brought> found = view.brought_by(points);
+    const std::vector<PathRadiance> found = view.brought_by(points);
     for (std::uint32_t x = 0; x < corners_in_row_; ++x) corners_[std::size_t(y) * corners_in_row_ + x] = found[x].color;
     const std::lock_guard lock(mutex);
     corner_reach_.samples += found.size();
-    for (const Brought& one : found) corner_reach_.rays += one.rays;
+    for (const PathRadiance& one : found) corner_reach_.rays += one.rays;
   });
 }
 
@@ -117,12 +117,12 @@ void Statistical::take_points(std::uint32_t y, std::span<const std::uint32_t> op
     const auto number = [&](std::size_t k) { return i + static_cast<std::uint32_t>(k % least_samples); };
     for (std::size_t k = 0; k < points.size(); ++k)
       points[k] = view_.point(pixel(k), y, in_net(number(k), key_of(view_.crop.x + pixel(k), view_.crop.y + y, 0)));
-    const std::vector<Brought> found = view_.brought_by(points);
+    const std::vector<PathRadiance> found = view_.brought_by(points);
     for (std::size_t k = 0; k < points.size(); ++k) row[pixel(k)].take(number(k), found[k]);
   }
 }
 
-Row Statistical::row(std::uint32_t y) const {
+PixelRow Statistical::row(std::uint32_t y) const {
   std::vector<Estimate> estimates(view_.crop.size.width);
   std::vector<std::uint32_t> open(estimates.size());
   std::iota(open.begin(), open.end(), 0);
@@ -133,7 +133,7 @@ Row Statistical::row(std::uint32_t y) const {
     take_points(y, open, estimates);
     std::erase_if(open, settled);
   }
-  Row row{.pixels = {}, .in_doubt = open.size()};
+  PixelRow row{.pixels = {}, .in_doubt = open.size()};
   for (Estimate& estimate : estimates) {
     row.samples += estimate.points;
     divide(estimate.all, estimate.points);

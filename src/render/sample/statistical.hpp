@@ -21,14 +21,14 @@ namespace durero::render {
 struct Estimate {
   std::array<glm::dvec3, most_blocks> sums{};  ///< the sum of each block
   std::uint32_t points = 0;                    ///< 0, or a power of two from least_samples on
-  Brought all{};                               ///< the sums of all rays
+  PathRadiance all{};                          ///< the sums of all rays
 
   /// The number of blocks of all points so far.
   std::uint32_t blocks() const { return std::min(points, most_blocks); }
   /// Makes room for so many points, twice those of before: pairs of blocks are joined where there are most_blocks.
   void grow_to(std::uint32_t points_then);
   /// Adds the colour of point i. Precondition: i < points.
-  void take(std::uint32_t i, const Brought& brought);
+  void take(std::uint32_t i, const PathRadiance& brought);
 };
 
 /// The standard deviation of the means of the blocks, by component.
@@ -41,9 +41,9 @@ class Statistical {
   Statistical(const View& view, const Samples& samples);
 
   /// The colours of row y of the crop.
-  Row row(std::uint32_t y) const;
+  PixelRow row(std::uint32_t y) const;
   /// The counts of the rays through the corners: samples and rays.
-  const Reach& reach_of_corners() const { return corner_reach_; }
+  const PathStatistics& reach_of_corners() const { return corner_reach_; }
 
  private:
   bool corners_agree(std::uint32_t x, std::uint32_t y, std::uint32_t around) const;
@@ -57,7 +57,7 @@ class Statistical {
   std::vector<double> half_widths_;  // at each look, for a deviation of 1, over the part of the width asked for
   std::uint32_t corners_in_row_;
   std::vector<glm::dvec3> corners_;  // of the pixels of the crop, and of those around it
-  Reach corner_reach_{};
+  PathStatistics corner_reach_{};
 };
 
 }  // namespace durero::render

@@ -5,13 +5,13 @@
 namespace durero::render {
 namespace {
 
-scene::PrimaryRays rays_of(const scene::Stage& stage, const Frame& frame) {
+scene::PrimaryRays rays_of(const scene::Stage& stage, const RenderSettings& frame) {
   if (!stage.camera) throw std::domain_error("the scene has no camera; expected one");
   return {*stage.camera, frame.size.value_or(stage.resolution.value_or(default_resolution))};
 }
 
 /// The crop that is asked for, or the whole picture.
-Crop crop_of(const Frame& frame, scene::Resolution size) {
+Crop crop_of(const RenderSettings& frame, scene::Resolution size) {
   const Crop crop = frame.crop.value_or(Crop{0, 0, size});
   const auto inside = [](std::uint32_t begin, std::uint32_t length, std::uint32_t whole) {
     return length > 0 && begin < whole && length <= whole - begin;
@@ -23,7 +23,7 @@ Crop crop_of(const Frame& frame, scene::Resolution size) {
 
 }  // namespace
 
-View::View(const scene::Scene& drawn, const engine::Engine& asked, const Frame& frame)
+View::View(const scene::Scene& drawn, const engine::Engine& asked, const RenderSettings& frame)
     : scene(drawn),
       engine(asked),
       rays(rays_of(drawn.stage(), frame)),
@@ -31,7 +31,7 @@ View::View(const scene::Scene& drawn, const engine::Engine& asked, const Frame& 
       limits{frame.max_depth.value_or(depth_of(drawn.stage())), frame.min_weight},
       follower(scene, engine, limits) {}
 
-std::vector<Brought> View::brought_by(std::span<const glm::dvec2> points) const {
+std::vector<PathRadiance> View::brought_by(std::span<const glm::dvec2> points) const {
   std::vector<scene::Query> queries;
   queries.reserve(points.size());
   for (const glm::dvec2& point : points) queries.push_back({rays.ray_at(point.x, point.y)});

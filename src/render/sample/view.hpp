@@ -17,20 +17,20 @@ namespace durero::render {
 /// A view of a scene by an engine, which must outlive it.
 struct View {
   /// Decides the frame. Throws std::domain_error and std::out_of_range, as render does.
-  View(const scene::Scene& drawn, const engine::Engine& asked, const Frame& frame);
+  View(const scene::Scene& drawn, const engine::Engine& asked, const RenderSettings& frame);
 
   /// The point of the window at `offset` from the centre of pixel (x, y) of the crop.
   glm::dvec2 point(std::uint32_t x, std::uint32_t y, const glm::dvec2& offset) const {
     return {crop.x + x + offset.x, crop.y + y + offset.y};
   }
   /// The colours that the rays through these points bring, in order.
-  std::vector<Brought> brought_by(std::span<const glm::dvec2> points) const;
+  std::vector<PathRadiance> brought_by(std::span<const glm::dvec2> points) const;
 
   const scene::Scene& scene;
   const engine::Engine& engine;
   scene::PrimaryRays rays;  ///< the rays of the whole picture
   Crop crop;                ///< the part of the picture that is drawn
-  Limits limits;
+  PathLimits limits;
   Follower follower;
 };
 

@@ -49,63 +49,63 @@ glm::dvec3 around(const AxesAcross& axes, double u) {
 const glm::dvec3 up{0, 1, 0};
 const AxesAcross across_up = axes_across(up);
 
-Coordinates coordinates_of(const Sphere& s, const glm::dvec3& p) {
+TextureCoordinates coordinates_of(const Sphere& s, const glm::dvec3& p) {
   const glm::dvec3 q = p - s.centro;
   const double x = glm::dot(q, across_up.first), y = glm::dot(q, across_up.second);
   return {turn(x, y), 0.5 + std::atan2(q.y, std::hypot(x, y)) / pi};
 }
 
 template <Round Shape>
-Coordinates coordinates_of(const Shape& c, const glm::dvec3& p) {
+TextureCoordinates coordinates_of(const Shape& c, const glm::dvec3& p) {
   const glm::dvec3 q = p - c.centro;
   const auto [first, second] = axes_across(c.vector);
   return {turn(glm::dot(q, first), glm::dot(q, second)), glm::dot(q, c.vector) / c.altura};
 }
 
-Coordinates coordinates_of(const Plane& plane, const glm::dvec3& p) {
+TextureCoordinates coordinates_of(const Plane& plane, const glm::dvec3& p) {
   const auto [first, second] = axes_across(plane.vector);
   return {glm::dot(p - plane.centro, first), glm::dot(p - plane.centro, second)};
 }
 
-Coordinates coordinates_of(const Disc& disc, const glm::dvec3& p) {
+TextureCoordinates coordinates_of(const Disc& disc, const glm::dvec3& p) {
   const auto [first, second] = axes_across(disc.vector);
   const glm::dvec3 q = (p - disc.centro) / disc.radio;
   return {0.5 + 0.5 * glm::dot(q, first), 0.5 + 0.5 * glm::dot(q, second)};
 }
 
 /// The coordinates of q = u·e + v·f: the areas of two triangles over that of the whole, by the normal e × f.
-Coordinates coordinates_of(const Triangle& t, const glm::dvec3& p) {
+TextureCoordinates coordinates_of(const Triangle& t, const glm::dvec3& p) {
   const glm::dvec3 e = t.vertices[1] - t.vertices[0], f = t.vertices[2] - t.vertices[0], q = p - t.vertices[0];
   const glm::dvec3 n = glm::cross(e, f);
   const double area = glm::dot(n, n);
   return {glm::dot(glm::cross(q, f), n) / area, glm::dot(glm::cross(e, q), n) / area};
 }
 
-glm::dvec3 point_of(const Sphere& s, const Coordinates& at) {
+glm::dvec3 point_of(const Sphere& s, const TextureCoordinates& at) {
   const double latitude = (at.v - 0.5) * pi;
   return s.centro + s.radio * (std::cos(latitude) * around(across_up, at.u) + std::sin(latitude) * up);
 }
 
 template <Round Shape>
-glm::dvec3 point_of(const Shape& c, const Coordinates& at) {
+glm::dvec3 point_of(const Shape& c, const TextureCoordinates& at) {
   return c.centro + at.v * c.altura * c.vector + radius(c, at.v) * around(axes_across(c.vector), at.u);
 }
 
-glm::dvec3 point_of(const Plane& plane, const Coordinates& at) {
+glm::dvec3 point_of(const Plane& plane, const TextureCoordinates& at) {
   const auto [first, second] = axes_across(plane.vector);
   return plane.centro + at.u * first + at.v * second;
 }
 
-glm::dvec3 point_of(const Disc& disc, const Coordinates& at) {
+glm::dvec3 point_of(const Disc& disc, const TextureCoordinates& at) {
   const auto [first, second] = axes_across(disc.vector);
   return disc.centro + disc.radio * ((2 * at.u - 1) * first + (2 * at.v - 1) * second);
 }
 
-glm::dvec3 point_of(const Triangle& t, const Coordinates& at) {
+glm::dvec3 point_of(const Triangle& t, const TextureCoordinates& at) {
   return t.vertices[0] + at.u * (t.vertices[1] - t.vertices[0]) + at.v * (t.vertices[2] - t.vertices[0]);
 }
 
-Tangents tangents_of(const Sphere& s, const Coordinates& at) {
+Tangents tangents_of(const Sphere& s, const TextureCoordinates& at) {
   const double latitude = (at.v - 0.5) * pi;
   // At the poles themselves, whose latitude is no binary64, the cosine is 0 all the same.
   const double cosine = at.v <= 0 || at.v >= 1 ? 0 : std::cos(latitude);
@@ -115,22 +115,22 @@ Tangents tangents_of(const Sphere& s, const Coordinates& at) {
 }
 
 template <Round Shape>
-Tangents tangents_of(const Shape& c, const Coordinates& at) {
+Tangents tangents_of(const Shape& c, const TextureCoordinates& at) {
   const AxesAcross axes = axes_across(c.vector);
   return {2 * pi * radius(c, at.v) * around(axes, at.u + 0.25), c.altura * c.vector + growth(c) * around(axes, at.u)};
 }
 
-Tangents tangents_of(const Plane& plane, const Coordinates&) {
+Tangents tangents_of(const Plane& plane, const TextureCoordinates&) {
   const auto [first, second] = axes_across(plane.vector);
   return {first, second};
 }
 
-Tangents tangents_of(const Disc& disc, const Coordinates&) {
+Tangents tangents_of(const Disc& disc, const TextureCoordinates&) {
   const auto [first, second] = axes_across(disc.vector);
   return {2 * disc.radio * first, 2 * disc.radio * second};
 }
 
-Tangents tangents_of(const Triangle& t, const Coordinates&) {
+Tangents tangents_of(const Triangle& t, const TextureCoordinates&) {
   return {t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]};
 }
 
@@ -145,20 +145,20 @@ class Wrapped {
         second_(wrap.uv[2] - wrap.uv[0]),
         determinant_(first_.x * second_.y - second_.x * first_.y) {}
 
-  Coordinates at(const Coordinates& own) const {
+  TextureCoordinates at(const TextureCoordinates& own) const {
     const glm::dvec2 uv = wrap_.uv[0] + own.u * first_ + own.v * second_;
     return {uv.x, uv.y};
   }
   /// The triangle's own coordinates (r, s); those of the first vertex where the coordinates of the vertices have no
   /// area.
-  Coordinates own(const Coordinates& at) const {
+  TextureCoordinates own(const TextureCoordinates& at) const {
     if (!has_area()) return {0, 0};
     const glm::dvec2 from = glm::dvec2(at.u, at.v) - wrap_.uv[0];
     return {(from.x * second_.y - second_.x * from.y) / determinant_,
             (first_.x * from.y - from.x * first_.y) / determinant_};
   }
   /// The tangents; null where the coordinates of the vertices have no area.
-  Tangents tangents(const Coordinates& at) const {
+  Tangents tangents(const TextureCoordinates& at) const {
     if (!has_area()) return {glm::dvec3(0), glm::dvec3(0)};
     const auto [e, f] = tangents_of(triangle_, at);
     if (wrap_.tangents) return in_between(own(at), glm::normalize(glm::cross(e, f)));
@@ -168,7 +168,7 @@ class Wrapped {
  private:
   bool has_area() const { return determinant_ != 0 && std::isfinite(determinant_); }
   /// The tangents of the vertices, interpolated linearly and freed of their parts along the unit normal.
-  Tangents in_between(const Coordinates& own, const glm::dvec3& n) const {
+  Tangents in_between(const TextureCoordinates& own, const glm::dvec3& n) const {
     const auto of = [&](std::size_t which) {
       const auto& [a, b, c] = *wrap_.tangents;
       const glm::dvec3 t = (1 - own.u - own.v) * a[which] + own.u * b[which] + own.v * c[which];
@@ -193,20 +193,20 @@ auto visit(const scene::Scene& scene, scene::ElementRef element, OfWrapped&& of_
 
 }  // namespace
 
-Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) {
+TextureCoordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) {
   return visit(
       scene, element,
       [&](const Wrapped& wrapped, const auto& shape) { return wrapped.at(coordinates_of(shape, point)); },
       [&](const auto& shape) { return coordinates_of(shape, point); });
 }
 
-glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at) {
+glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const TextureCoordinates& at) {
   return visit(
       scene, element, [&](const Wrapped& wrapped, const auto& shape) { return point_of(shape, wrapped.own(at)); },
       [&](const auto& shape) { return point_of(shape, at); });
 }
 
-Tangents tangents(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at) {
+Tangents tangents(const scene::Scene& scene, scene::ElementRef element, const TextureCoordinates& at) {
   return visit(
       scene, element, [&](const Wrapped& wrapped, const auto&) { return wrapped.tangents(at); },
       [&](const auto& shape) { return tangents_of(shape, at); });

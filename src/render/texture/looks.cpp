@@ -69,7 +69,8 @@ Look::Look(const scene::Material& m)
       emission(m.emission),
       ambient(m.ambient) {}
 
-Worn::Worn(const scene::Material& m, const scene::Stage& stage) : plain(m), varies(m.textures.any()) {
+TexturedMaterial::TexturedMaterial(const scene::Material& m, const scene::Stage& stage)
+    : plain(m), varies(m.textures.any()) {
   for (std::size_t c = 0; c < textures.size(); ++c) textures[c] = find(stage, m.textures.names[c]);
   if (!m.bump) return;
   relief = find(stage, m.bump->texture);
@@ -77,14 +78,14 @@ Worn::Worn(const scene::Material& m, const scene::Stage& stage) : plain(m), vari
   delta = m.bump->delta;
 }
 
-Look Worn::look(const Coordinates& at, double distance) const {
+Look TexturedMaterial::look(const TextureCoordinates& at, double distance) const {
   Look look = plain;
   for (std::size_t i = 0; i < textures.size(); ++i)
     if (textures[i] != nullptr) multiply(look, static_cast<Coefficient>(i), texture_at(*textures[i], at, distance));
   return look;
 }
 
-glm::dvec3 Worn::normal(const Tangents& tangents, const glm::dvec3& n, const Coordinates& at) const {
+glm::dvec3 TexturedMaterial::normal(const Tangents& tangents, const glm::dvec3& n, const TextureCoordinates& at) const {
   return bumped(tangents, n, height * slopes(*relief, at, delta));
 }
 

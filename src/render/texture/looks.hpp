@@ -29,9 +29,9 @@ struct Look {
 };
 
 /// A material with its textures. It refers to the stage.
-struct Worn {
+struct TexturedMaterial {
   /// A material of the stage. Throws std::domain_error where the material names a texture that the stage has not.
-  Worn(const scene::Material& m, const scene::Stage& stage);
+  TexturedMaterial(const scene::Material& m, const scene::Stage& stage);
 
   Look plain;  ///< the look without textures
   std::array<const scene::Texture*, scene::coefficient_words.size()> textures{};
@@ -43,9 +43,9 @@ struct Worn {
   /// Whether the look and the normal are the same at each point.
   bool is_bare() const noexcept { return !varies && relief == nullptr; }
   /// The look at a point that is seen from that distance: each coefficient times its texture.
-  Look look(const Coordinates& at, double distance) const;
+  Look look(const TextureCoordinates& at, double distance) const;
   /// The outer unit normal n as the relief turns it there. Precondition: the material has a relief.
-  glm::dvec3 normal(const Tangents& tangents, const glm::dvec3& n, const Coordinates& at) const;
+  glm::dvec3 normal(const Tangents& tangents, const glm::dvec3& n, const TextureCoordinates& at) const;
 };
 
 class Looks {
@@ -55,10 +55,12 @@ class Looks {
   explicit Looks(const scene::Stage& stage);
 
   /// The look of a material by its number, or of an element without a material.
-  const Worn& of(std::optional<std::uint32_t> material) const { return worn_[material ? *material + 1 : 0]; }
+  const TexturedMaterial& of(std::optional<std::uint32_t> material) const {
+    return worn_[material ? *material + 1 : 0];
+  }
 
  private:
-  std::vector<Worn> worn_;
+  std::vector<TexturedMaterial> worn_;
 };
 
 }  // namespace durero::render

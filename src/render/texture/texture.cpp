@@ -26,7 +26,7 @@ std::uint32_t wrapped(double i, std::uint32_t n, Edges edges) {
   return static_cast<std::uint32_t>(std::clamp(i, 0.0, n - 1.0));
 }
 
-const std::vector<scene::Picture>& levels_of(const Texture& texture) {
+const std::vector<scene::TexelImage>& levels_of(const Texture& texture) {
   if (!texture.image.levels) throw std::domain_error("the pictures of the scene have not been read");
   return *texture.image.levels;
 }
@@ -36,8 +36,8 @@ bool is_even(double whole) { return std::fmod(whole, 2) == 0; }
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double share) { return a * (1 - share) + b * share; }
 
 glm::dvec3 image_at(const Texture& texture, const glm::dvec2& at, double distance) {
-  const std::vector<scene::Picture>& levels = levels_of(texture);
-  const Beyond beyond{texture.edges, texture.edges};
+  const std::vector<scene::TexelImage>& levels = levels_of(texture);
+  const WrapModes beyond{texture.edges, texture.edges};
   switch (texture.filter) {
     case Filter::nearest:
       return nearest_texel(levels[0], at, beyond);
@@ -66,12 +66,12 @@ double wave(const glm::dvec2& at) {
   return 0.5 + 0.5 * std::sin(2 * std::numbers::pi * at.x) * std::sin(2 * std::numbers::pi * at.y);
 }
 
-glm::dvec2 within(const Texture& texture, const Coordinates& at) {
+glm::dvec2 within(const Texture& texture, const TextureCoordinates& at) {
   return {texture.repeat.x * at.u, texture.repeat.y * at.v};
 }
 
 /// The slopes by central differences: they are 0 where the texture is level a little to both sides.
-glm::dvec2 differences(const Texture& texture, const Coordinates& at, const glm::dvec2& delta) {
+glm::dvec2 differences(const Texture& texture, const TextureCoordinates& at, const glm::dvec2& delta) {
   const auto height = [&](double u, double v) { return grey(texture_at(texture, {u, v}, 0)); };
   return {(height(at.u + delta.x, at.v) - height(at.u - delta.x, at.v)) / (2 * delta.x),
           (height(at.u, at.v + delta.y) - height(at.u, at.v - delta.y)) / (2 * delta.y)};
@@ -79,12 +79,12 @@ glm::dvec2 differences(const Texture& texture, const Coordinates& at, const glm:
 
 }  // namespace
 
-glm::dvec3 nearest_texel(const scene::Picture& picture, const glm::dvec2& at, Beyond beyond) {
+glm::dvec3 nearest_texel(const scene::TexelImage& picture, const glm::dvec2& at, WrapModes beyond) {
   return picture.at(wrapped(std::floor(at.x * picture.width), picture.width, beyond.across),
                     wrapped(picture.height - 1 - std::floor(at.y * picture.height), picture.height, beyond.upwards));
 }
 
-glm::dvec3 linear_texels(const scene::Picture& picture, const glm::dvec2& at, Beyond beyond) {
+glm::dvec3 linear_texels(const scene::TexelImage& picture, const glm::dvec2& at, WrapModes beyond) {
   const double x = at.x * picture.width - 0.5, y = (1 - at.y) * picture.height - 0.5;
   const double left = std::floor(x), top = std::floor(y);
   const auto row = [&](double k) {
@@ -118,7 +118,7 @@ double grey(const glm::dvec3& color) {
   return color.x + ((color.y - color.x) + (color.z - color.x)) / 3;  // exactly the component where all three are equal
 }
 
-glm::dvec3 texture_at(const Texture& texture, const Coordinates& coordinates, double distance) {
+glm::dvec3 texture_at(const Texture& texture, const TextureCoordinates& coordinates, double distance) {
   const glm::dvec2 at = within(texture, coordinates);
   const auto& [first, second] = texture.colors;
   switch (texture.pattern) {
@@ -136,7 +136,7 @@ glm::dvec3 texture_at(const Texture& texture, const Coordinates& coordinates, do
   return mixed(first, second, wave(at));
 }
 
-glm::dvec2 slopes(const Texture& texture, const Coordinates& at, std::optional<double> delta) {
+glm::dvec2 slopes(const Texture& texture, const TextureCoordinates& at, std::optional<double> delta) {
   constexpr double of_a_rule = 1.0 / 64;
   glm::dvec2 step(delta.value_or(of_a_rule));
   switch (texture.pattern) {

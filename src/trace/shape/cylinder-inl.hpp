@@ -16,9 +16,9 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 template <class T, class Cylinder, class Ray>
-HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_cilindro>, const Cylinder& cylinder, const Ray& ray) {
+HWY_INLINE BoundedQuadratic<T> quadratic_of(Of<model::Tipo::soy_cilindro>, const Cylinder& cylinder, const Ray& ray) {
   using std::sqrt;
-  Quadratic<T> f;
+  BoundedQuadratic<T> f;
   const auto [q, a, b, Q] = axial<T>(cylinder, ray, f);
   const T r(cylinder.radio);
   set_errors(f, Bound<T>(1), ray.speed, Q + cylinder.radio);

@@ -21,8 +21,8 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 template <class T, class Disc, class Ray>
-HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_disco>, const Disc& disc, const Ray& ray) {
-  Quadratic<T> f = quadratic_of<T>(Of<model::Tipo::soy_plano>(), disc, ray);
+HWY_INLINE BoundedQuadratic<T> quadratic_of(Of<model::Tipo::soy_disco>, const Disc& disc, const Ray& ray) {
+  BoundedQuadratic<T> f = quadratic_of<T>(Of<model::Tipo::soy_plano>(), disc, ray);
   const Vec<T> q = difference<T>(ray.p, disc.centro);
   const T s1 = f.B + f.B, radius = T(disc.radio) * s1;
   const T out = length(combination(s1, q, T(-f.C), vec<T>(ray.v)));

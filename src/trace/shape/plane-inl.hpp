@@ -21,8 +21,8 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 template <class T, class Plane, class Ray>
-HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_plano>, const Plane& plane, const Ray& ray) {
-  Quadratic<T> f;
+HWY_INLINE BoundedQuadratic<T> quadratic_of(Of<model::Tipo::soy_plano>, const Plane& plane, const Ray& ray) {
+  BoundedQuadratic<T> f;
   const Vec<T> q = difference<T>(ray.p, plane.centro), d = vec<T>(plane.vector);
   f.B = dot(vec<T>(ray.v), d) * T(0.5);
   f.C = dot(q, d);

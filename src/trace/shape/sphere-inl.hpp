@@ -16,9 +16,9 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 template <class T, class Sphere, class Ray>
-HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_esfera>, const Sphere& sphere, const Ray& ray) {
+HWY_INLINE BoundedQuadratic<T> quadratic_of(Of<model::Tipo::soy_esfera>, const Sphere& sphere, const Ray& ray) {
   using std::sqrt;
-  Quadratic<T> f;
+  BoundedQuadratic<T> f;
   const Vec<T> q = difference<T>(ray.p, sphere.centro);
   const Vec<T> v = vec<T>(ray.v);
   const T r(sphere.radio);

@@ -38,7 +38,7 @@ HWY_INLINE R least(R a, R b) {
 }
 
 template <class T, class Triangle, class Ray>
-HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_triangulo>, const Triangle& triangle, const Ray& ray) {
+HWY_INLINE BoundedQuadratic<T> quadratic_of(Of<model::Tipo::soy_triangulo>, const Triangle& triangle, const Ray& ray) {
   const auto& [a, b, c] = triangle.vertices;
   const Vec<T> e1 = difference<T>(b, a), e2 = difference<T>(c, a), q = difference<T>(ray.p, a), v = vec<T>(ray.v);
   const Vec<T> v_e2 = cross(v, e2), q_e1 = cross(q, e1);
@@ -47,7 +47,7 @@ HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_triangulo>, const Trian
   const Bound<T> unit = Numbers<T>::roundoff;
   const Truth<T> turned = leading(det) < 0;
   const auto of = [&](const T& lado) HWY_ATTR { return choose(turned, -leading(lado), leading(lado)); };
-  Quadratic<T> f;
+  BoundedQuadratic<T> f;
   f.B = det * T(-0.5);
   f.C = dot(e2, q_e1);
   f.B_error = 8 * unit * V * L1 * L2;

@@ -33,8 +33,8 @@ namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 template <class T, class TruncatedCone, class Ray>
-HWY_INLINE Quadratic<T> quadratic_of(Of<model::Tipo::soy_tronco>, const TruncatedCone& cone, const Ray& ray) {
-  Quadratic<T> f;
+HWY_INLINE BoundedQuadratic<T> quadratic_of(Of<model::Tipo::soy_tronco>, const TruncatedCone& cone, const Ray& ray) {
+  BoundedQuadratic<T> f;
   const auto [q, a, b, Q] = axial<T>(cone, ray, f);
   const T k(cone.proporcion), r(cone.radio);
   set_errors(f, 1 + cone.proporcion * cone.proporcion, ray.speed, f.reach + cone.radio);

@@ -27,7 +27,7 @@ std::vector<Term> factors(const Term& from) {
 }
 
 /// The equation f(x, y) = E stands under ∀ x : S; y : T | P, where x and y are all the variables in their order.
-struct Equation {
+struct DefiningEquation {
   Name function;
   const SchemaText* text = nullptr;
   Term argument, value;
@@ -43,7 +43,7 @@ std::vector<Name> variables(const SchemaText& text) {
 using match::application_of_name;
 using match::is_equation;
 
-std::optional<Equation> equation(const Term& term) {
+std::optional<DefiningEquation> equation(const Term& term) {
   if (term->kind != Kind::forall || !is_equation(term->children[0])) return {};
   const Term& body = term->children[0];
   const Node* left = application_of_name(body->children[0]);
@@ -54,7 +54,7 @@ std::optional<Equation> equation(const Term& term) {
   for (const Term& part : parts)
     if (part->kind == Kind::reference) given.push_back(part->name);
   if (given.size() != parts.size() || given != variables(*term->text)) return {};
-  return Equation{left->children[0]->name, term->text.get(), argument, body->children[1]};
+  return DefiningEquation{left->children[0]->name, term->text.get(), argument, body->children[1]};
 }
 
 /// Returns f where the term is dom f = S.
@@ -75,12 +75,12 @@ std::optional<std::string> solution(const Name& c, const Term& term) {
 
 }  // namespace
 
-void Writer::declare_axiom(const Declaration& declaration) {
+void CoqWriter::declare_axiom(const Declaration& declaration) {
   for (const Name& name : declaration.names) {
-    Symbol symbol;
+    CoqSymbol symbol;
     symbol.text = variable(name);
     if (is_arrow(declaration.term, "_→_")) {
-      symbol.form = Symbol::Form::function;
+      symbol.form = CoqSymbol::Form::function;
       symbol.type = in_.carrier(declaration.term->children[1]);
       symbol.arity = factors(declaration.term->children[0]).size();
     } else {
@@ -91,7 +91,7 @@ void Writer::declare_axiom(const Declaration& declaration) {
 }
 
 // Each name is defined by an equation, by its domain and an equation on it, or by what is stated of it.
-void Writer::axiomatic(const Axiomatic& form, Place place) {
+void CoqWriter::axiomatic(const Axiomatic& form, Place place) {
   if (!form.formals.empty()) uncovered(place, "a generic box");
   Declarations declared;
   std::map<Name, const Predicate*> domains;
@@ -133,11 +133,11 @@ void Writer::axiomatic(const Axiomatic& form, Place place) {
   }
 }
 
-bool Writer::explicit_definition(const Predicate& predicate, const Declarations& declared) {
-  const Equation defining = *equation(predicate.term);
+bool CoqWriter::explicit_definition(const Predicate& predicate, const Declarations& declared) {
+  const DefiningEquation defining = *equation(predicate.term);
   const auto entry = declared.find(defining.function);
   if (entry == declared.end() || !is_arrow(entry->second, "_→_")) return false;
-  Scope inside;
+  CoqScope inside;
   const Signature slots = in_.declare(*defining.text, inside);
   std::string value;
   if (in_.is_set(defining.value)) {
@@ -153,19 +153,19 @@ bool Writer::explicit_definition(const Predicate& predicate, const Declarations&
   return true;
 }
 
-bool Writer::partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain) {
-  const Equation defining = *equation(conjunct.term);
+bool CoqWriter::partial_definition(const Predicate& conjunct, const Declarations& declared, const Predicate& domain) {
+  const DefiningEquation defining = *equation(conjunct.term);
   const Term& set = domain.term->children[1];
   const auto entry = declared.find(defining.function);
   if (entry == declared.end() || !is_arrow(entry->second, "_⇸_") || set->kind != Kind::comprehension ||
       !set->children.empty() || variables(*set->text) != variables(*defining.text))
     return false;
-  Scope inside;
+  CoqScope inside;
   const Signature slots = in_.declare(*set->text, inside);
   std::vector<Expr> conjuncts = in_.conditions(*set->text, slots, {}, inside);
   const std::string y = in_.fresh("y", inside);
   inside.variables.insert(y);
-  const Symbol& symbol = in_.symbols.at(defining.function);
+  const CoqSymbol& symbol = in_.symbols.at(defining.function);
   conjuncts.push_back(in_.is_value({y, atomic, symbol.type.element().parts.at(1)}, defining.value, inside));
   std::string arguments;
   for (const Slot& slot : slots) arguments += (arguments.empty() ? "" : ", ") + slot.variable;
@@ -176,10 +176,10 @@ bool Writer::partial_definition(const Predicate& conjunct, const Declarations& d
   return true;
 }
 
-void Writer::implicit_definition(const Name& name, const Term& set, const std::vector<const Predicate*>& stated) {
+void CoqWriter::implicit_definition(const Name& name, const Term& set, const std::vector<const Predicate*>& stated) {
   const std::string f = variable(name);
   std::string type, witness, declaration;
-  Scope scope;
+  CoqScope scope;
   scope.variables = {f};
   if (is_arrow(set, "_→_")) {
     std::string value = f, given;

@@ -21,20 +21,20 @@ bool says_nothing(const Term& set, const Translator& in) { return set->kind == K
 
 }  // namespace
 
-void Writer::record(const std::string& head, const Fields& fields) {
+void CoqWriter::record(const std::string& head, const Fields& fields) {
   sentence("Record " + head + " {");
   for (std::size_t i = 0; i < fields.size(); ++i)
     sentence(fields[i].first + (i + 1 == fields.size() ? "" : ";"), fields[i].second, "  ");
   out_ += "}.\n";
 }
 
-void Writer::schema(const Schema& form) {
+void CoqWriter::schema(const Schema& form) {
   if (!form.formals.empty()) uncovered(form.text.declarations.at(0).place, "a generic schema");
   is_plain(form) ? data(form) : operation(form);
 }
 
 /// Adds a field for each declaration x : S that says more than the type of x, and one for each predicate.
-void Writer::conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to) {
+void CoqWriter::conditions(const std::string& name, const SchemaText& text, const CoqScope& scope, Fields& to) {
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form != Declaration::Form::typed || says_nothing(declaration.term, in_)) continue;
     for (const Name& declared : declaration.names) {
@@ -50,12 +50,12 @@ void Writer::conditions(const std::string& name, const SchemaText& text, const S
   }
 }
 
-void Writer::data(const Schema& form) {
+void CoqWriter::data(const Schema& form) {
   const std::string name = variable(form.name);
   const bool is_state = name == in_.state;
-  Scope unused;
-  Symbol symbol;
-  symbol.form = Symbol::Form::carrier;
+  CoqScope unused;
+  CoqSymbol symbol;
+  symbol.form = CoqSymbol::Form::carrier;
   symbol.type = Carrier::named(name);
   symbol.signature = in_.declare(form.text, unused);
   Fields parts;
@@ -65,7 +65,7 @@ void Writer::data(const Schema& form) {
   }
   record(fmt::format("{0} := mk_{0}", name), parts);
   in_.symbols[form.name] = symbol;
-  Scope scope;
+  CoqScope scope;
   in_.declare(Slot{form.name, "s", symbol.type, true, {}}, scope);
   Fields asked;
   conditions(name, form.text, scope, asked);
@@ -77,7 +77,7 @@ void Writer::data(const Schema& form) {
   if (is_state) state_relations(name, form);
 }
 
-void Writer::state_relations(const std::string& name, const Schema& form) {
+void CoqWriter::state_relations(const std::string& name, const Schema& form) {
   Fields equal;
   for (const Declaration& declaration : form.text.declarations)
     for (const Name& part : declaration.names) {
@@ -95,11 +95,11 @@ void Writer::state_relations(const std::string& name, const Schema& form) {
                                                               {fmt::format("Xi_{0}_eq : {0}_eq s s'", name), ""}});
 }
 
-void Writer::operation(const Schema& form) {
+void CoqWriter::operation(const Schema& form) {
   const std::string name = variable(form.name);
-  Scope scope;
-  Symbol symbol;
-  symbol.form = Symbol::Form::operation;
+  CoqScope scope;
+  CoqSymbol symbol;
+  symbol.form = CoqSymbol::Form::operation;
   symbol.text = name;
   symbol.signature = in_.declare(form.text, scope);
   Fields fields;

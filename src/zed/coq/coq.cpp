@@ -53,7 +53,7 @@ Section Especificacion.
 }  // namespace
 
 std::string to_coq(const Specification& specification, const Typing& typing) {
-  return head + coq::Writer(specification, typing).take() + "End Especificacion.\n";
+  return head + coq::CoqWriter(specification, typing).take() + "End Especificacion.\n";
 }
 
 }  // namespace durero::zed

@@ -5,7 +5,7 @@
 
 namespace durero::zed::coq {
 
-Expr Translator::partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope,
+Expr Translator::partial(const std::string& in, const std::string& before, const Carrier& type, CoqScope& scope,
                          Frame& frame) const {
   const std::string key = before + " ∈ " + in;
   auto known = scope.known.find(key);
@@ -18,18 +18,18 @@ Expr Translator::partial(const std::string& in, const std::string& before, const
   return {known->second, atomic, type};
 }
 
-bool Translator::is_partial(const Node& node, const Scope& scope) const {
+bool Translator::is_partial(const Node& node, const CoqScope& scope) const {
   if (node.kind == Kind::mu) return true;
   if (node.kind != Kind::application) return false;
   const Node& function = *node.children[0];
   if (function.kind != Kind::reference || scope.names.contains(function.name)) return true;
-  const Symbol* symbol = find(function.name);
-  return symbol && symbol->form != Symbol::Form::function;
+  const CoqSymbol* symbol = find(function.name);
+  return symbol && symbol->form != CoqSymbol::Form::function;
 }
 
 // The value of a partial application or of a μ is a variable of the frame. Where y is given, the text says that it is
 // y.
-Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const {
+Expr Translator::apply_partial(const Node& node, const Expr* y, CoqScope& scope, Frame& frame) const {
   std::string in, before;
   Carrier type;
   if (node.kind == Kind::mu) {
@@ -39,8 +39,8 @@ Expr Translator::apply_partial(const Node& node, const Expr* y, Scope& scope, Fr
     type = among.type.element();
   } else {
     const Node& function = *node.children[0];
-    const Symbol* symbol = scope.names.contains(function.name) ? nullptr : find(function.name);
-    if (symbol && symbol->form == Symbol::Form::partial) {
+    const CoqSymbol* symbol = scope.names.contains(function.name) ? nullptr : find(function.name);
+    if (symbol && symbol->form == CoqSymbol::Form::partial) {
       in = symbol->text;
       for (const Term& part : split(node.children[1], symbol->arity))
         in += " " + term(part, scope, frame).at(applied - 1);

@@ -17,7 +17,7 @@ std::string_view symbol_of(const std::string& relation) {
 
 }  // namespace
 
-Expr Translator::predicate(const Term& term, const Scope& scope) const {
+Expr Translator::predicate(const Term& term, const CoqScope& scope) const {
   const Node& node = *term;
   const auto part = [&](std::size_t i) { return predicate(node.children[i], scope); };
   switch (node.kind) {
@@ -45,7 +45,7 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
     case Kind::exists_one:
       return quantified(node, scope);
     case Kind::relation: {
-      Scope inside = scope;
+      CoqScope inside = scope;
       Frame frame;
       const Expr body = relation(node, inside, frame, false);
       return framed(frame, body);
@@ -70,8 +70,8 @@ Expr Translator::predicate(const Term& term, const Scope& scope) const {
   }
 }
 
-Expr Translator::quantified(const Node& node, const Scope& scope) const {
-  Scope inside = scope;
+Expr Translator::quantified(const Node& node, const CoqScope& scope) const {
+  CoqScope inside = scope;
   const Signature slots = declare(*node.text, inside);
   std::vector<Expr> conjuncts = included(*node.text, inside);
   std::ranges::move(conditions(*node.text, slots, scope, inside), std::back_inserter(conjuncts));
@@ -91,7 +91,7 @@ Expr Translator::quantified(const Node& node, const Scope& scope) const {
 
 // a ≤ b < c is one predicate: the values of partial applications are those of all of it. Where it is `denied`, a = b is
 // written as a ≠ b.
-Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool denied) const {
+Expr Translator::relation(const Node& node, CoqScope& scope, Frame& frame, bool denied) const {
   std::vector<Expr> operands, parts;
   for (std::size_t i = 0; i + 1 < node.children.size(); ++i) operands.push_back(term(node.children[i], scope, frame));
   if (node.names.size() == 2 && !denied) {
@@ -120,7 +120,7 @@ Expr Translator::relation(const Node& node, Scope& scope, Frame& frame, bool den
   return denied && node.names.size() > 1 ? Expr{"~ " + conjunction.at(applied), negated, {}} : conjunction;
 }
 
-Expr Translator::one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,
+Expr Translator::one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, CoqScope& scope,
                               Frame& frame) const {
   const std::string& word = by.word;
   const auto against = [&](std::string_view symbol) {
@@ -129,8 +129,8 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
   };
   const bool sets = is_set(left);
   if (word == "_≠_" && sets) return {"~ " + against(operator_row("_=_")->coq.of_sets).at(applied), negated, {}};
-  if (const Symbol* set = right->kind == Kind::reference && left->kind == Kind::tuple ? find(right->name) : nullptr;
-      set && set->form == Symbol::Form::operation) {
+  if (const CoqSymbol* set = right->kind == Kind::reference && left->kind == Kind::tuple ? find(right->name) : nullptr;
+      set && set->form == CoqSymbol::Form::operation) {
     // (a, b) ∈ S, where S is { D | P } of several: a predicate on its arguments.
     Expr holds{set->text, applied, {}};
     for (const Term& part : left->children) holds.text += " " + term(part, scope, frame).at(applied - 1);
@@ -147,16 +147,17 @@ Expr Translator::one_relation(const Name& by, const Term& left, const Term& righ
   return against(sets && !row->coq.of_sets.empty() ? row->coq.of_sets : row->coq.text);
 }
 
-std::vector<Expr> Translator::constraint(const Expr& x, const Term& set, const Scope& scope) const {
+std::vector<Expr> Translator::constraint(const Expr& x, const Term& set, const CoqScope& scope) const {
   if (whole(set)) return {};
   return {member(x, set, scope)};
 }
 
-Expr Translator::member(const Expr& x, const Term& set, const Scope& scope) const {
+Expr Translator::member(const Expr& x, const Term& set, const CoqScope& scope) const {
   if (set->kind == Kind::conditional)
-    return conditional(*set, scope, [&](const Term& branch, const Scope& inside) { return member(x, branch, inside); });
+    return conditional(*set, scope,
+                       [&](const Term& branch, const CoqScope& inside) { return member(x, branch, inside); });
   if (set->kind == Kind::comprehension && set->children.empty()) {
-    Scope inside = scope;
+    CoqScope inside = scope;
     Signature slots = declare(*set->text, inside);
     if (slots.size() == 1) {
       inside.names[slots[0].name] = {x.text, x.level, slots[0].type};
@@ -169,17 +170,17 @@ Expr Translator::member(const Expr& x, const Term& set, const Scope& scope) cons
     const std::string c = fresh("x", scope);
     return {fmt::format("exists {}, {} ∈ {}", c, c, x.at(related - 1)), binder, {}};
   }
-  Scope inside = scope;
+  CoqScope inside = scope;
   Frame frame;
   const Expr in = term(set, inside, frame);
   return framed(frame, {fmt::format("{} ∈ {}", x.at(related - 1), in.at(related - 1)), related, {}});
 }
 
-Expr Translator::is_value(const Expr& y, const Term& value, const Scope& scope) const {
+Expr Translator::is_value(const Expr& y, const Term& value, const CoqScope& scope) const {
   if (value->kind == Kind::conditional)
     return conditional(*value, scope,
-                       [&](const Term& branch, const Scope& inside) { return is_value(y, branch, inside); });
-  Scope inside = scope;
+                       [&](const Term& branch, const CoqScope& inside) { return is_value(y, branch, inside); });
+  CoqScope inside = scope;
   Frame frame;
   if (is_partial(*value, scope)) {
     const Expr is = apply_partial(*value, &y, inside, frame);
@@ -192,9 +193,9 @@ Expr Translator::is_value(const Expr& y, const Term& value, const Scope& scope) 
 
 // Either the condition holds and the first is meant, or it does not and the second is. The values of partial
 // applications in the condition are known in both.
-Expr Translator::conditional(const Node& node, const Scope& scope,
-                             const std::function<Expr(const Term&, const Scope&)>& leaf) const {
-  Scope inside = scope;
+Expr Translator::conditional(const Node& node, const CoqScope& scope,
+                             const std::function<Expr(const Term&, const CoqScope&)>& leaf) const {
+  CoqScope inside = scope;
   Frame frame;
   const Term& condition = node.children[0];
   Expr yes, no;

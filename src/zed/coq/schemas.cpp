@@ -26,7 +26,7 @@ Slot Translator::state_slot(const Name& name, Place place) const {
   return {name, "s" + name.strokes, Carrier::named(state), true, {}};
 }
 
-void Translator::declare(const Slot& slot, Scope& scope) const {
+void Translator::declare(const Slot& slot, CoqScope& scope) const {
   scope.variables.insert(slot.variable);
   if (!slot.state) {
     scope.names[slot.name] = {slot.variable, atomic, slot.type};
@@ -40,7 +40,7 @@ void Translator::declare(const Slot& slot, Scope& scope) const {
 
 // Says whether a variable of this name would hide what is written under it: another variable, a component, a word of
 // Coq.
-bool Translator::taken(const std::string& variable, const Scope& scope) const {
+bool Translator::taken(const std::string& variable, const CoqScope& scope) const {
   static const std::set<std::string> words = {
       "s",        "s'",    "R",     "Z",     "sqrt",  "set",    "rel",    "univ",   "dom",       "ran",
       "inverse",  "image", "ndres", "dres",  "graph", "is_mu",  "True",   "False",  "cartesian", "integers",
@@ -48,7 +48,7 @@ bool Translator::taken(const std::string& variable, const Scope& scope) const {
       "if",       "then",  "else",  "match", "with",  "end",    "let",    "return", "fix",       "cofix"};
   if (words.contains(variable) || scope.variables.contains(variable)) return true;
   for (const auto& [name, symbol] : symbols)
-    if (symbol.form == Symbol::Form::carrier)
+    if (symbol.form == CoqSymbol::Form::carrier)
       for (const Slot& part : symbol.signature)
         if (part.variable == variable) return true;
   return false;
@@ -56,7 +56,7 @@ bool Translator::taken(const std::string& variable, const Scope& scope) const {
 
 // The sets are those of the scope around: a schema text binds its names behind its declarations. A name that is in
 // scope already gets another variable.
-Signature Translator::declare(const SchemaText& text, Scope& scope) const {
+Signature Translator::declare(const SchemaText& text, CoqScope& scope) const {
   Signature slots;
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::defined) uncovered(declaration.place, "a declaration by ==");
@@ -77,12 +77,12 @@ Signature Translator::declare(const SchemaText& text, Scope& scope) const {
   return slots;
 }
 
-std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
-                                         const Scope& inner) const {
+std::vector<Expr> Translator::conditions(const SchemaText& text, const Signature& slots, const CoqScope& outer,
+                                         const CoqScope& inner) const {
   std::vector<Expr> conjuncts;
   for (const Slot& slot : slots) {
     if (!slot.set) continue;
-    Scope around = outer;
+    CoqScope around = outer;
     around.variables = inner.variables;
     for (Expr& expr : constraint({slot.variable, atomic, slot.type}, slot.set, around))
       conjuncts.push_back(std::move(expr));
@@ -103,8 +103,8 @@ Signature Translator::signature(const Term& schema) const {
       for (const std::string sign : {"Δ", "Ξ"})
         if (word == sign + state)
           return {state_slot({state, {}}, schema->place), state_slot({state, "'"}, schema->place)};
-      const Symbol* symbol = find(schema->name);
-      if (symbol && symbol->form == Symbol::Form::operation) return symbol->signature;
+      const CoqSymbol* symbol = find(schema->name);
+      if (symbol && symbol->form == CoqSymbol::Form::operation) return symbol->signature;
       return {state_slot(schema->name, schema->place)};
     }
     case Kind::decoration: {
@@ -113,7 +113,7 @@ Signature Translator::signature(const Term& schema) const {
       return {state_slot(*name, schema->place)};
     }
     case Kind::schema_text: {
-      Scope scope;
+      CoqScope scope;
       return declare(*schema->text, scope);
     }
     case Kind::hiding:
@@ -133,11 +133,11 @@ Signature Translator::signature(const Term& schema) const {
   }
 }
 
-Expr Translator::call(const Name& schema, const Scope& scope, Place place) const {
-  const Symbol* symbol = find(schema);
+Expr Translator::call(const Name& schema, const CoqScope& scope, Place place) const {
+  const CoqSymbol* symbol = find(schema);
   std::string text;
   Signature slots;
-  if (symbol && symbol->form == Symbol::Form::operation) {
+  if (symbol && symbol->form == CoqSymbol::Form::operation) {
     text = symbol->text;
     slots = symbol->signature;
   } else {
@@ -158,7 +158,7 @@ Expr Translator::call(const Name& schema, const Scope& scope, Place place) const
 }
 
 // What the schemas say that a schema text includes. Its own declarations and predicates are conditions().
-std::vector<Expr> Translator::included(const SchemaText& text, const Scope& scope) const {
+std::vector<Expr> Translator::included(const SchemaText& text, const CoqScope& scope) const {
   std::vector<Expr> said;
   for (const Declaration& declaration : text.declarations)
     if (declaration.form == Declaration::Form::included) said.push_back(predicate(declaration.term, scope));
@@ -173,8 +173,8 @@ std::vector<Name> Translator::after(const Term& schema) const {
   return names;
 }
 
-Expr Translator::without(const Term& schema, const std::vector<Name>& names, const Scope& scope) const {
-  Scope inside = scope;
+Expr Translator::without(const Term& schema, const std::vector<Name>& names, const CoqScope& scope) const {
+  CoqScope inside = scope;
   Signature hidden;
   for (const Slot& slot : signature(schema))
     if (std::find(names.begin(), names.end(), slot.name) != names.end()) hidden.push_back(slot);

@@ -7,9 +7,9 @@
 namespace durero::zed::coq {
 
 // ⋃ { i : I | P • S } is the union of S over those i.
-Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) const {
+Expr Translator::generalized_union(const Term& family, CoqScope& scope, Frame&) const {
   if (family->kind != Kind::comprehension || family->children.empty()) uncovered(family->place, "this ⋃");
-  Scope inside = scope;
+  CoqScope inside = scope;
   const Signature slots = declare(*family->text, inside);
   if (slots.size() != 1 || slots[0].state) uncovered(family->place, "⋃ over several variables");
   const Expr value = set(family->children[0], inside);
@@ -24,8 +24,8 @@ Expr Translator::generalized_union(const Term& family, Scope& scope, Frame&) con
 }
 
 // { x : S | P } is written fun x => x ∈ S /\ P, and { D | P • E } is written fun y => exists D, P /\ y = E.
-Expr Translator::comprehension(const Node& node, const Scope& scope) const {
-  Scope inside = scope;
+Expr Translator::comprehension(const Node& node, const CoqScope& scope) const {
+  CoqScope inside = scope;
   const Signature slots = declare(*node.text, inside);
   std::vector<Expr> conjuncts = conditions(*node.text, slots, scope, inside);
   const bool has_value = node.kind == Kind::comprehension && !node.children.empty();
@@ -34,7 +34,7 @@ Expr Translator::comprehension(const Node& node, const Scope& scope) const {
     return {"fun " + slots[0].variable + " => " + all_of(conjuncts).text, binder, Carrier::set(slots[0].type)};
   }
   Frame unused;
-  Scope copy = inside;
+  CoqScope copy = inside;
   const Carrier type = term(node.children[0], copy, unused).type;
   const std::string y = fresh("y", inside);
   inside.variables.insert(y);
@@ -43,9 +43,9 @@ Expr Translator::comprehension(const Node& node, const Scope& scope) const {
           Carrier::set(type)};
 }
 
-Expr Translator::set(const Term& set, const Scope& scope) const {
+Expr Translator::set(const Term& set, const CoqScope& scope) const {
   Frame frame;
-  Scope inside = scope;
+  CoqScope inside = scope;
   const Expr direct = term(set, inside, frame);
   if (frame.empty()) return direct;
   inside = scope;
@@ -54,8 +54,8 @@ Expr Translator::set(const Term& set, const Scope& scope) const {
   return {"fun " + x + " => " + member({x, atomic, direct.type.element()}, set, inside).text, binder, direct.type};
 }
 
-Carrier Translator::carrier(const Term& set, const Scope& outer) const {
-  Scope scope = outer;
+Carrier Translator::carrier(const Term& set, const CoqScope& outer) const {
+  CoqScope scope = outer;
   Frame frame;
   if (set->kind == Kind::product) {
     Carrier out = Carrier::product({});
@@ -75,8 +75,8 @@ bool Translator::whole(const Term& set) const {
     return true;
   }
   if (set->kind != Kind::reference) return false;
-  const Symbol* symbol = find(set->name);
-  return symbol && symbol->form == Symbol::Form::carrier && symbol->ok.empty();
+  const CoqSymbol* symbol = find(set->name);
+  return symbol && symbol->form == CoqSymbol::Form::carrier && symbol->ok.empty();
 }
 
 }  // namespace durero::zed::coq

@@ -55,14 +55,14 @@ const Carrier& Carrier::element() const {
   return form == Form::set ? parts[0] : none;
 }
 
-std::string Translator::fresh(const std::string& stem, const Scope& scope) const {
+std::string Translator::fresh(const std::string& stem, const CoqScope& scope) const {
   for (int i = 1;; ++i) {
     std::string name = stem + std::to_string(i);
     if (!scope.variables.contains(name) && !symbols.contains(Name{name, {}})) return name;
   }
 }
 
-const Symbol* Translator::find(const Name& name) const {
+const CoqSymbol* Translator::find(const Name& name) const {
   const auto entry = symbols.find(name);
   return entry == symbols.end() ? nullptr : &entry->second;
 }
@@ -72,7 +72,7 @@ bool Translator::is_set(const Term& term) const {
   return type && type->is(Type::Kind::power);
 }
 
-Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
+Expr Translator::term(const Term& term, CoqScope& scope, Frame& frame) const {
   const Node& node = *term;
   switch (node.kind) {
     case Kind::reference:
@@ -108,15 +108,15 @@ Expr Translator::term(const Term& term, Scope& scope, Frame& frame) const {
   }
 }
 
-Expr Translator::selection(const Node& node, Scope& scope, Frame& frame) const {
+Expr Translator::selection(const Node& node, CoqScope& scope, Frame& frame) const {
   const Expr of = term(node.children[0], scope, frame);
-  if (const Symbol* schema = find({of.type.name, {}}))
+  if (const CoqSymbol* schema = find({of.type.name, {}}))
     for (const Slot& slot : schema->signature)
       if (slot.name == node.name) return {slot.variable + " " + of.at(applied - 1), applied, slot.type};
   uncovered(node.place, "this selection");
 }
 
-Expr Translator::tuple(const Node& node, Scope& scope, Frame& frame) const {
+Expr Translator::tuple(const Node& node, CoqScope& scope, Frame& frame) const {
   Expr out{"(", atomic, Carrier::product({})};
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const Expr part = term(node.children[i], scope, frame);
@@ -127,7 +127,7 @@ Expr Translator::tuple(const Node& node, Scope& scope, Frame& frame) const {
   return out;
 }
 
-Expr Translator::set_extension(const Node& node, Scope& scope, Frame& frame) const {
+Expr Translator::set_extension(const Node& node, CoqScope& scope, Frame& frame) const {
   Expr out{"∅", atomic, Carrier::set({})};
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     const Expr operand = term(node.children[i], scope, frame);
@@ -137,7 +137,7 @@ Expr Translator::set_extension(const Node& node, Scope& scope, Frame& frame) con
   return out;
 }
 
-Expr Translator::product(const Term& product, Scope& scope, Frame& frame) const {
+Expr Translator::product(const Term& product, CoqScope& scope, Frame& frame) const {
   const Carrier of = Carrier::set(carrier(product, scope));
   if (whole(product)) return {"univ", atomic, of};
   if (product->children.size() != 2) uncovered(product->place, "a product of several parts of types");
@@ -146,7 +146,7 @@ Expr Translator::product(const Term& product, Scope& scope, Frame& frame) const 
 }
 
 /// A conditional on how two reals compare, which Coq decides, is a number where both branches are.
-Expr Translator::conditional_number(const Node& node, Scope& scope, Frame& frame) const {
+Expr Translator::conditional_number(const Node& node, CoqScope& scope, Frame& frame) const {
   const Node& condition = *node.children[0];
   const std::string_view decided =
       condition.kind == Kind::relation && condition.names.size() == 1 ? decision(condition.names[0].word) : "";
@@ -159,17 +159,17 @@ Expr Translator::conditional_number(const Node& node, Scope& scope, Frame& frame
 }
 
 /// A conditional whose branches are sets is the set of what is in the branch that is meant.
-Expr Translator::conditional_set(const Term& conditional, const Scope& scope) const {
+Expr Translator::conditional_set(const Term& conditional, const CoqScope& scope) const {
   const std::string x = fresh("x", scope);
-  Scope inside = scope;
+  CoqScope inside = scope;
   inside.variables.insert(x);
   Frame unused;
-  Scope branch = scope;
+  CoqScope branch = scope;
   const Carrier type = term(conditional->children[1], branch, unused).type;
   return {"fun " + x + " => " + member({x, atomic, type.element()}, conditional, inside).text, binder, type};
 }
 
-Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
+Expr Translator::reference(const Node& node, CoqScope& scope, Frame& frame) const {
   if (const auto entry = scope.names.find(node.name); entry != scope.names.end()) return entry->second;
   if (node.name.word == "∅") return {"∅", atomic, Carrier::set({})};
   const OperatorRow* row = operator_row(node.name.word);
@@ -187,20 +187,20 @@ Expr Translator::reference(const Node& node, Scope& scope, Frame& frame) const {
     return {fmt::format("{} {} {}", of[0].at(plus), by.text, of[1].at(plus)), by.level,
             Carrier::set(Carrier::set(Carrier::product({of[0].type.element(), of[1].type.element()})))};
   }
-  const Symbol* symbol = find(node.name);
+  const CoqSymbol* symbol = find(node.name);
   if (!symbol) uncovered(node.place, "the name " + node.name.text());
-  if (symbol->form == Symbol::Form::carrier)
+  if (symbol->form == CoqSymbol::Form::carrier)
     return {symbol->ok.empty() ? "univ" : symbol->ok, atomic, Carrier::set(symbol->type)};
-  if (symbol->form != Symbol::Form::value) uncovered(node.place, "the function " + node.name.text() + " as a value");
+  if (symbol->form != CoqSymbol::Form::value) uncovered(node.place, "the function " + node.name.text() + " as a value");
   return {symbol->text, atomic, symbol->type};
 }
 
-Expr Translator::application(const Node& node, Scope& scope, Frame& frame) const {
+Expr Translator::application(const Node& node, CoqScope& scope, Frame& frame) const {
   const Node& function = *node.children[0];
   const Name& name = function.name;
   if (function.kind == Kind::reference && !scope.names.contains(name)) {
-    const Symbol* symbol = find(name);
-    if (symbol && symbol->form == Symbol::Form::function) {
+    const CoqSymbol* symbol = find(name);
+    if (symbol && symbol->form == CoqSymbol::Form::function) {
       Expr out{symbol->text, applied, symbol->type};
       for (const Term& part : split(node.children[1], symbol->arity))
         out.text += " " + term(part, scope, frame).at(applied - 1);
@@ -214,7 +214,7 @@ Expr Translator::application(const Node& node, Scope& scope, Frame& frame) const
   return apply_partial(node, nullptr, scope, frame);
 }
 
-Expr Translator::operation(const std::string& word, const std::vector<Term>& arguments, Scope& scope, Frame& frame,
+Expr Translator::operation(const std::string& word, const std::vector<Term>& arguments, CoqScope& scope, Frame& frame,
                            const Node& node) const {
   if (word == "⋃") return generalized_union(arguments[0], scope, frame);
   std::vector<Expr> of;

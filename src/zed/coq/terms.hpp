@@ -48,7 +48,7 @@ struct Slot {
 using Signature = std::vector<Slot>;
 
 /// A symbol is what a name that a paragraph declares is in Coq.
-struct Symbol {
+struct CoqSymbol {
   enum class Form {
     carrier,    ///< the whole of a type: `univ`, or the predicate `ok` of a schema with an invariant
     value,      ///< a Definition
@@ -66,7 +66,7 @@ struct Symbol {
 };
 
 /// A scope says what stands for the names in it.
-struct Scope {
+struct CoqScope {
   std::map<Name, Expr> names;
   std::map<Name, Expr> states;               ///< θ asks for these
   std::map<std::string, std::string> known;  ///< "… ∈ f" leads to the variable that stands for the value of f there
@@ -102,60 +102,61 @@ class Translator {
  public:
   explicit Translator(const Typing& typing) : typing_(typing) {}
 
-  std::map<Name, Symbol> symbols;
+  std::map<Name, CoqSymbol> symbols;
   std::string state;  ///< this schema is the state; its variable is `s`
 
-  Expr term(const Term& term, Scope& scope, Frame& frame) const;
-  Expr predicate(const Term& term, const Scope& scope) const;
+  Expr term(const Term& term, CoqScope& scope, Frame& frame) const;
+  Expr predicate(const Term& term, const CoqScope& scope) const;
   /// Writes a set in a place of its own, as `fun x => …` where it is no name and no operation on sets.
-  Expr set(const Term& set, const Scope& scope) const;
+  Expr set(const Term& set, const CoqScope& scope) const;
   /// Writes x ∈ set, where x is a variable of Coq, or nothing where the set is a whole type.
-  std::vector<Expr> constraint(const Expr& x, const Term& set, const Scope& scope) const;
-  Expr member(const Expr& x, const Term& set, const Scope& scope) const;
+  std::vector<Expr> constraint(const Expr& x, const Term& set, const CoqScope& scope) const;
+  Expr member(const Expr& x, const Term& set, const CoqScope& scope) const;
   /// Writes that y is the value of the term.
-  Expr is_value(const Expr& y, const Term& term, const Scope& scope) const;
+  Expr is_value(const Expr& y, const Term& term, const CoqScope& scope) const;
 
-  Carrier carrier(const Term& set, const Scope& scope = {}) const;  ///< its elements have this carrier
-  bool whole(const Term& set) const;                                ///< says whether the set is all of its carrier
-  bool is_set(const Term& term) const;                              ///< its Z type says so
-  Signature declare(const SchemaText& text, Scope& scope) const;
-  void declare(const Slot& slot, Scope& scope) const;
+  Carrier carrier(const Term& set, const CoqScope& scope = {}) const;  ///< its elements have this carrier
+  bool whole(const Term& set) const;                                   ///< says whether the set is all of its carrier
+  bool is_set(const Term& term) const;                                 ///< its Z type says so
+  Signature declare(const SchemaText& text, CoqScope& scope) const;
+  void declare(const Slot& slot, CoqScope& scope) const;
   /// Writes x ∈ S for each x : S of the text, where S is seen from `outer`, then its predicates, which are seen from
   /// `inner`.
-  std::vector<Expr> conditions(const SchemaText& text, const Signature& slots, const Scope& outer,
-                               const Scope& inner) const;
-  std::string fresh(const std::string& stem, const Scope& scope) const;
-  bool taken(const std::string& variable, const Scope& scope) const;
+  std::vector<Expr> conditions(const SchemaText& text, const Signature& slots, const CoqScope& outer,
+                               const CoqScope& inner) const;
+  std::string fresh(const std::string& stem, const CoqScope& scope) const;
+  bool taken(const std::string& variable, const CoqScope& scope) const;
   Signature signature(const Term& schema) const;
-  Expr call(const Name& schema, const Scope& scope, Place place) const;
+  Expr call(const Name& schema, const CoqScope& scope, Place place) const;
   Slot state_slot(const Name& name, Place place) const;
-  const Symbol* find(const Name& name) const;
+  const CoqSymbol* find(const Name& name) const;
 
  private:
-  Expr reference(const Node& node, Scope& scope, Frame& frame) const;
-  Expr application(const Node& node, Scope& scope, Frame& frame) const;
-  Expr operation(const std::string& word, const std::vector<Term>& arguments, Scope& scope, Frame& frame,
+  Expr reference(const Node& node, CoqScope& scope, Frame& frame) const;
+  Expr application(const Node& node, CoqScope& scope, Frame& frame) const;
+  Expr operation(const std::string& word, const std::vector<Term>& arguments, CoqScope& scope, Frame& frame,
                  const Node& node) const;
-  Expr selection(const Node& node, Scope& scope, Frame& frame) const;
-  Expr tuple(const Node& node, Scope& scope, Frame& frame) const;
-  Expr set_extension(const Node& node, Scope& scope, Frame& frame) const;
-  Expr conditional_set(const Term& conditional, const Scope& scope) const;
-  Expr conditional_number(const Node& node, Scope& scope, Frame& frame) const;
-  Expr product(const Term& product, Scope& scope, Frame& frame) const;
-  Expr generalized_union(const Term& family, Scope& scope, Frame& frame) const;
-  Expr partial(const std::string& in, const std::string& before, const Carrier& type, Scope& scope, Frame& frame) const;
-  Expr apply_partial(const Node& node, const Expr* y, Scope& scope, Frame& frame) const;
-  Expr comprehension(const Node& node, const Scope& scope) const;
-  Expr conditional(const Node& node, const Scope& scope,
-                   const std::function<Expr(const Term&, const Scope&)>& leaf) const;
-  Expr relation(const Node& node, Scope& scope, Frame& frame, bool denied) const;
-  Expr one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, Scope& scope,
+  Expr selection(const Node& node, CoqScope& scope, Frame& frame) const;
+  Expr tuple(const Node& node, CoqScope& scope, Frame& frame) const;
+  Expr set_extension(const Node& node, CoqScope& scope, Frame& frame) const;
+  Expr conditional_set(const Term& conditional, const CoqScope& scope) const;
+  Expr conditional_number(const Node& node, CoqScope& scope, Frame& frame) const;
+  Expr product(const Term& product, CoqScope& scope, Frame& frame) const;
+  Expr generalized_union(const Term& family, CoqScope& scope, Frame& frame) const;
+  Expr partial(const std::string& in, const std::string& before, const Carrier& type, CoqScope& scope,
+               Frame& frame) const;
+  Expr apply_partial(const Node& node, const Expr* y, CoqScope& scope, Frame& frame) const;
+  Expr comprehension(const Node& node, const CoqScope& scope) const;
+  Expr conditional(const Node& node, const CoqScope& scope,
+                   const std::function<Expr(const Term&, const CoqScope&)>& leaf) const;
+  Expr relation(const Node& node, CoqScope& scope, Frame& frame, bool denied) const;
+  Expr one_relation(const Name& by, const Term& left, const Term& right, const Expr& a, CoqScope& scope,
                     Frame& frame) const;
-  Expr quantified(const Node& node, const Scope& scope) const;
-  std::vector<Expr> included(const SchemaText& text, const Scope& scope) const;
+  Expr quantified(const Node& node, const CoqScope& scope) const;
+  std::vector<Expr> included(const SchemaText& text, const CoqScope& scope) const;
   std::vector<Name> after(const Term& schema) const;
-  Expr without(const Term& schema, const std::vector<Name>& names, const Scope& scope) const;
-  bool is_partial(const Node& application, const Scope& scope) const;
+  Expr without(const Term& schema, const std::vector<Name>& names, const CoqScope& scope) const;
+  bool is_partial(const Node& application, const CoqScope& scope) const;
 
   const Typing& typing_;
 };

@@ -81,12 +81,12 @@ void in_file_of(const Section& section, Do&& what) {
 
 }  // namespace
 
-Writer::Writer(const Specification& specification, const Typing& typing) : in_(typing) {
+CoqWriter::CoqWriter(const Specification& specification, const Typing& typing) : in_(typing) {
   for (const Section& each : specification.sections) in_file_of(each, [&] { in_.state = state_of(each, in_.state); });
   // Coq has these sets already. The text's axioms for them are exported as statements, to be proved.
   for (const auto& [z, ok] : {std::pair{"ℝ", ""}, std::pair{"ℤ", "integers"}}) {
-    Symbol symbol;
-    symbol.form = Symbol::Form::carrier;
+    CoqSymbol symbol;
+    symbol.form = CoqSymbol::Form::carrier;
     symbol.type = Carrier::named("R");
     symbol.ok = ok;
     in_.symbols[{z, {}}] = symbol;
@@ -94,7 +94,7 @@ Writer::Writer(const Specification& specification, const Typing& typing) : in_(t
   for (const Section& each : specification.sections) section(each);
 }
 
-void Writer::section(const Section& section) {
+void CoqWriter::section(const Section& section) {
   if (section.paragraphs.empty()) return;
   out_ += fmt::format("(** * {} *)\n", std::filesystem::path(section.file).filename().string());
   for (const Paragraph& each : section.paragraphs) {
@@ -104,7 +104,7 @@ void Writer::section(const Section& section) {
   out_ += "\n";
 }
 
-void Writer::paragraph(const Paragraph& paragraph) {
+void CoqWriter::paragraph(const Paragraph& paragraph) {
   if (const auto* form = std::get_if<GivenTypes>(&paragraph.form)) return given(*form);
   if (const auto* form = std::get_if<FreeType>(&paragraph.form)) return free_type(*form);
   if (const auto* form = std::get_if<Definition>(&paragraph.form)) return definition(*form);
@@ -113,7 +113,7 @@ void Writer::paragraph(const Paragraph& paragraph) {
   if (const auto* form = std::get_if<Conjecture>(&paragraph.form)) return conjecture(*form);
 }
 
-void Writer::sentence(const std::string& text, const std::string& label, const std::string& indent) {
+void CoqWriter::sentence(const std::string& text, const std::string& label, const std::string& indent) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
@@ -131,25 +131,25 @@ void Writer::sentence(const std::string& text, const std::string& label, const s
   }
 }
 
-void Writer::given(const GivenTypes& form) {
+void CoqWriter::given(const GivenTypes& form) {
   for (const Name& name : form.names) {
-    Symbol symbol;
-    symbol.form = Symbol::Form::carrier;
+    CoqSymbol symbol;
+    symbol.form = CoqSymbol::Form::carrier;
     symbol.type = Carrier::named(variable(name));
     in_.symbols[name] = symbol;
     sentence("Variable " + variable(name) + " : Type.");
   }
 }
 
-void Writer::free_type(const FreeType& form) {
-  Symbol symbol;
-  symbol.form = Symbol::Form::carrier;
+void CoqWriter::free_type(const FreeType& form) {
+  CoqSymbol symbol;
+  symbol.form = CoqSymbol::Form::carrier;
   symbol.type = Carrier::named(variable(form.name));
   in_.symbols[form.name] = symbol;
   std::string text = "Inductive " + variable(form.name) + " :=";
   for (const Branch& branch : form.branches) {
     if (branch.argument) uncovered(branch.place, "a constructor");
-    Symbol constant;
+    CoqSymbol constant;
     constant.text = variable(branch.name);
     constant.type = symbol.type;
     in_.symbols[branch.name] = constant;
@@ -159,14 +159,14 @@ void Writer::free_type(const FreeType& form) {
 }
 
 // A claim is a statement, which a theorem has to prove.
-void Writer::conjecture(const Conjecture& form) {
+void CoqWriter::conjecture(const Conjecture& form) {
   const Predicate& claim = form.claim;
   if (claim.label.empty()) uncovered(claim.place, "a conjecture without a label");
   sentence(fmt::format("Definition {} : Prop := {}.", identifier(claim.label), in_.predicate(claim.term, {}).text),
            claim.label);
 }
 
-void Writer::definition(const Definition& form) {
+void CoqWriter::definition(const Definition& form) {
   if (!form.formals.empty()) uncovered(form.value->place, "a generic definition");
   switch (form.value->kind) {
     case Kind::comprehension:
@@ -188,18 +188,18 @@ void Writer::definition(const Definition& form) {
 }
 
 // { x : S | P } is a set, and { S; x : T | P } is a predicate on its arguments.
-void Writer::set_definition(const Definition& form) {
-  Scope inside;
+void CoqWriter::set_definition(const Definition& form) {
+  CoqScope inside;
   const Signature slots = in_.declare(*form.value->text, inside);
   const std::string name = variable(form.name);
-  Symbol symbol;
+  CoqSymbol symbol;
   symbol.text = name;
   if (slots.size() == 1) {
     const Expr value = in_.set(form.value, {});
     symbol.type = value.type;
     sentence(fmt::format("Definition {} : {} := {}.", name, value.type.text(), value.text), form.label);
   } else {
-    symbol.form = Symbol::Form::operation;
+    symbol.form = CoqSymbol::Form::operation;
     symbol.signature = slots;
     const Expr body = all_of(in_.conditions({{}, form.value->text->predicates}, {}, {}, inside));
     sentence(fmt::format("Definition {} {} : Prop := {}.", name, binders(slots, false), body.text), form.label);
@@ -207,20 +207,20 @@ void Writer::set_definition(const Definition& form) {
   in_.symbols[form.name] = symbol;
 }
 
-void Writer::lambda_definition(const Definition& form) {
-  Scope inside;
+void CoqWriter::lambda_definition(const Definition& form) {
+  CoqScope inside;
   const SchemaText& text = *form.value->text;
   const Signature slots = in_.declare(text, inside);
   const Term& value = form.value->children[0];
-  Symbol symbol;
+  CoqSymbol symbol;
   symbol.text = variable(form.name);
   symbol.arity = slots.size();
   const std::string head = fmt::format("Definition {} {} : ", symbol.text, binders(slots, false));
   std::vector<Expr> conjuncts = in_.conditions({{}, text.predicates}, {}, {}, inside);
-  Scope branch = inside;
+  CoqScope branch = inside;
   Frame frame;
   const bool set = in_.is_set(value);
-  symbol.form = set ? Symbol::Form::function : Symbol::Form::partial;
+  symbol.form = set ? CoqSymbol::Form::function : CoqSymbol::Form::partial;
   Term leaf = value;
   while (leaf->kind == Kind::conditional) leaf = leaf->children[1];
   symbol.type = in_.term(leaf, branch, frame).type;
@@ -238,12 +238,12 @@ void Writer::lambda_definition(const Definition& form) {
   in_.symbols[form.name] = symbol;
 }
 
-void Writer::operation_definition(const Definition& form) {
-  Symbol symbol;
-  symbol.form = Symbol::Form::operation;
+void CoqWriter::operation_definition(const Definition& form) {
+  CoqSymbol symbol;
+  symbol.form = CoqSymbol::Form::operation;
   symbol.text = variable(form.name);
   symbol.signature = in_.signature(form.value);
-  Scope inside;
+  CoqScope inside;
   for (const Slot& slot : symbol.signature) in_.declare(slot, inside);
   sentence(fmt::format("Definition {} {} : Prop := {}.", symbol.text, binders(symbol.signature, false),
                        in_.predicate(form.value, inside).text),
@@ -251,9 +251,9 @@ void Writer::operation_definition(const Definition& form) {
   in_.symbols[form.name] = symbol;
 }
 
-void Writer::value_definition(const Definition& form) {
+void CoqWriter::value_definition(const Definition& form) {
   const Expr value = in_.set(form.value, {});
-  Symbol symbol;
+  CoqSymbol symbol;
   symbol.text = variable(form.name);
   symbol.type = value.type;
   sentence(fmt::format("Definition {} : {} := {}.", symbol.text, value.type.text(), value.text), form.label);

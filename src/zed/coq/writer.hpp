@@ -11,9 +11,9 @@ namespace durero::zed::coq {
 /// These are the names that an axiomatic box declares, and their sets.
 using Declarations = std::map<Name, Term>;
 
-class Writer {
+class CoqWriter {
  public:
-  Writer(const Specification& specification, const Typing& typing);
+  CoqWriter(const Specification& specification, const Typing& typing);
   std::string take() { return std::move(out_); }
 
  private:
@@ -35,7 +35,7 @@ class Writer {
   void data(const Schema& form);
   void state_relations(const std::string& name, const Schema& form);
   void operation(const Schema& form);
-  void conditions(const std::string& name, const SchemaText& text, const Scope& scope, Fields& to);
+  void conditions(const std::string& name, const SchemaText& text, const CoqScope& scope, Fields& to);
   void record(const std::string& head, const Fields& fields);
 
   void declare_axiom(const Declaration& declaration);

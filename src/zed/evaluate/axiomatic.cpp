@@ -47,8 +47,9 @@ std::optional<std::vector<Name>> argument_names(const Term& argument) {
 }
 
 /// Returns the groups of the head in the order in which the argument names them, each once; nothing where it does not.
-std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const Head& head, const Scope& scope) {
-  std::vector<Group> groups;
+std::optional<std::vector<TupleComponent>> in_order(const std::vector<Name>& names, const CompiledSchemaText& head,
+                                                    const Scope& scope) {
+  std::vector<TupleComponent> groups;
   for (const Name& name : names) {
     std::optional<unsigned> slot;
     if (const auto entry = scope.names.find(name); entry != scope.names.end()) slot = entry->second.slot;
@@ -57,7 +58,7 @@ std::optional<std::vector<Group>> in_order(const std::vector<Name>& names, const
       if (at != scope.thetas.end()) slot = at->second;
     }
     const auto group = std::find_if(head.groups.begin(), head.groups.end(),
-                                    [&](const Group& candidate) { return slot && candidate.slot == *slot; });
+                                    [&](const TupleComponent& candidate) { return slot && candidate.slot == *slot; });
     if (group == head.groups.end()) return std::nullopt;
     groups.push_back(*group);
   }
@@ -81,7 +82,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, std::vec
   const Scope outside =
       compiler.formals(formals, {}, Scope{.unit = unit});  // where f is generic, its sets are whole types
   Scope inner{.outer = &outside, .unit = unit};
-  Head head = compiler.head(*forall.text, outside, inner);
+  CompiledSchemaText head = compiler.head(*forall.text, outside, inner);
   const auto groups = in_order(*names, head, inner);
   if (!groups) return std::nullopt;
   head.groups = *groups;

@@ -65,7 +65,7 @@ Code Compiler::comprehension(const Node& node, const Scope& scope) {
   const std::size_t before = reads_.size();
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
-  const Head head = this->head(*node.text, scope, inner);
+  const CompiledSchemaText head = this->head(*node.text, scope, inner);
   Code term;
   if (!node.children.empty()) term = expression(node.children[0], inner);
   return [head, term, base, unit = scope.unit, written = std::make_shared<const Node>(node),
@@ -102,7 +102,7 @@ Code Compiler::lambda(const Node& node, const Scope& scope) {
   const std::size_t before = reads_.size();
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
-  const Head head = this->head(*node.text, scope, inner);
+  const CompiledSchemaText head = this->head(*node.text, scope, inner);
   Code term = expression(node.children[0], inner);
   return [head, term = std::move(term), base, unit = scope.unit, written = std::make_shared<const Node>(node),
           free = free_names(before, base, scope)](Frame& frame) {
@@ -113,7 +113,7 @@ Code Compiler::lambda(const Node& node, const Scope& scope) {
 Code Compiler::mu(const Node& node, const Scope& scope) {
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
-  const Head head = this->head(*node.text, scope, inner);
+  const CompiledSchemaText head = this->head(*node.text, scope, inner);
   Code term;
   if (!node.children.empty()) term = expression(node.children[0], inner);
   return [head, term = std::move(term)](Frame& frame) -> Value {

@@ -13,7 +13,7 @@ namespace {
 const Name the_argument{"the argument", ""};  // no text can write it
 
 /// A case is an equation for an application, and the schema text that it stands under.
-struct Case {
+struct ApplicationEquation {
   SchemaText under;
   Term argument, value;
 };
@@ -89,7 +89,7 @@ bool names_all(const Term& argument, const SchemaText& under) {
   return declared == (argument->kind == Kind::tuple ? argument->children.size() : 1);
 }
 
-Term clause(const Name& function, Case each, Place place) {
+Term clause(const Name& function, ApplicationEquation each, Place place) {
   const auto all = [&](SchemaText text, const Term& argument, const Term& value) {
     return quantified(Kind::forall, std::move(text), {equation(apply(reference(function), argument), value)}, place);
   };
@@ -122,7 +122,7 @@ bool declares_again(const SchemaText& outer, const SchemaText& inner) {
 }
 
 /// Reads a predicate without ∀, ⇒ and ∧ as a case of the name; nothing where it is none.
-using Leaf = std::function<std::optional<Case>(const Term&)>;
+using Leaf = std::function<std::optional<ApplicationEquation>(const Term&)>;
 
 /// Finds the cases in a predicate. ∀ D • A ⇒ B ∧ C may have one in B and one in C.
 void find(const Term& predicate, const SchemaText& under, const Name& name, const Leaf& leaf, Cases& found) {
@@ -165,11 +165,11 @@ Cases cases_of_function(const std::vector<Predicate>& predicates, const Name& fu
         match::is_equation(predicate.term) ? match::argument_of(predicate.term->children[0], "dom") : nullptr;
     if (!of || !match::is_reference(*of, function)) others.push_back(predicate);
   }
-  return cases(others, function, [&](const Term& term) -> std::optional<Case> {
+  return cases(others, function, [&](const Term& term) -> std::optional<ApplicationEquation> {
     if (!match::is_equation(term)) return std::nullopt;
     const Term& left = term->children[0];
     if (left->kind != Kind::application || !match::is_reference(left->children[0], function)) return std::nullopt;
-    return Case{{}, left->children[1], term->children[1]};
+    return ApplicationEquation{{}, left->children[1], term->children[1]};
   });
 }
 
@@ -181,16 +181,17 @@ Cases cases_of_set(const std::vector<Predicate>& predicates, const Name& set) {
       return term->children.size() == 1 ? term->children[0] : node(Kind::tuple, term->children);
     return std::nullopt;
   };
-  return cases(predicates, set, [&](const Term& term) -> std::optional<Case> {
-    if (const auto of = member(term)) return Case{{}, *of, truth_value(true)};
+  return cases(predicates, set, [&](const Term& term) -> std::optional<ApplicationEquation> {
+    if (const auto of = member(term)) return ApplicationEquation{{}, *of, truth_value(true)};
     if (term->kind == Kind::negation)
-      if (const auto of = member(term->children[0])) return Case{{}, *of, truth_value(false)};
+      if (const auto of = member(term->children[0])) return ApplicationEquation{{}, *of, truth_value(false)};
     if (match::is_relation(term, "_∉_") && match::is_reference(term->children[1], set))
-      return Case{{}, term->children[0], truth_value(false)};
+      return ApplicationEquation{{}, term->children[0], truth_value(false)};
     if (term->kind != Kind::equivalence) return std::nullopt;
     const auto of = member(term->children[0]);
     if (!of) return std::nullopt;
-    return Case{{}, *of, node(Kind::conditional, {term->children[1], truth_value(true), truth_value(false)})};
+    return ApplicationEquation{
+        {}, *of, node(Kind::conditional, {term->children[1], truth_value(true), truth_value(false)})};
   });
 }
 

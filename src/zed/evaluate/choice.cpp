@@ -40,26 +40,26 @@ std::vector<Value> numbers(const std::vector<Predicate>& predicates) {
 
 }  // namespace
 
-void Choice::add(const Name& name, const Term& set) {
+void WitnessSearch::add(const Name& name, const Term& set) {
   names_.push_back(name);
   sets_.push_back(set);
   values_.emplace_back();
   taken_.push_back(false);
 }
 
-std::string Choice::names_text() const {
+std::string WitnessSearch::names_text() const {
   std::string text;
   for (const Name& name : names_) text += (text.empty() ? "" : ", ") + name.text();
   return text;
 }
 
-Truth Choice::find() {
+Truth WitnessSearch::find() {
   std::vector<std::size_t> tried;
   return look(tried);
 }
 
 /// Gives each name outside `tried` a value by equations and finite sets.
-Truth Choice::complete(const std::vector<std::size_t>& tried) {
+Truth WitnessSearch::complete(const std::vector<std::size_t>& tried) {
   const auto unit = std::make_shared<Unit>();
   Scope outer{.unit = unit};
   std::vector<unsigned> slots(names_.size());
@@ -70,7 +70,7 @@ Truth Choice::complete(const std::vector<std::size_t>& tried) {
     if (std::find(tried.begin(), tried.end(), i) == tried.end())
       text.declarations.push_back({Declaration::Form::typed, {names_[i]}, {Place{}}, sets_[i], {}});
   Scope inner{.outer = &outer, .unit = unit};
-  const Head head = compiler_.head(text, outer, inner);
+  const CompiledSchemaText head = compiler_.head(text, outer, inner);
   for (const auto& [name, local] : inner.names)
     slots[static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin())] = *local.slot;
   Frame frame(unit->size, context_);
@@ -88,7 +88,7 @@ Truth Choice::complete(const std::vector<std::size_t>& tried) {
   return Truth::yes;
 }
 
-std::vector<Value> Choice::candidates(std::size_t name) {
+std::vector<Value> WitnessSearch::candidates(std::size_t name) {
   const Value set = compiler_.evaluated(sets_[name], context_);
   if (!set.set()) return {};
   std::vector<Value> all;
@@ -109,7 +109,7 @@ std::vector<Value> Choice::candidates(std::size_t name) {
   return all;
 }
 
-Truth Choice::look(std::vector<std::size_t>& tried) {
+Truth WitnessSearch::look(std::vector<std::size_t>& tried) {
   Truth here = Truth::open;
   try {
     here = complete(tried);

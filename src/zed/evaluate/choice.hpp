@@ -9,9 +9,9 @@
 
 namespace durero::zed {
 
-class Choice {
+class WitnessSearch {
  public:
-  Choice(Compiler& compiler, Context& context) : compiler_(compiler), context_(context) {}
+  WitnessSearch(Compiler& compiler, Context& context) : compiler_(compiler), context_(context) {}
 
   /// @{ Adds a name with the set that it is declared from, and a predicate.
   void add(const Name& name, const Term& set);

@@ -40,24 +40,24 @@ struct Scope {
 };
 
 /// A group is a part of the characteristic tuple of a schema text: a variable, or the binding of an included schema.
-struct Group {
+struct TupleComponent {
   unsigned slot = 0;
   Signature names;                   ///< a binding has names; a variable has none
   std::vector<unsigned> components;  ///< each of these names has its slot
 };
 
 /// A head is a schema text compiled for a comprehension, a λ, a μ or a quantifier.
-struct Head {
-  std::shared_ptr<const Search> search;
-  std::vector<Group> groups;
+struct CompiledSchemaText {
+  std::shared_ptr<const Solver> search;
+  std::vector<TupleComponent> groups;
 };
 
 /// Takes a value apart into its groups' slots.
-void assign(Frame& frame, const std::vector<Group>& groups, const Value& value);
+void assign(Frame& frame, const std::vector<TupleComponent>& groups, const Value& value);
 /// Makes the characteristic tuple from the values in the slots.
-Value characteristic(const Frame& frame, const std::vector<Group>& groups);
+Value characteristic(const Frame& frame, const std::vector<TupleComponent>& groups);
 /// Makes the characteristic tuple with every part unknown.
-Value unknown_characteristic(Frame& frame, const Head& head);
+Value unknown_characteristic(Frame& frame, const CompiledSchemaText& head);
 
 /// These are the values that a let gives its names, each with the slot of its name.
 struct LetValues {
@@ -74,7 +74,7 @@ class Compiler {
   /// Compiles the declarations, then the predicates with their labels.
   Property text(const SchemaText& text, const Scope& scope);
   /// Gives the variables of a schema text slots, named in `inner`. The search sees the conjuncts of `extra` too.
-  Head head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra = {});
+  CompiledSchemaText head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra = {});
 
   /// Makes a scope of the formals of a generic paragraph: each stands for its actual, or else for its whole type.
   Scope formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope);

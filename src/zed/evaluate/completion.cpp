@@ -12,7 +12,7 @@ struct Completion::State {
   std::vector<unsigned> slots;  // in step with sought
   std::size_t known = 0;        // these have the first slots
   std::shared_ptr<Unit> unit = std::make_shared<Unit>();
-  std::vector<Search> sides;
+  std::vector<Solver> sides;
 };
 
 const std::vector<Name>& Completion::sought() const { return state_->sought; }
@@ -25,7 +25,7 @@ Truth Completion::each(std::span<const Value> known,
   std::copy(known.begin(), known.end(), frame.slots.begin());
   Truth found = Truth::no;
   bool stopped = false;
-  for (const Search& side : state_->sides) {
+  for (const Solver& side : state_->sides) {
     const Truth here = side.each(frame, [&](Frame& inside) {
       std::vector<Value> values;
       for (const unsigned slot : state_->slots) values.push_back(inside.slots[slot]);

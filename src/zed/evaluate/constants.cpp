@@ -154,7 +154,7 @@ std::vector<Meaning*> Constants::known_together(Meaning& constant, Context& cont
 Value Constants::looked_for(Meaning& constant, Context& context) {
   const std::vector<Meaning*> sought = known_together(constant, context);
   if (constant.value) return *constant.value;  // it was found with another
-  Choice choice(compiler_, context);
+  WitnessSearch choice(compiler_, context);
   for (const Meaning* each : sought) choice.add(each->name, *declared_set(each->name, box_of(*each)));
   for (const Fact& fact : facts()) {
     const auto is_sought = [&](Meaning* each) { return std::find(sought.begin(), sought.end(), each) != sought.end(); };

@@ -68,13 +68,13 @@ struct Locals {
   }
 };
 
-std::vector<Name> names_of(const Given& locals) {
+std::vector<Name> names_of(const Valuation& locals) {
   std::vector<Name> names;
   for (const auto& [name, value] : locals) names.push_back(name);
   return names;
 }
 
-Frame frame_of(const Given& locals, const Unit& unit, Context& context) {
+Frame frame_of(const Valuation& locals, const Unit& unit, Context& context) {
   Frame frame(unit.size, context);
   for (std::size_t i = 0; i < locals.size(); ++i) frame.slots[i] = locals[i].second;
   return frame;
@@ -94,23 +94,23 @@ std::string text_of(const Property& property) {
   __builtin_unreachable();  // it is written in one of these ways
 }
 
-Finding finding(const Property& property, Truth here) {
-  Finding finding{property.label, text_of(property), property.strokes, {}, here};
+ConjunctTruth finding(const Property& property, Truth here) {
+  ConjunctTruth finding{property.label, text_of(property), property.strokes, {}, here};
   if (property.term) finding.place = property.term->place;
   return finding;
 }
 
-std::vector<Finding> findings(const Property& property, Frame& frame);
+std::vector<ConjunctTruth> findings(const Property& property, Frame& frame);
 
-long count(const std::vector<Finding>& findings, Truth truth) {
+long count(const std::vector<ConjunctTruth>& findings, Truth truth) {
   return std::count_if(findings.begin(), findings.end(),
-                       [&](const Finding& finding) { return finding.truth == truth; });
+                       [&](const ConjunctTruth& finding) { return finding.truth == truth; });
 }
 
 /// Returns the findings of the side of a disjunction that explains it best: it has the fewest false conjuncts, then the
 /// fewest open.
-std::vector<Finding> best_side(const Property& property, Frame& frame) {
-  std::vector<Finding> best;
+std::vector<ConjunctTruth> best_side(const Property& property, Frame& frame) {
+  std::vector<ConjunctTruth> best;
   for (std::size_t i = 0; i < property.parts.size(); ++i) {
     auto side = findings(property.parts[i], frame);
     const auto rank = [](const auto& of) { return std::pair(count(of, Truth::no), count(of, Truth::open)); };
@@ -119,7 +119,7 @@ std::vector<Finding> best_side(const Property& property, Frame& frame) {
   return best;
 }
 
-std::vector<Finding> findings(const Property& property, Frame& frame) {
+std::vector<ConjunctTruth> findings(const Property& property, Frame& frame) {
   const bool composed = property.written == Property::Written::no;
   if (composed && property.kind == Property::Kind::any) return best_side(property, frame);
   if (composed && property.kind == Property::Kind::exists && property.search->determined()) {
@@ -127,7 +127,7 @@ std::vector<Finding> findings(const Property& property, Frame& frame) {
     return findings(property.search->goal(), frame);
   }
   if (composed && property.kind == Property::Kind::all) {
-    std::vector<Finding> conjuncts;
+    std::vector<ConjunctTruth> conjuncts;
     for (const Property& part : property.parts) {
       auto of_part = findings(part, frame);
       std::move(of_part.begin(), of_part.end(), std::back_inserter(conjuncts));
@@ -147,7 +147,7 @@ Truth SchemaCheck::holds(std::span<const Value> values) const {
   return evaluate(state_->property, frame);
 }
 
-SchemaCheck::Apart SchemaCheck::apart(std::span<const Value> values, const Known& known) const {
+SchemaCheck::Apart SchemaCheck::apart(std::span<const Value> values, const KnownTruth& known) const {
   Context context(state_->steps);
   for (const BindingPtr& binding : known.bindings) state_->compiler.remember(binding);
   Frame frame = state_->frame(values, context);
@@ -167,7 +167,7 @@ SchemaCheck::Apart SchemaCheck::apart(std::span<const Value> values, const Known
   return found;
 }
 
-bool SchemaCheck::refuted(std::span<const Value> values, const Known& known) const {
+bool SchemaCheck::refuted(std::span<const Value> values, const KnownTruth& known) const {
   Context context(state_->steps);
   for (const BindingPtr& binding : known.bindings) state_->compiler.remember(binding);
   Frame frame = state_->frame(values, context);
@@ -181,20 +181,20 @@ bool SchemaCheck::refuted(std::span<const Value> values, const Known& known) con
   return false;
 }
 
-Truth SchemaCheck::last(std::span<const Value> values, const Known& known) const {
+Truth SchemaCheck::last(std::span<const Value> values, const KnownTruth& known) const {
   Context context(state_->steps);
   for (const BindingPtr& binding : known.bindings) state_->compiler.remember(binding);
   Frame frame = state_->frame(values, context);
   return evaluate(state_->property.parts.back(), frame);
 }
 
-std::vector<Finding> SchemaCheck::findings(std::span<const Value> values) const {
+std::vector<ConjunctTruth> SchemaCheck::findings(std::span<const Value> values) const {
   Context context(state_->steps);
   Frame frame = state_->frame(values, context);
   return zed::findings(state_->property, frame);
 }
 
-Evaluator::Evaluator(std::vector<Section> sections, const Given& given, Steps* steps)
+Evaluator::Evaluator(std::vector<Section> sections, const Valuation& given, Steps* steps)
     : state_(std::make_unique<State>(std::move(sections), steps)) {
   for (const auto& [name, value] : given) {
     Meaning* global = state_->definitions.find(name);
@@ -210,7 +210,7 @@ Evaluator::~Evaluator() = default;
 Evaluator::Evaluator(Evaluator&&) noexcept = default;
 Evaluator& Evaluator::operator=(Evaluator&&) noexcept = default;
 
-Value Evaluator::value(const Term& expression, const Given& locals) const {
+Value Evaluator::value(const Term& expression, const Valuation& locals) const {
   const Locals names(names_of(locals));
   const Code code = state_->compiler.expression(expression, names.scope);
   Context context(state_->steps);
@@ -218,7 +218,7 @@ Value Evaluator::value(const Term& expression, const Given& locals) const {
   return code(frame);
 }
 
-Truth Evaluator::holds(const Term& predicate, const Given& locals) const {
+Truth Evaluator::holds(const Term& predicate, const Valuation& locals) const {
   const Locals names(names_of(locals));
   const Property property = state_->compiler.predicate(predicate, names.scope);
   Context context(state_->steps);
@@ -250,7 +250,7 @@ Value Evaluator::apply(const Value& function, const Value& argument) const {
 
 std::vector<Name> Evaluator::constants() const { return state_->compiler.constants().names(); }
 
-Given Evaluator::taken() const { return state_->compiler.constants().taken(); }
+Valuation Evaluator::taken() const { return state_->compiler.constants().taken(); }
 
 void Evaluator::check_given(const Name& constant) const {
   Context context(state_->steps);

@@ -7,8 +7,8 @@
 
 namespace durero::zed {
 
-void assign(Frame& frame, const std::vector<Group>& groups, const Value& value) {
-  const auto give = [&](const Group& group, const Value& part) {
+void assign(Frame& frame, const std::vector<TupleComponent>& groups, const Value& value) {
+  const auto give = [&](const TupleComponent& group, const Value& part) {
     frame.slots[group.slot] = part;
     if (!group.names) return;
     const BindingValue* binding = part.binding();
@@ -30,9 +30,9 @@ void assign(Frame& frame, const std::vector<Group>& groups, const Value& value) 
 namespace {
 
 template <class Part>
-Value gathered(const std::vector<Group>& groups, Part&& part) {
+Value gathered(const std::vector<TupleComponent>& groups, Part&& part) {
   std::vector<Value> values;
-  for (const Group& group : groups) {
+  for (const TupleComponent& group : groups) {
     if (!group.names) {
       values.push_back(part(group.slot));
       continue;
@@ -47,11 +47,11 @@ Value gathered(const std::vector<Group>& groups, Part&& part) {
 
 }  // namespace
 
-Value characteristic(const Frame& frame, const std::vector<Group>& groups) {
+Value characteristic(const Frame& frame, const std::vector<TupleComponent>& groups) {
   return gathered(groups, [&](unsigned slot) { return frame.slots[slot]; });
 }
 
-Value unknown_characteristic(Frame& frame, const Head& head) {
+Value unknown_characteristic(Frame& frame, const CompiledSchemaText& head) {
   return gathered(head.groups, [&](unsigned slot) -> Value {
     for (const Variable& variable : head.search->variables()) {
       if (variable.slot != slot || !variable.set) continue;
@@ -77,8 +77,8 @@ Property Compiler::inclusion(const Declaration& included, unsigned whole, const 
   return property;
 }
 
-Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra) {
-  Head head;
+CompiledSchemaText Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra) {
+  CompiledSchemaText head;
   std::vector<Variable> variables;
   std::vector<Property> goal;
   std::vector<unsigned> wholes;
@@ -110,7 +110,7 @@ Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, co
       auto names = zed::components(declaration, definitions_);
       for (Name& name : names) name.strokes.resize(name.strokes.size() - strokes.size());
       std::sort(names.begin(), names.end());
-      Group group{Slots::take(*scope.unit), signature(names), {}};
+      TupleComponent group{Slots::take(*scope.unit), signature(names), {}};
       for (const Name& name : names) group.components.push_back(declare({name.word, name.strokes + strokes}, {}));
       wholes.push_back(group.slot);
       if (declaration.term->kind == Kind::reference) inner.thetas[declaration.term->name.text()] = group.slot;
@@ -122,7 +122,7 @@ Head Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, co
   for (std::size_t i = 0; i < included.size(); ++i) goal.push_back(inclusion(*included[i], wholes[i], scope, inner));
   for (const Predicate& conjunct : text.predicates) goal.push_back(predicate(conjunct.term, inner));
   if (extra) goal.push_back(predicate(extra, inner));
-  head.search = std::make_shared<const Search>(std::move(variables), all_of(std::move(goal)), std::move(wholes));
+  head.search = std::make_shared<const Solver>(std::move(variables), all_of(std::move(goal)), std::move(wholes));
   return head;
 }
 

@@ -13,7 +13,7 @@ class Comprehension : public Set {
   Comprehension(Closure closure, Steps& steps) : closure_(std::move(closure)), steps_(steps) {}
 
   Truth contains(const Value& value, Context& context) const override {
-    const Deeper deeper(context);
+    const ApplicationDepth deeper(context);
     Frame frame = closure_.frame(context);
     if (!closure_.term) {
       if (value.get<Unknown>() && closure_.head.groups.size() + closure_.head.groups[0].components.size() > 1)
@@ -27,7 +27,7 @@ class Comprehension : public Set {
 
   // value ∈ ⋃ { D | P • E } is ∃ D | P • value ∈ E.
   Truth some_contains(const Value& value, Context& context) const override {
-    const Deeper deeper(context);
+    const ApplicationDepth deeper(context);
     Frame frame = closure_.frame(context);
     return closure_.head.search->exists(frame, [&](Frame& inside) {
       return contains_value(closure_.term ? closure_.term(inside) : characteristic(inside, closure_.head.groups), value,
@@ -106,7 +106,7 @@ void Comprehension::list() const {
 /// Returns the curve of a set { t : T | P • S } where T is of reals and equations in S determine each part of its
 /// member by t.
 std::optional<Curve> Comprehension::curve(Context& context) const {
-  const Search& search = *closure_.head.search;
+  const Solver& search = *closure_.head.search;
   Frame frame = closure_.frame(context);
   if (!closure_.term || search.variables().size() != 1 || search.numbers(frame) != Numbers::reals) return std::nullopt;
   const Unknown t{context.fresh()};
@@ -146,7 +146,7 @@ Truth admits(const Closure& closure, const Value& argument, Context& context) {
   return closure.head.search->holds(frame);
 }
 
-bool whole_unknown(const Value& argument, const std::vector<Group>& groups) {
+bool whole_unknown(const Value& argument, const std::vector<TupleComponent>& groups) {
   return (argument.is_open() || argument.get<Unknown>()) && (groups.size() > 1 || groups[0].names);
 }
 
@@ -156,7 +156,7 @@ class Lambda : public Set {
 
   Value apply(const Value& argument, Context& context) const override {
     if (whole_unknown(argument, closure_.head.groups)) return Open{};
-    const Deeper deeper(context);
+    const ApplicationDepth deeper(context);
     const Computing value_of_f(context);
     Truth admitted = Truth::no;
     return applied(closure_, argument, context, &admitted);
@@ -213,7 +213,7 @@ class AxiomaticFunction : public Set {
 
   // The choice of the clause for the argument is a question, and states no fact.
   Value apply(const Value& argument, Context& context) const override {
-    const Deeper deeper(context);
+    const ApplicationDepth deeper(context);
     const Computing value_of_f(context);
     for (const Closure& clause : clauses(context).clauses) {
       if (whole_unknown(argument, clause.head.groups)) return Open{};

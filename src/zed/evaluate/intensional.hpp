@@ -9,7 +9,7 @@ namespace durero::zed {
 struct Closure {
   std::shared_ptr<const Unit> unit;
   std::vector<Value> captured;
-  Head head;
+  CompiledSchemaText head;
   Code term;                            ///< it is null where the characteristic tuple is the value
   std::shared_ptr<const Node> written;  ///< as the text has it
   /// The slots around it that it reads, each with the name by which the text knows it.

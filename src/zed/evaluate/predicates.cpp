@@ -56,7 +56,7 @@ Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelati
 }
 
 /// A ∀ is false where some way to satisfy the head does not satisfy the body: such a way is looked for.
-Truth for_all(const Search& search, const Property& body, Frame& frame) {
+Truth for_all(const Solver& search, const Property& body, Frame& frame) {
   const Necessary not_here(frame.context, false);
   Truth result = Truth::yes;
   const Truth some = search.each(frame, [&](Frame& inside) {
@@ -76,7 +76,7 @@ Truth for_all(const Search& search, const Property& body, Frame& frame) {
   }
 }
 
-Truth just_one(const Head& head, Frame& frame) {
+Truth just_one(const CompiledSchemaText& head, Frame& frame) {
   const Necessary not_here(frame.context, false);
   std::optional<Value> only;
   bool several = false;
@@ -185,14 +185,14 @@ Property Compiler::quantified(const Term& term, const Scope& scope) {
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
   if (node.kind == Kind::exists) {
-    const Head head = this->head(*node.text, scope, inner, node.children[0]);
+    const CompiledSchemaText head = this->head(*node.text, scope, inner, node.children[0]);
     Property property;
     property.kind = Property::Kind::exists;
     property.search = head.search;
     property.term = term;
     return property;
   }
-  const Head head = this->head(*node.text, scope, inner);
+  const CompiledSchemaText head = this->head(*node.text, scope, inner);
   return test_of([search = head.search,
                   body = predicate(node.children[0], inner)](Frame& frame) { return for_all(*search, body, frame); },
                  term);
@@ -201,7 +201,7 @@ Property Compiler::quantified(const Term& term, const Scope& scope) {
 Property Compiler::exists_one(const Node& node, const Scope& scope) {
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
-  const Head head = this->head(*node.text, scope, inner, node.children[0]);
+  const CompiledSchemaText head = this->head(*node.text, scope, inner, node.children[0]);
   return test_of([head](Frame& frame) { return just_one(head, frame); }, Term(std::make_shared<const Node>(node)));
 }
 

@@ -71,7 +71,7 @@ Truth evaluate(const Property& property, Frame& frame) {
 namespace {
 
 // Where ∃ y • x = e ∧ P holds and e does not depend on y, the equation x = e holds outside the ∃.
-void collect_outer(const Search& search, std::vector<const Equation*>& equations) {
+void collect_outer(const Solver& search, std::vector<const Equation*>& equations) {
   std::vector<const Equation*> inside;
   std::vector<const Property*> declared;
   collect(search.goal(), inside, declared);
@@ -141,7 +141,7 @@ Property exists_property(std::vector<Variable> variables, Property property) {
   }
   Property conjunct;
   conjunct.kind = Property::Kind::exists;
-  conjunct.search = std::make_shared<const Search>(std::move(variables), std::move(property));
+  conjunct.search = std::make_shared<const Solver>(std::move(variables), std::move(property));
   return conjunct;
 }
 

@@ -63,7 +63,7 @@ Code set_of_any(const Property& property, unsigned slot, const std::vector<unsig
   };
 }
 
-Code set_of_exists(const Search& search, unsigned slot, std::vector<unsigned> inside) {
+Code set_of_exists(const Solver& search, unsigned slot, std::vector<unsigned> inside) {
   for (const Variable& variable : search.variables()) inside.push_back(variable.slot);
   return contains(inside, slot) ? Code() : set_of(search.goal(), slot, inside);
 }
@@ -100,7 +100,7 @@ void add_apart(const Property& goal, const std::vector<unsigned>& slots, std::ve
 
 }  // namespace
 
-Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes)
+Solver::Solver(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes)
     : variables_(std::move(variables)), goal_(std::move(goal)), wholes_(std::move(wholes)) {
   std::vector<const Equation*> equations;
   std::vector<const Property*> declared;
@@ -118,7 +118,7 @@ Search::Search(std::vector<Variable> variables, Property goal, std::vector<unsig
   collect_spans(goal_, spans_);
 }
 
-bool Search::enumerable(Frame& frame) const {
+bool Solver::enumerable(Frame& frame) const {
   return std::all_of(variables_.begin(), variables_.end(), [&](const Variable& variable) {
     if (variable.value) return true;
     if (!variable.set) return false;
@@ -133,7 +133,7 @@ bool only_declarations(const Property& property) {
          std::all_of(property.parts.begin(), property.parts.end(), only_declarations);
 }
 
-bool Search::total(Frame& frame) const {
+bool Solver::total(Frame& frame) const {
   std::vector<const Equation*> equations;
   std::vector<const Property*> declared;
   collect(goal_, equations, declared);
@@ -147,7 +147,7 @@ bool Search::total(Frame& frame) const {
                      [&](auto& variable) { return variable.set && total(variable.set); });
 }
 
-Truth Search::holds(Frame& frame) const {
+Truth Solver::holds(Frame& frame) const {
   Truth result = Truth::yes;
   for (const Variable& variable : variables_) {
     if (variable.checked || !variable.set) continue;
@@ -157,7 +157,7 @@ Truth Search::holds(Frame& frame) const {
   return both(result, evaluate(goal_, frame));
 }
 
-void Search::determine(Frame& frame) const {
+void Solver::determine(Frame& frame) const {
   for (const std::size_t i : order_) frame.slots[variables_[i].slot] = variables_[i].value(frame);
 }
 

@@ -10,7 +10,7 @@
 
 namespace durero::zed {
 
-class Search;
+class Solver;
 
 /// An equation is `x = e` among the conjuncts of a predicate: it determines x wherever it must hold and e does not
 /// depend on x.
@@ -25,7 +25,7 @@ struct Property {
   enum class Kind { all, any, exists, test };
   Kind kind = Kind::all;
   std::vector<Property> parts;           ///< all and any have operands, exists one body
-  std::shared_ptr<const Search> search;  ///< exists looks for its variables so
+  std::shared_ptr<const Solver> search;  ///< exists looks for its variables so
   Test test;                             ///< a test asks this
   std::vector<Equation> equations;       ///< a test `x = e` determines these
   std::vector<Equation> spans;           ///< a test `dom x = e` or `ran x = e` determines x where e is empty
@@ -68,11 +68,11 @@ struct Variable {
 /// Decides `∃ variables • goal` and enumerates every way to make it hold. A variable gets its values in one of three
 /// ways: an equation among the conjuncts of the goal gives it; its set, where finite, is gone through; else it stays
 /// unknown while the goal is evaluated, and the equations that the evaluation meets determine it (`equal`).
-class Search {
+class Solver {
  public:
   /// Finds the equations in the goal. `wholes` are the slots of bindings of whole schemas, which are empty while their
   /// components are looked for.
-  Search(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes = {});
+  Solver(std::vector<Variable> variables, Property goal, std::vector<unsigned> wholes = {});
 
   using Visit = std::function<bool(Frame&)>;  ///< it returns false to stop
 

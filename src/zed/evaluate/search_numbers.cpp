@@ -15,16 +15,16 @@ void conjuncts_of(const Property& property, std::vector<const Property*>& to) {
 }
 
 /// A trial puts numbers in the place of an unknown for a scope.
-class Trial {
+class TentativeValue {
  public:
-  Trial(Frame& frame, unsigned slot)
+  TentativeValue(Frame& frame, unsigned slot)
       : frame_(frame), slots_(frame.slots), slot_(slot), id_(frame.slots[slot].get<Unknown>()->id) {}
-  ~Trial() {
+  ~TentativeValue() {
     frame_.slots = slots_;
     frame_.context.values_found[id_].reset();
   }
-  Trial(const Trial&) = delete;
-  Trial& operator=(const Trial&) = delete;
+  TentativeValue(const TentativeValue&) = delete;
+  TentativeValue& operator=(const TentativeValue&) = delete;
 
   std::uint32_t id() const { return id_; }
   /// Returns the truth with that number; open where it cannot be decided.
@@ -56,7 +56,7 @@ void collect_spans(const Property& property, std::vector<Equation>& spans) {
 }
 
 // A relation whose domain is empty, or whose range is, has no pair.
-bool Search::determine_empty(Frame& frame) const {
+bool Solver::determine_empty(Frame& frame) const {
   bool some = false;
   for (const Equation& span : spans_) {
     const auto* unknown = frame.slots[span.slot].get<Unknown>();
@@ -70,13 +70,13 @@ bool Search::determine_empty(Frame& frame) const {
   return some;
 }
 
-Numbers Search::numbers(Frame& frame) const {
+Numbers Solver::numbers(Frame& frame) const {
   if (variables_.size() != 1 || !variables_[0].set || variables_[0].value) return Numbers::none;
   const Value set = variables_[0].set(frame);
   return set.set() ? set.set()->numbers() : Numbers::none;
 }
 
-bool Search::bounds_numbers(Frame& frame) const {
+bool Solver::bounds_numbers(Frame& frame) const {
   if (only_declarations(goal_)) return false;
   bool some = false;
   for (const Variable& variable : variables_) {
@@ -90,8 +90,8 @@ bool Search::bounds_numbers(Frame& frame) const {
   return some;
 }
 
-std::optional<std::vector<Real>> Search::candidates(const Variable& variable, const Set& set, Frame& frame) const {
-  Trial trial(frame, variable.slot);
+std::optional<std::vector<Real>> Solver::candidates(const Variable& variable, const Set& set, Frame& frame) const {
+  TentativeValue trial(frame, variable.slot);
   Context& context = frame.context;
   const auto in_set = [&] { return set.contains(frame.slots[variable.slot], context); };
   std::vector<const Property*> conjuncts, followed;
@@ -117,9 +117,9 @@ std::optional<std::vector<Real>> Search::candidates(const Variable& variable, co
   return every_number(set.numbers(), *cuts, [&](const Real& t) { return trial.at(t, all); });
 }
 
-std::optional<Truth> Search::some_number(const Variable& variable, const Set& set, Frame& frame,
+std::optional<Truth> Solver::some_number(const Variable& variable, const Set& set, Frame& frame,
                                          const Test& extra) const {
-  Trial trial(frame, variable.slot);
+  TentativeValue trial(frame, variable.slot);
   const auto whole = [&] {
     determine(frame);
     Truth here = set.contains(frame.slots[variable.slot], frame.context);

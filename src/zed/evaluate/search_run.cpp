@@ -31,8 +31,8 @@ constexpr int most_tries = 300;     // the most such numbers for all variables o
 }  // namespace
 
 /// A run is one call of each(), and knows where it is in the nest of finite sets.
-struct Search::Run {
-  const Search& search;
+struct Solver::Run {
+  const Solver& search;
   Frame& frame;
   const Visit& visit;
   const Test& extra;
@@ -187,7 +187,7 @@ struct Search::Run {
 
 /// Says whether the goal is false whatever the variables are. An undecided conjunct refutes nothing here: it is asked
 /// again with the rest of the goal.
-bool Search::refuted(Frame& frame) const {
+bool Solver::refuted(Frame& frame) const {
   const Necessary not_here(frame.context, false);
   return std::any_of(apart_.begin(), apart_.end(), [&](const Test& test) {
     try {
@@ -198,7 +198,7 @@ bool Search::refuted(Frame& frame) const {
   });
 }
 
-Truth Search::each(Frame& frame, const Visit& visit, const Test& extra) const {
+Truth Solver::each(Frame& frame, const Visit& visit, const Test& extra) const {
   if (refuted(frame)) return Truth::no;
   Run run{*this, frame, visit, extra};
   for (const unsigned slot : wholes_) frame.slots[slot] = Value();

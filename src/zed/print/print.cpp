@@ -33,11 +33,11 @@ std::string header(const Name& name, const std::vector<Name>& formals, const Mar
 }
 
 /// A frame says how the lines of a box are joined.
-struct Frame {
+struct BoxLayout {
   std::string open, decl_end, where, pred_end, close, margin;
 };
 
-std::string box(const SchemaText& text, const Markup* markup, const Frame& frame) {
+std::string box(const SchemaText& text, const Markup* markup, const BoxLayout& frame) {
   std::string lines = frame.open;
   const std::size_t declarations = text.declarations.size(), predicates = text.predicates.size();
   for (std::size_t i = 0; i < declarations; ++i) {

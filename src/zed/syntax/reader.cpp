@@ -28,10 +28,11 @@ std::optional<std::string> on_disk(const std::string& file) {
   }
 }
 
-class Reader {
+class SpecificationReader {
  public:
   /// Reads `texts`, by name of file, instead of files on disk.
-  explicit Reader(std::map<std::string, std::optional<std::string>> texts = {}) : texts_(std::move(texts)) {}
+  explicit SpecificationReader(std::map<std::string, std::optional<std::string>> texts = {})
+      : texts_(std::move(texts)) {}
 
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
@@ -265,7 +266,7 @@ bool is_toolkit(const std::string& section) {
 }
 
 Specification read_files(const std::vector<std::string>& files) {
-  Reader reader;
+  SpecificationReader reader;
   for (const std::string& path : files) reader.index(path);
   for (const std::string& path : files) reader.file(path);
   return reader.take();
@@ -276,7 +277,7 @@ namespace {
 /// Reads texts of files, which it keeps, or whatever they name.
 template <class Texts>
 Specification read_each(const Texts& texts) {
-  Reader reader({texts.begin(), texts.end()});
+  SpecificationReader reader({texts.begin(), texts.end()});
   for (const auto& [file, text] : texts) reader.index(file);
   for (const auto& [file, text] : texts) reader.file(file);
   return reader.take();
@@ -291,7 +292,7 @@ Specification read_sources(const std::vector<std::pair<std::string, std::string>
 Specification read_texts(const std::map<std::string, std::string>& texts) { return read_each(texts); }
 
 Specification read_text(const std::string& text, const std::string& file) {
-  Reader reader;
+  SpecificationReader reader;
   reader.text(text, file);
   return reader.take();
 }

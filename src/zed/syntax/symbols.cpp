@@ -12,13 +12,13 @@
 namespace durero::zed {
 namespace {
 
-struct Spelling {
+struct SymbolSpelling {
   std::string_view command, unicode;
 };
 
 // These are the commands of ISO/IEC 13568, A.2, for what is no operator: letters, brackets, connectives and keywords.
 // The commands of operators stand in their rows (operators.hpp).
-constexpr Spelling spellings[] = {
+constexpr SymbolSpelling spellings[] = {
     {"power", "ℙ"},
     {"Delta", "Δ"},
     {"Xi", "Ξ"},
@@ -104,7 +104,7 @@ template <class Visit>
 void each_spelling(Visit&& visit) {
   for (const OperatorRow& row : operator_rows())
     if (!row.command.empty()) visit(row.command, row.symbol());
-  for (const Spelling& spelling : spellings) visit(spelling.command, spelling.unicode);
+  for (const SymbolSpelling& spelling : spellings) visit(spelling.command, spelling.unicode);
 }
 
 /// Returns the operators, from their rows.

@@ -8,17 +8,17 @@ namespace durero::zed {
 namespace {
 
 /// Counts the depth of the recursion for a scope.
-class Deeper {
+class ParsingDepth {
  public:
-  Deeper(unsigned& depth, Place place) : depth_(depth) {
+  ParsingDepth(unsigned& depth, Place place) : depth_(depth) {
     if (++depth_ > max_depth) {
       --depth_;
       throw ZError(place, fmt::format("the text nests deeper than {} levels", max_depth), "expected less nesting");
     }
   }
-  ~Deeper() { --depth_; }
-  Deeper(const Deeper&) = delete;
-  Deeper& operator=(const Deeper&) = delete;
+  ~ParsingDepth() { --depth_; }
+  ParsingDepth(const ParsingDepth&) = delete;
+  ParsingDepth& operator=(const ParsingDepth&) = delete;
 
  private:
   unsigned& depth_;
@@ -40,7 +40,7 @@ Term TermParser::checked(Term term) const {
 }
 
 Term TermParser::term(int least) {
-  const Deeper deeper(depth_, in_.peek().place);
+  const ParsingDepth deeper(depth_, in_.peek().place);
   Term left = leading();
   for (;;) {
     const Token& token = in_.peek();
@@ -229,7 +229,7 @@ Declaration TermParser::declaration() {
 }
 
 SchemaText TermParser::schema_text(bool labelled) {
-  const Deeper deeper(depth_, in_.peek().place);
+  const ParsingDepth deeper(depth_, in_.peek().place);
   SchemaText text;
   if (!in_.sees("|") && !in_.sees("•")) {
     do {

@@ -34,7 +34,7 @@ bool Members::knows(const std::string& set, std::size_t index) {
   return *known[index];
 }
 
-Attempt::Attempt(const Ground& ground, const Claim& claim)
+Attempt::Attempt(const Ground& ground, const QuantifiedClaim& claim)
     : ground_(ground),
       claim_(claim),
       check_(ground.evaluator.schema(claim.claimed_name)),

@@ -38,7 +38,7 @@ struct Ground {
 /// Tries one conjecture.
 class Attempt {
  public:
-  Attempt(const Ground& ground, const Claim& claim);
+  Attempt(const Ground& ground, const QuantifiedClaim& claim);
   /// Tries it, and notes what came of it. Throws what the evaluator throws where it cannot go on; what was tried before
   /// is noted then.
   void run(Trial& trial);
@@ -59,7 +59,7 @@ class Attempt {
   /// Values for the components of the claim, and what is known of them.
   struct State {
     std::vector<Value> values;
-    SchemaCheck::Known known;
+    SchemaCheck::KnownTruth known;
   };
 
   void add_sources(const Declaration& declaration, std::size_t number, bool outermost);
@@ -77,7 +77,7 @@ class Attempt {
   void judge(const std::vector<Value>& values, Truth last, Trial& trial);
 
   const Ground& ground_;
-  const Claim& claim_;
+  const QuantifiedClaim& claim_;
   SchemaCheck check_;
   std::vector<Source> sources_;
   std::vector<bool> placed_;              // components that some source gives

@@ -25,7 +25,7 @@ void add_names(const Term& term, std::vector<Name>& to) {
 
 }  // namespace
 
-Claim::Claim(const Term& term, std::size_t number)
+QuantifiedClaim::QuantifiedClaim(const Term& term, std::size_t number)
     : whole(term),
       assumed_name{" assumed " + std::to_string(number), ""},
       claimed_name{" claimed " + std::to_string(number), ""} {
@@ -36,7 +36,7 @@ Claim::Claim(const Term& term, std::size_t number)
   claimed.predicates.push_back({quantified ? term->children[0] : term, {}, term->place});
 }
 
-std::vector<Paragraph> Claim::definitions() const {
+std::vector<Paragraph> QuantifiedClaim::definitions() const {
   return {definition(assumed_name, assumed), definition(claimed_name, claimed)};
 }
 

@@ -10,8 +10,8 @@ namespace durero::zed {
 
 /// The schemas [ D | P ] and [ D | P; Q ] of ∀ D | P • Q, or of ∃; where the claim begins with no quantifier D and P
 /// are empty.
-struct Claim {
-  Claim(const Term& term, std::size_t number);
+struct QuantifiedClaim {
+  QuantifiedClaim(const Term& term, std::size_t number);
   /// Their definitions, under names that no text can write.
   std::vector<Paragraph> definitions() const;
 

@@ -10,7 +10,7 @@ namespace {
 /// One evaluator serves all, as what the text's own names stand for is the same for each; every conjecture has the
 /// steps for itself.
 void try_claims(std::vector<Section> sections, const Specification& specification, const Samples& samples,
-                const std::vector<Claim>& claims, const Typing& typing, const TrialBounds& bounds,
+                const std::vector<QuantifiedClaim>& claims, const Typing& typing, const TrialBounds& bounds,
                 std::vector<Trial>& trials) {
   Steps steps(bounds.steps);
   const Evaluator evaluator(std::move(sections), bounds.constants, &steps);
@@ -36,7 +36,7 @@ void try_claims(std::vector<Section> sections, const Specification& specificatio
 std::vector<Trial> try_conjectures(const Specification& specification, const Typing& typing, const Samples& samples,
                                    const TrialBounds& bounds) {
   std::vector<Trial> trials;
-  std::vector<Claim> claims;
+  std::vector<QuantifiedClaim> claims;
   std::vector<Section> sections;
   if (bounds.states > 0) sections = specification.sections;
   for (const Section& section : specification.sections) {
@@ -48,7 +48,7 @@ std::vector<Trial> try_conjectures(const Specification& specification, const Typ
           trials.back().why_not = "no state is asked for";
           continue;
         }
-        const Claim& claim = claims.emplace_back(conjecture->claim.term, claims.size());
+        const QuantifiedClaim& claim = claims.emplace_back(conjecture->claim.term, claims.size());
         for (Paragraph& schema : claim.definitions()) own.paragraphs.push_back(std::move(schema));
       }
     sections.push_back(std::move(own));

@@ -69,17 +69,17 @@ class Computing : public Necessary {
 };
 
 /// Bounds the depth of applications, for definitions that use themselves without end.
-class Deeper {
+class ApplicationDepth {
  public:
-  explicit Deeper(Context& context) : context_(context) {
+  explicit ApplicationDepth(Context& context) : context_(context) {
     if (++context_.depth > limit) {
       --context_.depth;
       throw EvaluationError("applications are nested deeper than " + std::to_string(limit));
     }
   }
-  ~Deeper() { --context_.depth; }
-  Deeper(const Deeper&) = delete;
-  Deeper& operator=(const Deeper&) = delete;
+  ~ApplicationDepth() { --context_.depth; }
+  ApplicationDepth(const ApplicationDepth&) = delete;
+  ApplicationDepth& operator=(const ApplicationDepth&) = delete;
   static constexpr int limit = 500;
 
  private:

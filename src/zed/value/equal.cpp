@@ -6,26 +6,27 @@ namespace durero::zed {
 namespace {
 
 /// A number is constant + slope · unknown + square · unknown², where slope and square are 0 where it is known.
-struct Line {
+struct UnknownQuadratic {
   Real constant, slope, square;
   std::uint32_t unknown = Context::none;
 };
 
-std::optional<Line> line(const Value& value) {
-  if (const auto* real = value.real()) return Line{*real, Real(), Real(), Context::none};
-  if (const auto* unknown = value.get<Unknown>()) return Line{Real(), Real(1), Real(), unknown->id};
+std::optional<UnknownQuadratic> line(const Value& value) {
+  if (const auto* real = value.real()) return UnknownQuadratic{*real, Real(), Real(), Context::none};
+  if (const auto* unknown = value.get<Unknown>()) return UnknownQuadratic{Real(), Real(1), Real(), unknown->id};
   if (const auto* polynomial = value.get<PolynomialPtr>())
-    return Line{(*polynomial)->constant, (*polynomial)->slope, (*polynomial)->square, (*polynomial)->unknown};
+    return UnknownQuadratic{(*polynomial)->constant, (*polynomial)->slope, (*polynomial)->square,
+                            (*polynomial)->unknown};
   return std::nullopt;
 }
 
-Value value(Line line) {
+Value value(UnknownQuadratic line) {
   if (sign(line.slope) == 0 && sign(line.square) == 0) return line.constant;
   return std::make_shared<const Polynomial>(
       Polynomial{std::move(line.constant), std::move(line.slope), std::move(line.square), line.unknown});
 }
 
-bool known(const Line& a) { return a.unknown == Context::none; }
+bool known(const UnknownQuadratic& a) { return a.unknown == Context::none; }
 
 template <class Operation>
 Value linear(const Value& a, const Value& b, Operation&& operation) {
@@ -38,8 +39,10 @@ Value linear(const Value& a, const Value& b, Operation&& operation) {
   return operation(*x, *y);
 }
 
-std::uint32_t either(const Line& a, const Line& b) { return known(a) ? b.unknown : a.unknown; }
-bool mixed(const Line& a, const Line& b) { return !known(a) && !known(b) && a.unknown != b.unknown; }
+std::uint32_t either(const UnknownQuadratic& a, const UnknownQuadratic& b) { return known(a) ? b.unknown : a.unknown; }
+bool mixed(const UnknownQuadratic& a, const UnknownQuadratic& b) {
+  return !known(a) && !known(b) && a.unknown != b.unknown;
+}
 
 /// Notes that the unknown has this value, where what is evaluated must hold and nothing has said its value before.
 Truth determine(std::uint32_t unknown, Value is, Context& context) {
@@ -48,7 +51,7 @@ Truth determine(std::uint32_t unknown, Value is, Context& context) {
 }
 
 /// A comparison of a with b is one of a − b with 0.
-Truth watched(const Line& a, const Line& b, Context& context) {
+Truth watched(const UnknownQuadratic& a, const UnknownQuadratic& b, Context& context) {
   if (!context.watch) return Truth::open;
   if (mixed(a, b) || either(a, b) != context.watch->unknown) return lost(context);
   context.watch->compared.push_back(
@@ -57,14 +60,14 @@ Truth watched(const Line& a, const Line& b, Context& context) {
 }
 
 /// x = a + b·t determines x as a polynomial in the parameter t.
-Truth along_parameter(const Line& a, const Line& b, Context& context) {
+Truth along_parameter(const UnknownQuadratic& a, const UnknownQuadratic& b, Context& context) {
   const bool alone = sign(a.constant) == 0 && a.slope == Real(1) && sign(a.square) == 0;
   if (b.unknown == context.parameter && alone) return determine(a.unknown, value(b), context);
   if (a.unknown == context.parameter && b.unknown != context.parameter) return along_parameter(b, a, context);
   return lost(context);
 }
 
-Truth equal_lines(const Line& a, const Line& b, Context& context) {
+Truth equal_lines(const UnknownQuadratic& a, const UnknownQuadratic& b, Context& context) {
   if (known(a) && known(b)) return truth(a.constant == b.constant);
   // Where both of x = y are unknown, nothing is found out yet, but where one of them is the parameter of all others.
   if (mixed(a, b)) return along_parameter(a, b, context);
@@ -125,7 +128,7 @@ Value sum(const Value& a, const Value& b) {
   const auto *x = a.real(), *y = b.real();
   return exactly([&]() -> Value {
     if (x && y) return *x + *y;
-    return linear(a, b, [](const Line& p, const Line& q) -> Value {
+    return linear(a, b, [](const UnknownQuadratic& p, const UnknownQuadratic& q) -> Value {
       if (mixed(p, q)) return Open{};
       return value({p.constant + q.constant, p.slope + q.slope, p.square + q.square, either(p, q)});
     });
@@ -136,7 +139,7 @@ Value difference(const Value& a, const Value& b) {
   const auto *x = a.real(), *y = b.real();
   return exactly([&]() -> Value {
     if (x && y) return *x - *y;
-    return linear(a, b, [](const Line& p, const Line& q) -> Value {
+    return linear(a, b, [](const UnknownQuadratic& p, const UnknownQuadratic& q) -> Value {
       if (mixed(p, q)) return Open{};
       return value({p.constant - q.constant, p.slope - q.slope, p.square - q.square, either(p, q)});
     });
@@ -147,7 +150,7 @@ Value product(const Value& a, const Value& b) {
   const auto *x = a.real(), *y = b.real();
   return exactly([&]() -> Value {
     if (x && y) return *x * *y;
-    return linear(a, b, [](const Line& p, const Line& q) -> Value {
+    return linear(a, b, [](const UnknownQuadratic& p, const UnknownQuadratic& q) -> Value {
       const bool linear = sign(p.square) == 0 && sign(q.square) == 0;
       if (mixed(p, q) || (!known(p) && !known(q) && !linear)) return Open{};
       return value({p.constant * q.constant, p.constant * q.slope + p.slope * q.constant,

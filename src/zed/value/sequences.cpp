@@ -77,19 +77,20 @@ Value sequence_set(const Value& of, bool nonempty, bool distinct) {
 }
 
 /// Says where in b the items of a stand in a row: at its start, at its end, or anywhere.
-enum class Part { start, end, anywhere };
+enum class SequencePosition { start, end, anywhere };
 
-Truth is_part(const Value& a, const Value& b, Part part, Context& context) {
+Truth is_part(const Value& a, const Value& b, SequencePosition part, Context& context) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
   if (waiting(a) || waiting(b)) return lost(context);
   if (has_intensional(a) || has_intensional(b)) throw EvaluationError("sequences of sets that nobody can compare");
   const auto piece = items(a), whole = items(b);
   if (!piece || !whole || piece->size() > whole->size()) return Truth::no;
   const auto equal_items = [](const Value& x, const Value& y) { return same(x, y); };
-  if (part == Part::anywhere)
+  if (part == SequencePosition::anywhere)
     return truth(piece->empty() ||
                  std::search(whole->begin(), whole->end(), piece->begin(), piece->end(), equal_items) != whole->end());
-  const auto from = part == Part::start ? whole->begin() : whole->end() - static_cast<std::ptrdiff_t>(piece->size());
+  const auto from =
+      part == SequencePosition::start ? whole->begin() : whole->end() - static_cast<std::ptrdiff_t>(piece->size());
   return truth(std::equal(piece->begin(), piece->end(), from, equal_items));
 }
 
@@ -178,9 +179,15 @@ Value filtering(const Value& s, const Value& set, Context& context) {
 
 namespace relations {
 
-Truth is_prefix(const Value& a, const Value& b, Context& context) { return is_part(a, b, Part::start, context); }
-Truth is_suffix(const Value& a, const Value& b, Context& context) { return is_part(a, b, Part::end, context); }
-Truth is_infix(const Value& a, const Value& b, Context& context) { return is_part(a, b, Part::anywhere, context); }
+Truth is_prefix(const Value& a, const Value& b, Context& context) {
+  return is_part(a, b, SequencePosition::start, context);
+}
+Truth is_suffix(const Value& a, const Value& b, Context& context) {
+  return is_part(a, b, SequencePosition::end, context);
+}
+Truth is_infix(const Value& a, const Value& b, Context& context) {
+  return is_part(a, b, SequencePosition::anywhere, context);
+}
 
 }  // namespace relations
 

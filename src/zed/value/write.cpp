@@ -25,7 +25,7 @@ bool is_sequence(const std::vector<Value>& pairs) {
 
 /// Writes a value of a type, or of one that is not known where that is null. A set of pairs is written as a
 /// function, and as a sequence where it is one.
-struct Writer {
+struct ValueWriter {
   const Value::Spelling& spelling;
   const Type* type = nullptr;
 
@@ -57,7 +57,9 @@ struct Writer {
     return "{" + (all_pairs(*members) ? maplets(*members) : listed(*members, Type::Kind::power)) + "}";
   }
 
-  std::string write(const Value& value, const Type* of) const { return std::visit(Writer{spelling, of}, value.form()); }
+  std::string write(const Value& value, const Type* of) const {
+    return std::visit(ValueWriter{spelling, of}, value.form());
+  }
 
   /// Returns part i of a type of this kind, which is in step with part i of a value of it; null where the type is not
   /// known.
@@ -101,11 +103,11 @@ struct Writer {
 
 std::string Value::text() const {
   const Spelling own_text = [](const AtomName& atom) { return atom.text; };
-  return std::visit(Writer{own_text}, form_);
+  return std::visit(ValueWriter{own_text}, form_);
 }
 
 std::string Value::text(const Type& type, const Spelling& spelling) const {
-  return std::visit(Writer{spelling, &type}, form_);
+  return std::visit(ValueWriter{spelling, &type}, form_);
 }
 
 }  // namespace durero::zed

@@ -15,14 +15,14 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Asked;
-using accel::Choice;
 using accel::choose;
 using accel::described;
-using accel::Kind;
 using accel::outline;
-using accel::Verdict;
+using accel::PrecomputedRay;
 using accel::Volume;
+using accel::VolumeCost;
+using accel::VolumeKind;
+using accel::VolumeTest;
 using accel::Work;
 using std::numbers::pi;
 
@@ -45,7 +45,7 @@ Counted counted(const Volume& volume, double radius, std::size_t lines) {
     const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
     Work work;
     const trace::Ray line(ray(aside - 3 * radius * v, v));
-    if (verdict(volume, Asked(line, accel::most_slabs), trace::no_limit, work) == Verdict::met) sum.m += 1;
+    if (verdict(volume, PrecomputedRay(line, accel::most_slabs), trace::no_limit, work) == VolumeTest::met) sum.m += 1;
     for (std::size_t k = 0; k < work.volumes; ++k) sum.tests += accel::kind_of(volume.parts[k]).B;
   }
   sum.m /= double(lines);
@@ -55,7 +55,7 @@ Counted counted(const Volume& volume, double radius, std::size_t lines) {
 
 double least_of_single(scene::ShapeView element, double radius, std::size_t lines) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Kind& kind : accel::kinds())
+  for (const VolumeKind& kind : accel::kinds())
     least = std::min(least, counted({{kind.around(element, outline(element))}}, radius, lines).T());
   return least;
 }
@@ -81,7 +81,7 @@ TEST_CASE("what costs least is chosen of single volumes and intersections, and c
   for (const auto& [element, radius, expected] :
        {Case{ball, 1.0, "ball"}, Case{ball, 9.0, "ball"}, Case{upright, 2.0, "box"}, Case{upright, 9.0, "box"},
         Case{needle, 1.8, "box ∩ ellipsoid"}, Case{column, 1.8, "ball ∩ ellipsoid"}}) {
-    const Choice choice = choose(element, 4 * pi * radius * radius);
+    const VolumeCost choice = choose(element, 4 * pi * radius * radius);
     INFO(expected << " within " << radius);
     CHECK(described(choice.volume) == expected);
     const Counted found = counted(choice.volume, radius, lines);
@@ -103,7 +103,7 @@ TEST_CASE("no union of two balls or boxes, each about half of a column, costs as
       for (const double radius : {1.75, 2.5, 6.0}) {
         const scene::Cylinder whole{-1.0 * d, r, d, 2}, lower{-1.0 * d, r, d, 1}, upper{glm::dvec3(0), r, d, 1};
         const double own = counted(choose(whole, 4 * pi * radius * radius).volume, radius, lines).T();
-        for (const Kind& kind : accel::kinds().first(2)) {
+        for (const VolumeKind& kind : accel::kinds().first(2)) {
           const Volume both{{kind.around(lower, outline(lower)), kind.around(upper, outline(upper))},
                             Volume::Rule::union_of};
           CHECK(own < counted(both, radius, lines).T());
@@ -113,7 +113,7 @@ TEST_CASE("no union of two balls or boxes, each about half of a column, costs as
 
 TEST_CASE("volumes are told in words, in the order of their tests") {
   std::vector<accel::Simple> all;
-  for (const Kind& kind : accel::kinds()) {
+  for (const VolumeKind& kind : accel::kinds()) {
     all.push_back(kind.around(column, outline(column)));
     CHECK(accel::kind_of(all.back()).name == kind.name);
   }

@@ -13,12 +13,12 @@ using namespace durero;
 using namespace durero::test;
 using accel::Ellipsoid;
 using accel::verdict;
-using accel::Verdict;
+using accel::VolumeTest;
 
 namespace {
 
 template <class V>
-Verdict of(const V& volume, const glm::dvec3& p, const glm::dvec3& v, double limit = trace::no_limit) {
+VolumeTest of(const V& volume, const glm::dvec3& p, const glm::dvec3& v, double limit = trace::no_limit) {
   return verdict(volume, trace::Ray(ray(p, v)), limit);
 }
 
@@ -26,23 +26,23 @@ Verdict of(const V& volume, const glm::dvec3& p, const glm::dvec3& v, double lim
 
 TEST_CASE("a ball is met, missed, or lies behind or beyond the limit") {
   const surface::Ball ball{{0, 0, 0}, 1};
-  CHECK(of(ball, {-3, 0, 0}, {1, 0, 0}) == Verdict::met);
-  CHECK(of(ball, {-3, 0, 0}, {1, 0, 0}, 2) == Verdict::met);
-  CHECK(of(ball, {-3, 0, 0}, {1, 0, 0}, 1.9) == Verdict::beyond);
-  CHECK(of(ball, {3, 0, 0}, {1, 0, 0}) == Verdict::missed);
-  CHECK(of(ball, {-3, 1.1, 0}, {1, 0, 0}) == Verdict::missed);
-  CHECK(of(ball, {0, 0, 0}, {1, 0, 0}, 0.1) == Verdict::met);
+  CHECK(of(ball, {-3, 0, 0}, {1, 0, 0}) == VolumeTest::met);
+  CHECK(of(ball, {-3, 0, 0}, {1, 0, 0}, 2) == VolumeTest::met);
+  CHECK(of(ball, {-3, 0, 0}, {1, 0, 0}, 1.9) == VolumeTest::beyond);
+  CHECK(of(ball, {3, 0, 0}, {1, 0, 0}) == VolumeTest::missed);
+  CHECK(of(ball, {-3, 1.1, 0}, {1, 0, 0}) == VolumeTest::missed);
+  CHECK(of(ball, {0, 0, 0}, {1, 0, 0}, 0.1) == VolumeTest::met);
 }
 
 TEST_CASE("an ellipsoid is met where it is, in its proportions") {
   const Ellipsoid tall{{0, 0, 0}, {0, 0, 1}, 0.5, 1};  // of radius 1 and half height 2
-  CHECK(of(tall, {-3, 0, 1.9}, {1, 0, 0}) == Verdict::met);
-  CHECK(of(tall, {-3, 0, 2.1}, {1, 0, 0}) == Verdict::missed);
-  CHECK(of(tall, {-3, 0.9, 0}, {1, 0, 0}) == Verdict::met);
-  CHECK(of(tall, {-3, 1.1, 0}, {1, 0, 0}) == Verdict::missed);
-  CHECK(of(tall, {0, 0, -5}, {0, 0, 1}, 3) == Verdict::met);
-  CHECK(of(tall, {0, 0, -5}, {0, 0, 1}, 2.9) == Verdict::beyond);
-  CHECK(of(tall, {0, 0, 5}, {0, 0, 1}) == Verdict::missed);
+  CHECK(of(tall, {-3, 0, 1.9}, {1, 0, 0}) == VolumeTest::met);
+  CHECK(of(tall, {-3, 0, 2.1}, {1, 0, 0}) == VolumeTest::missed);
+  CHECK(of(tall, {-3, 0.9, 0}, {1, 0, 0}) == VolumeTest::met);
+  CHECK(of(tall, {-3, 1.1, 0}, {1, 0, 0}) == VolumeTest::missed);
+  CHECK(of(tall, {0, 0, -5}, {0, 0, 1}, 3) == VolumeTest::met);
+  CHECK(of(tall, {0, 0, -5}, {0, 0, 1}, 2.9) == VolumeTest::beyond);
+  CHECK(of(tall, {0, 0, 5}, {0, 0, 1}) == VolumeTest::missed);
 }
 
 TEST_CASE("the ellipsoid around a cylinder is the least, and that around a ball the ball") {
@@ -68,7 +68,7 @@ TEST_CASE("rays that touch exactly meet, from near and from afar, whatever is ro
     const glm::dvec3 centre = random.lattice_vector(1 << 20), v(a * a - b * b, 2 * a * b, 0);
     const glm::dvec3 p = centre + glm::dvec3(2 * a * b, b * b - a * a, 0) - away * v;
     const double radius = a * a + b * b, scale = std::ldexp(1.0, random.integer(-40, 40));
-    const auto check = [&](const auto& volume) { REQUIRE(of(volume, scale * p, scale * v, away) == Verdict::met); };
+    const auto check = [&](const auto& volume) { REQUIRE(of(volume, scale * p, scale * v, away) == VolumeTest::met); };
     check(surface::Ball{scale * centre, scale * radius});
     check(Ellipsoid{scale * centre, {0, 0, 1}, std::ldexp(1.0, random.integer(-10, 10)), scale * radius});
     check(Ellipsoid{scale * centre, random.direction(), 1, scale * radius});

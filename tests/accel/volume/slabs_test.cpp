@@ -11,11 +11,11 @@
 
 using namespace durero;
 using namespace durero::test;
+using accel::BoxInterval;
 using accel::Projection;
 using accel::Projections;
 using accel::Slab;
 using accel::Slabs;
-using accel::Stretch;
 using number::exact;
 using number::Rational;
 
@@ -25,12 +25,12 @@ Rational dot(const glm::dvec3& a, const glm::dvec3& b) {
   return exact(a.x) * exact(b.x) + exact(a.y) * exact(b.y) + exact(a.z) * exact(b.z);
 }
 
-Stretch within(const glm::dvec3& n, const Slab& slab, const glm::dvec3& p, const glm::dvec3& v) {
+BoxInterval within(const glm::dvec3& n, const Slab& slab, const glm::dvec3& p, const glm::dvec3& v) {
   return Projection(n, trace::Ray(ray(p, v))).within(slab);
 }
 
 /// Of two slabs in the plane, across x and across y.
-Stretch of_figure(const glm::dvec3& p, const glm::dvec3& v) {
+BoxInterval of_figure(const glm::dvec3& p, const glm::dvec3& v) {
   return stretch(Slabs{{{1, 2}, {1, 2}}}, Projections(trace::Ray(ray(p, v)), 2));
 }
 
@@ -38,7 +38,7 @@ Stretch of_figure(const glm::dvec3& p, const glm::dvec3& v) {
 
 TEST_CASE("the rays of figure 7: one between no two pairs of planes at once, one from B1 to A2") {
   CHECK_FALSE(of_figure({0, 2.5, 0}, {1, 1, 0}).meets());
-  const Stretch second = of_figure({0, -0.5, 0}, {1, 1, 0});  // across x at 1 and 2, across y at 1.5 and 2.5
+  const BoxInterval second = of_figure({0, -0.5, 0}, {1, 1, 0});  // across x at 1 and 2, across y at 1.5 and 2.5
   CHECK(second.meets());
   CHECK(second.entry == Approx(1.5));
   CHECK(second.exit == Approx(2));
@@ -53,7 +53,7 @@ TEST_CASE("the stretch holds the exact interval, and little more") {
     const glm::dvec3 p = random.in_cube(far), v = random.in_cube(1);
     const double a = random.uniform(-1, 1);
     const Slab slab{a - 0x1p-50 * std::abs(a), a + 0.25};
-    const Stretch found = within(n, slab, p, v);
+    const BoxInterval found = within(n, slab, p, v);
     const Rational S = dot(n, p), speed = dot(n, v);
     if (speed == 0) continue;
     Rational entry = (exact(a) - S) / speed, exit = (exact(a) + Rational(1, 4) - S) / speed;
@@ -88,7 +88,7 @@ TEST_CASE("planes that the ray touches exactly are met, however its numbers are 
     const double above = std::nextafter(rounded, 10.0), below = std::nextafter(rounded, -10.0);
     for (const Slab& slab :
          {Slab{below - 0x1p-50 * std::abs(below), below + 3}, Slab{above - 3, above + 0x1p-50 * std::abs(above)}}) {
-      const Stretch found = within(n, slab, p, v);
+      const BoxInterval found = within(n, slab, p, v);
       REQUIRE(exact(found.entry) <= t);
       REQUIRE(exact(found.exit) >= t);
     }
@@ -98,7 +98,7 @@ TEST_CASE("planes that the ray touches exactly are met, however its numbers are 
 TEST_CASE(
     "a ray between the planes and parallel to them is not cut; one outside never meets them; zeros have no sign") {
   for (const double zero : {0.0, -0.0}) {
-    const Stretch inside = within({1, 0, 0}, {-1, 1}, {zero, 5, 5}, {zero, 1, 0});
+    const BoxInterval inside = within({1, 0, 0}, {-1, 1}, {zero, 5, 5}, {zero, 1, 0});
     CHECK(inside.entry == 0);
     CHECK(inside.exit == accel::never);
     CHECK(within({1, 0, 0}, {-1, 1}, {1, 5, 5}, {zero, 1, 0}).meets());

@@ -15,16 +15,16 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::Asked;
-using accel::Kind;
 using accel::outline;
 using accel::Outline;
+using accel::PrecomputedRay;
 using accel::projected;
 using accel::Simple;
 using accel::surface_of;
 using accel::verdict;
-using accel::Verdict;
 using accel::Volume;
+using accel::VolumeKind;
+using accel::VolumeTest;
 using accel::Work;
 using std::numbers::pi;
 
@@ -34,12 +34,12 @@ constexpr std::size_t all_slabs = accel::most_slabs;
 
 std::vector<Simple> all_around(scene::ShapeView element) {
   std::vector<Simple> all;
-  for (const Kind& kind : accel::kinds()) all.push_back(kind.around(element, outline(element)));
+  for (const VolumeKind& kind : accel::kinds()) all.push_back(kind.around(element, outline(element)));
   return all;
 }
 
-const Kind& kind(std::string_view name) {
-  for (const Kind& kind : accel::kinds())
+const VolumeKind& kind(std::string_view name) {
+  for (const VolumeKind& kind : accel::kinds())
     if (kind.name == name) return kind;
   FAIL(name);
   return accel::kinds()[0];
@@ -48,12 +48,12 @@ const Kind& kind(std::string_view name) {
 /// Every volume of the element is met up to the limit.
 void check_met(const std::vector<Simple>& volumes, const model::Rayo& rayo, double limit) {
   const trace::Ray ray(rayo);
-  const Asked asked(ray, all_slabs);
+  const PrecomputedRay asked(ray, all_slabs);
   for (std::size_t i = 0; i < volumes.size(); ++i) {
-    if (verdict(volumes[i], asked, limit) == Verdict::met) continue;
+    if (verdict(volumes[i], asked, limit) == VolumeTest::met) continue;
     INFO(accel::kinds()[i].name << " from " << ray.p.x << ' ' << ray.p.y << ' ' << ray.p.z << " along " << ray.v.x
                                 << ' ' << ray.v.y << ' ' << ray.v.z);
-    CHECK(verdict(volumes[i], asked, limit) == Verdict::met);
+    CHECK(verdict(volumes[i], asked, limit) == VolumeTest::met);
   }
 }
 
@@ -210,9 +210,9 @@ void check_share(std::size_t lines, Random& random) {
     const double angle = random.uniform(0, 2 * pi), off = std::sqrt(3 * random.uniform(0, 1));
     const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
     const trace::Ray line(ray(aside - 4.0 * v, v));
-    if (verdict(cube, Asked(line, 0), trace::no_limit) != Verdict::met) continue;
+    if (verdict(cube, PrecomputedRay(line, 0), trace::no_limit) != VolumeTest::met) continue;
     ++met;
-    if (verdict(sphere, line, trace::no_limit) != Verdict::met) ++missed;
+    if (verdict(sphere, line, trace::no_limit) != VolumeTest::met) ++missed;
   }
   const double share = double(missed) / double(lines), expected = 1 - pi / 6;
   CHECK(std::abs(share - expected) < 3 * std::sqrt(expected * (1 - expected) / double(lines)));
@@ -258,7 +258,7 @@ TEST_CASE(
     const double angle = random.uniform(0, 2 * pi), off = 1.6 * std::sqrt(random.uniform(0, 1));
     const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
     const model::Rayo line = ray(aside - 4.0 * v, v);
-    if (verdict(box, Asked(trace::Ray(line), 0), trace::no_limit) != Verdict::met) continue;
+    if (verdict(box, PrecomputedRay(trace::Ray(line), 0), trace::no_limit) != VolumeTest::met) continue;
     ++met;
     missed += trace::first_hit(scene, line).resultado == model::Resultado::miss;
   }
@@ -290,7 +290,7 @@ TEST_CASE("the wheel: along its axis the ball is best, across it the box") {
 TEST_CASE("the more slabs a kind has the dearer it is, and the ball is the cheapest of all") {
   for (const auto& [fewer, more] : {std::pair("slabs-3", "slabs-7"), {"slabs-7", "slabs-13"}})
     CHECK(kind(fewer).B < kind(more).B);
-  for (const Kind& any : accel::kinds()) CHECK(any.B >= kind("ball").B);
+  for (const VolumeKind& any : accel::kinds()) CHECK(any.B >= kind("ball").B);
   CHECK(kind("oriented-box").B > kind("box").B);
 }
 
@@ -312,14 +312,14 @@ TEST_CASE("what costs least is chosen: a dear volume only where it saves enough"
 namespace {
 
 struct Found {
-  Verdict verdict;
+  VolumeTest verdict;
   std::uint64_t tests;
 };
 
 Found of(const Volume& volume, const glm::dvec3& p, const glm::dvec3& v, double limit = trace::no_limit) {
   Work work;
   const trace::Ray line(ray(p, v));
-  const Verdict found = verdict(volume, Asked(line, all_slabs), limit, work);
+  const VolumeTest found = verdict(volume, PrecomputedRay(line, all_slabs), limit, work);
   return {found, work.volumes};
 }
 
@@ -329,24 +329,24 @@ TEST_CASE("an intersection costs its tests up to the first that fails, a union u
   const Simple ball = surface::Ball{{0, 0, 0}, 2}, box = surface::Box{{-1, -1, -3}, {1, 1, 3}};
   const Volume both{{ball, box}, Volume::Rule::intersection}, either{{ball, box}, Volume::Rule::union_of};
   const glm::dvec3 x(1, 0, 0);
-  const auto check = [&](const Volume& volume, const glm::dvec3& p, Verdict expected, std::uint64_t tests,
+  const auto check = [&](const Volume& volume, const glm::dvec3& p, VolumeTest expected, std::uint64_t tests,
                          double limit = trace::no_limit) {
     const Found found = of(volume, p, x, limit);
     CHECK(found.verdict == expected);
     CHECK(found.tests == tests);
   };
-  check(both, {-9, 0, 0}, Verdict::met, 2);
-  check(both, {-9, 1.5, 0}, Verdict::missed, 2);
-  check(both, {-9, 0, 2.5}, Verdict::missed, 1);
-  check(both, {-9, 9, 9}, Verdict::missed, 1);
-  check(either, {-9, 0, 0}, Verdict::met, 1);
-  check(either, {-9, 1.5, 0}, Verdict::met, 1);
-  check(either, {-9, 0, 2.5}, Verdict::met, 2);
-  check(either, {-9, 9, 9}, Verdict::missed, 2);
-  check(both, {-9, 0, 0}, Verdict::beyond, 1, 5);
-  check(either, {-9, 0, 0}, Verdict::beyond, 2, 5);
-  check(either, {-9, 0, 2.5}, Verdict::beyond, 2, 5);
-  check(either, {-9, 1.5, 0}, Verdict::beyond, 2, 5);
+  check(both, {-9, 0, 0}, VolumeTest::met, 2);
+  check(both, {-9, 1.5, 0}, VolumeTest::missed, 2);
+  check(both, {-9, 0, 2.5}, VolumeTest::missed, 1);
+  check(both, {-9, 9, 9}, VolumeTest::missed, 1);
+  check(either, {-9, 0, 0}, VolumeTest::met, 1);
+  check(either, {-9, 1.5, 0}, VolumeTest::met, 1);
+  check(either, {-9, 0, 2.5}, VolumeTest::met, 2);
+  check(either, {-9, 9, 9}, VolumeTest::missed, 2);
+  check(both, {-9, 0, 0}, VolumeTest::beyond, 1, 5);
+  check(either, {-9, 0, 0}, VolumeTest::beyond, 2, 5);
+  check(either, {-9, 0, 2.5}, VolumeTest::beyond, 2, 5);
+  check(either, {-9, 1.5, 0}, VolumeTest::beyond, 2, 5);
 }
 
 namespace {
@@ -362,14 +362,14 @@ double T(const Volume& volume, std::span<const double> B, double of_object) {
     const glm::dvec3 aside = off * (std::cos(angle) * across + std::sin(angle) * glm::cross(v, across));
     const Found found = of(volume, aside - 9.0 * v, v);
     for (std::size_t k = 0; k < found.tests; ++k) sum += B[k];
-    if (found.verdict == Verdict::met) sum += of_object;
+    if (found.verdict == VolumeTest::met) sum += of_object;
   }
   return sum / lines;
 }
 
 double least_of_simple(scene::ShapeView element, double of_object) {
   double least = 1e9;
-  for (const Kind& kind : accel::kinds()) {
+  for (const VolumeKind& kind : accel::kinds()) {
     const double B[] = {kind.B};
     least = std::min(least, T(Volume{{kind.around(element, outline(element))}}, B, of_object));
   }
@@ -382,7 +382,7 @@ TEST_CASE("there are objects that an intersection bounds for less than any kind,
   // A disc: the ball is cheap and turns most lines away, of what is left the ellipsoid, which is flat, turns away half.
   const double half = std::sqrt(0.5), third = std::sqrt(1.0 / 3);
   const scene::Disc disc{{0, 0, 0}, 1, {half, half, 0}};
-  const Kind &ball = kind("ball"), &ellipsoid = kind("ellipsoid");
+  const VolumeKind &ball = kind("ball"), &ellipsoid = kind("ellipsoid");
   const double both[] = {ball.B, ellipsoid.B};
   const Volume intersection{{ball.around(disc, outline(disc)), ellipsoid.around(disc, outline(disc))}};
   CHECK(T(intersection, both, accel::I) < least_of_simple(disc, accel::I));

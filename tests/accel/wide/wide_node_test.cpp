@@ -45,7 +45,7 @@ WideNode random_node(Random& random) {
 namespace {
 
 /// The first eights of a bundle filled with rays about one, in whose directions no component is 0.
-void fill(accel::WideBundle& bundle, std::size_t count, Random& random) {
+void fill(accel::WidePacket& bundle, std::size_t count, Random& random) {
   const glm::dvec3 p = random.in_cube(12), v = random.in_cube(1);
   for (std::size_t place = 0; place < count; ++place) {
     const glm::dvec3 from = p + random.in_cube(0.3);
@@ -57,7 +57,7 @@ void fill(accel::WideBundle& bundle, std::size_t count, Random& random) {
   invert(bundle, count);
 }
 
-accel::Beam beam_at(const accel::WideBundle& bundle, std::size_t place) {
+accel::Beam beam_at(const accel::WidePacket& bundle, std::size_t place) {
   const auto of = [&](const auto& columns) {
     return glm::dvec3(columns[0][place], columns[1][place], columns[2][place]);
   };
@@ -72,10 +72,10 @@ TEST_CASE("a bundle tests as its rays do, or passes more") {
   for (WideNode& node : nodes) node = random_node(random);
   std::size_t gathered = 0;
   for (std::size_t turn = 0; turn < fewer_when_sanitized(300); ++turn) {
-    accel::WideBundle bundle;
-    fill(bundle, accel::WideBundle::size, random);
+    accel::WidePacket bundle;
+    fill(bundle, accel::WidePacket::size, random);
     const std::size_t begin = 8 * (turn % 4), end = begin + 8 * (1 + turn % 5);
-    if (!gather(bundle, begin, std::min(end, accel::WideBundle::size))) continue;
+    if (!gather(bundle, begin, std::min(end, accel::WidePacket::size))) continue;
     ++gathered;
     double farthest = 0;
     for (std::size_t place = bundle.begin; place < bundle.end; ++place)
@@ -90,7 +90,7 @@ TEST_CASE("a bundle tests as its rays do, or passes more") {
         std::uint64_t of_each = 0;
         for (std::size_t place = bundle.begin; place < bundle.end; ++place) {
           const double limit = bundle.limit[place];
-          const accel::Stretch own = stretch(box_at(node, child), beam_at(bundle, place), std::max(limit, 0.0));
+          const accel::BoxInterval own = stretch(box_at(node, child), beam_at(bundle, place), std::max(limit, 0.0));
           if (limit < 0 || !own.meets()) continue;
           of_each |= std::uint64_t{1} << place;
           CHECK(entries[child] <= own.entry);
@@ -109,7 +109,7 @@ TEST_CASE("a bundle tests as its rays do, or passes more") {
 TEST_CASE("a ray of a bundle that moves to another place is tested there as it was") {
   Random random(7);
   const WideNode node = random_node(random);
-  accel::WideBundle bundle;
+  accel::WidePacket bundle;
   std::size_t moved = 0;
   for (std::size_t turn = 0; turn < fewer_when_sanitized(3000); ++turn) {
     fill(bundle, 16, random);
@@ -135,7 +135,7 @@ TEST_CASE("a ray of a bundle that moves to another place is tested there as it w
 
 TEST_CASE("rays of other signs, or along a plane of the axes, walk in no bundle") {
   const auto together = [](const glm::dvec3& one, const glm::dvec3& other) {
-    accel::WideBundle bundle;
+    accel::WidePacket bundle;
     for (std::size_t place = 0; place < 8; ++place)
       bundle.set(place, trace::Ray(ray({0, 0, 0}, place == 5 ? other : one)), infinity);
     invert(bundle, 8);

@@ -7,8 +7,8 @@
 using namespace durero::conform;
 
 TEST_CASE("each word of a profile stands at the place of its enumerator") {
-  CHECK(word(Format::binary32) == "binary32");
-  CHECK(word(Format::binary64) == "binary64");
+  CHECK(word(NumberFormat::binary32) == "binary32");
+  CHECK(word(NumberFormat::binary64) == "binary64");
   CHECK(word(Caps::open) == "open");
   CHECK(word(Caps::solid) == "solid");
   CHECK(word(Measure::parameter) == "parameter");

@@ -84,7 +84,7 @@ TEST_CASE("a system is read with its places filled in") {
   CHECK(system.ask == Command{"/cache/s/venv/bin/python", "/cache/s/ask"});
   const Profile& profile = system.profile;
   CHECK(profile.system == "s");
-  CHECK(profile.format == Format::binary64);
+  CHECK(profile.format == NumberFormat::binary64);
   CHECK(profile.tipos == std::vector{model::Tipo::soy_cilindro});
   CHECK(profile.caps == Caps::solid);
   CHECK(profile.measure == Measure::length);
@@ -110,7 +110,7 @@ TEST_CASE("a system that says the least has no limits, and the python of the mac
   CHECK(system.ask == Command{"python3", "/systems/folder/ask.py"});
   CHECK(system.build.empty());
   CHECK(system.packages.empty());
-  CHECK(system.profile.format == Format::binary32);
+  CHECK(system.profile.format == NumberFormat::binary32);
   CHECK(system.profile.tipos == std::vector{model::Tipo::soy_esfera, model::Tipo::soy_disco});
   CHECK(system.profile.greatest_t == std::numeric_limits<double>::infinity());
   CHECK(system.profile.least_t == 0);

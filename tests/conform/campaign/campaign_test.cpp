@@ -48,7 +48,7 @@ TEST_CASE("a campaign is read") {
   CHECK(campaign.families == std::vector{find_family("generic"), find_family("tiny")});
   CHECK(campaign.tipos == std::vector{model::Tipo::soy_esfera, model::Tipo::soy_cono});
   CHECK(campaign.caps == Caps::solid);
-  CHECK(campaign.numbers == Format::binary64);
+  CHECK(campaign.numbers == NumberFormat::binary64);
   CHECK(campaign.time == 0.5);
   CHECK(read(of_program).profile == "p.json");
 }
@@ -63,12 +63,12 @@ TEST_CASE("a campaign that says the least asks all families what the system's pr
   const SuiteOptions options = suite_options(campaign, profile);
   CHECK(options.tipos == profile.tipos);
   CHECK(options.caps == Caps::solid);
-  CHECK(options.numbers == Format::binary32);
+  CHECK(options.numbers == NumberFormat::binary32);
   CHECK(options.seed == 3);
   const SuiteOptions of_whole = suite_options(read(whole), test::profile_of_all());
   CHECK(of_whole.tipos.size() == 2);
   CHECK(of_whole.caps == Caps::solid);
-  CHECK(of_whole.numbers == Format::binary64);
+  CHECK(of_whole.numbers == NumberFormat::binary64);
 }
 
 TEST_CASE("what is wrong in a campaign is said at its place") {

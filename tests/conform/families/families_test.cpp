@@ -146,7 +146,7 @@ TEST_CASE("of every family at least the stated part of the rays is truly of it, 
 
 TEST_CASE("the same of binary32 numbers") {
   for (const FamilyRow& row : family_table())
-    check_floors(row, row.of_binary32.floors.value_or(row.floors), {.numbers = Format::binary32});
+    check_floors(row, row.of_binary32.floors.value_or(row.floors), {.numbers = NumberFormat::binary32});
 }
 
 TEST_CASE("a family is the same from the same seed, on every platform, and another from another") {
@@ -187,14 +187,14 @@ TEST_CASE("also axes that are no exact unit vectors have exactly degenerate rays
 }
 
 TEST_CASE("every number is one of the format that is asked for, and the axes still point anywhere") {
-  const CaseOptions options{.numbers = Format::binary32};
+  const CaseOptions options{.numbers = NumberFormat::binary32};
   std::size_t tilted = 0, between_planes = 0;
   for (const Family& family : families()) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
       const DrawnCase drawn = *generate(family, seed, 30, options);
       INFO(family.name << ", seed " << seed);
       CHECK(holds_only_binary32(drawn.the_case));
-      const Range range = parameter(family, Format::binary32);
+      const Range range = parameter(family, NumberFormat::binary32);
       CHECK((range.least <= drawn.parameter && drawn.parameter <= range.greatest));
       drawn.the_case.scene.for_each([&](scene::ElementRef e, const auto& shape) {
         tilted += is_tilted(drawn.the_case.scene, e);
@@ -237,7 +237,7 @@ TEST_CASE("scenes have elements of the types that are asked for, and a family th
 }
 
 TEST_CASE("solids are closed by discs of the model, and rays go to these and start within") {
-  const CaseOptions options{.numbers = Format::binary32, .caps = Caps::solid};
+  const CaseOptions options{.numbers = NumberFormat::binary32, .caps = Caps::solid};
   std::size_t solids = 0, to_discs = 0, at_rims = 0, inside = 0, rays = 0;
   for (const char* name : {"generic", "cap", "rim", "tie", "inside", "far_origin"}) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -251,9 +251,9 @@ TEST_CASE("solids are closed by discs of the model, and rays go to these and sta
       for (const Solid& solid : drawn.solids) check_solid(scene, solid), ++solids;
       for (const scene::Query& query : queries) {
         const AnsweredQuery q{scene, query, surface::exact::first_hit(scene, query.rayo, query.en)};
-        to_discs += any_hit_element(q, [](const Candidate& c) { return c.e.tipo == model::Tipo::soy_disco; });
+        to_discs += any_hit_element(q, [](const ElementQuadratic& c) { return c.e.tipo == model::Tipo::soy_disco; });
         at_rims += cap(q);
-        inside += any_element(q, [](const Candidate& c) { return is_inside(c); });
+        inside += any_element(q, [](const ElementQuadratic& c) { return is_inside(c); });
         ++rays;
       }
     }
@@ -269,7 +269,7 @@ TEST_CASE("the elements of the family scale are the same at every scale") {
   std::set<double> sizes;
   std::set<std::string> elements;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const DrawnCase drawn = *generate(family, seed, 1, {.numbers = Format::binary32});
+    const DrawnCase drawn = *generate(family, seed, 1, {.numbers = NumberFormat::binary32});
     const scene::Scene& scene = drawn.the_case.scene;
     std::string all;
     scene.for_each([&]<class Shape>(scene::ElementRef, const Shape& shape) {
@@ -285,7 +285,7 @@ TEST_CASE("the elements of the family scale are the same at every scale") {
 
 TEST_CASE("parked elements differ in one number alone, by so many units in its last place") {
   std::size_t differ = 0;
-  for (const Format numbers : {Format::binary32, Format::binary64}) {
+  for (const NumberFormat numbers : {NumberFormat::binary32, NumberFormat::binary64}) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
       const DrawnCase drawn = *generate(*find_family("parked"), seed, 1, {.numbers = numbers});
       const scene::Scene& scene = drawn.the_case.scene;
@@ -296,7 +296,7 @@ TEST_CASE("parked elements differ in one number alone, by so many units in its l
       std::size_t changed = 0;
       scene::with_shape(one.tipo, [&]<class Shape>(std::type_identity<Shape>) {
         const Shape &a = scene.shapes<Shape>()[one.index], &b = scene.shapes<Shape>()[other.index];
-        const double half = numbers == Format::binary32 ? 0x1p-24 : 0x1p-53;
+        const double half = numbers == NumberFormat::binary32 ? 0x1p-24 : 0x1p-53;
         scene::for_each_attribute<Shape>([&](const auto& attribute) {
           const auto compare = [&](double x, double y) {
             if (x == y) return;
@@ -319,7 +319,7 @@ TEST_CASE("parked elements differ in one number alone, by so many units in its l
 }
 
 TEST_CASE("rays of the family margin pass a bound by the part of the size that was drawn, on either side") {
-  for (const Format numbers : {Format::binary32, Format::binary64}) {
+  for (const NumberFormat numbers : {NumberFormat::binary32, NumberFormat::binary64}) {
     std::size_t rays = 0, past = 0, inside = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
       const DrawnCase drawn = *generate(*find_family("margin"), seed, 40, {.numbers = numbers});

@@ -27,14 +27,14 @@ void for_shapes(Visit visit) {
 }
 
 /// potencia at a point of space, and avance where the shape has an axis.
-struct Place {
+struct ClaimedPoint {
   double potencia, avance = 0;
 };
 
-Place place(const FramedShape& framed, const glm::dvec3& w) {
+ClaimedPoint place(const FramedShape& framed, const glm::dvec3& w) {
   scene::Scene scene;
   scene.apply(framed.addition(model::Elemento("e")));
-  return scene.visit(*scene.find("e"), [&]<class Shape>(const Shape& shape) -> Place {
+  return scene.visit(*scene.find("e"), [&]<class Shape>(const Shape& shape) -> ClaimedPoint {
     const surface::Point<double> point{w.x, w.y, w.z};
     if constexpr (surface::Axial<Shape>)
       return {potencia(shape, point), avance(shape, point)};
@@ -50,7 +50,7 @@ TEST_CASE("the points of a lattice shape lie on it exactly, those of a tilted on
     const double size = glm::length(shape.centro) + shape.radius() + shape.altura;
     // The potencia of a triangle is a volume.
     const double scale = shape.tipo == Tipo::soy_triangulo ? 1000 * size * size : size * size;
-    for (const SurfacePoint& at : {surface_point(random, shape), rim_point(random, shape)}) {
+    for (const FramedPoint& at : {surface_point(random, shape), rim_point(random, shape)}) {
       const double power = place(shape, at.position).potencia;
       if (shape.lattice) CHECK(power == 0);
       CHECK(std::abs(power) <= 0x1p-40 * scale);
@@ -63,7 +63,7 @@ TEST_CASE("a rim point is at an end of the axis, and a surface point between the
     if (!is_axial(shape.tipo) || !shape.lattice) return;
     const double at_rim = place(shape, rim_point(random, shape).position).avance;
     CHECK((at_rim == 0 || (at_rim == shape.altura && !has_apex(shape.tipo))));
-    const SurfacePoint at = surface_point(random, shape);
+    const FramedPoint at = surface_point(random, shape);
     const double between = place(shape, at.position).avance;
     CHECK((between > 0 && between < shape.altura));
     const glm::dvec3 along = whole_generator(shape, at);
@@ -116,7 +116,7 @@ TEST_CASE("across a flat shape's normal, exactly") {
 TEST_CASE("a tangent touches to first order: the power does not change its sign there") {
   for_shapes([](Draws& random, const FramedShape& shape) {
     if (!shape.lattice) return;
-    const SurfacePoint at = surface_point(random, shape);
+    const FramedPoint at = surface_point(random, shape);
     const glm::dvec3 u = tangent_vector(random, at);
     const double before = place(shape, at.position - u).potencia, after = place(shape, at.position + u).potencia;
     CHECK(before == after);  // A·t², the same at t = −1 and 1
@@ -128,7 +128,7 @@ TEST_CASE("inwards leads into the shape, from every point where the two tangents
   std::size_t compared = 0;
   for_shapes([&](Draws& random, const FramedShape& shape) {
     if (!shape.lattice) return;
-    const SurfacePoint at = surface_point(random, shape);
+    const FramedPoint at = surface_point(random, shape);
     const glm::dvec3 w = inwards(any_vector(random, shape), at);
     if (glm::dot(w, glm::cross(at.around, at.along)) == 0) return;  // w is tangent, or there is no plane
     CHECK(inwards(-w, at) == w);

@@ -90,7 +90,7 @@ TEST_CASE("a suite that was written reads back to the same cases, answers and so
     REQUIRE(suite.cases.size() == 6);
     CHECK(suite.options.seed == 3);
     CHECK(suite.options.caps == caps);
-    CHECK(suite.options.numbers == Format::binary32);
+    CHECK(suite.options.numbers == NumberFormat::binary32);
     std::size_t rays = 0;
     for (const SuiteCase& read : suite.cases) {
       SuiteCase drawn = suite_case(options, *read.family, read.number);

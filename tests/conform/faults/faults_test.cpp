@@ -48,9 +48,9 @@ const std::vector<SuiteCase>& cases_of(const Family& family) {
 }
 
 /// What plain arithmetic can do without scaling: squares and cubes of numbers that neither overflow nor vanish.
-Profile plain_profile(Format format) {
+Profile plain_profile(NumberFormat format) {
   Profile profile = wide_profile(format);
-  const int places = format == Format::binary32 ? 30 : 240;
+  const int places = format == NumberFormat::binary32 ? 30 : 240;
   profile.least_size = std::ldexp(1, -places);
   profile.greatest_size = profile.greatest_coordinate = std::ldexp(1, places);
   return profile;
@@ -96,10 +96,10 @@ TEST_CASE("right tracers, exact and of plain arithmetic in both formats, are nev
     all.right += tally.right, all.off += tally.off;
   };
   for (const Family& family : families()) {
-    check(of_exact, judged(family, wide_profile(Format::binary64), seeds, exact), family, "exact");
-    check(of_binary64, judged(family, plain_profile(Format::binary64), seeds, plain<double>(Fault::none)), family,
+    check(of_exact, judged(family, wide_profile(NumberFormat::binary64), seeds, exact), family, "exact");
+    check(of_binary64, judged(family, plain_profile(NumberFormat::binary64), seeds, plain<double>(Fault::none)), family,
           "binary64");
-    check(of_binary32, judged(family, plain_profile(Format::binary32), seeds, plain<float>(Fault::none)), family,
+    check(of_binary32, judged(family, plain_profile(NumberFormat::binary32), seeds, plain<float>(Fault::none)), family,
           "binary32");
   }
   fmt::print("right: exact {}, binary64 {}, binary32 {}; off: {}, {}, {}\n", of_exact.right, of_binary64.right,
@@ -119,7 +119,7 @@ TEST_CASE("each fault is caught by the families meant for it") {
   fmt::print("\n{:36}", "");
   for (int i = 1; i <= column; ++i) fmt::print("{:>5}", i);
   fmt::print("\n");
-  const Profile profile = plain_profile(Format::binary64);
+  const Profile profile = plain_profile(NumberFormat::binary64);
   for (const FaultRow& row : faults()) {
     fmt::print("{:36}", row.name);
     std::set<std::string_view> seen_by;
@@ -145,7 +145,7 @@ TEST_CASE("each fault is caught by the families meant for it") {
 }
 
 TEST_CASE("a tracer that lets rays through edges is seen where it claims to be watertight, and not gross otherwise") {
-  Profile profile = plain_profile(Format::binary64);
+  Profile profile = plain_profile(NumberFormat::binary64);
   const Family& family = *find_family("vertex");
   CHECK(judged(family, profile, seeds, plain<double>(Fault::triangle_without_edges)).gross == 0);
   profile.watertight = true;

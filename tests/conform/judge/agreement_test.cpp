@@ -10,7 +10,7 @@
 
 using namespace durero;
 using conform::Agreement;
-using oracle::sampled::Verdict;
+using oracle::sampled::SampledVerdict;
 
 namespace {
 
@@ -43,8 +43,8 @@ TEST_CASE("the tracer's hits of many rays agree, in more than one block of rays"
   CHECK(all.rays() == 70'000);
   CHECK(blocks == 2);
   CHECK_FALSE(all.first);
-  CHECK(all.of(Verdict::incomplete) + all.of(Verdict::unsound) == 0);
-  CHECK(all.of(Verdict::agrees) > 65'000);
+  CHECK(all.of(SampledVerdict::incomplete) + all.of(SampledVerdict::unsound) == 0);
+  CHECK(all.of(SampledVerdict::agrees) > 65'000);
 }
 
 TEST_CASE("one wrong hit is found: its number, its ray and why") {
@@ -69,7 +69,7 @@ TEST_CASE("one wrong hit is found: its number, its ray and why") {
   CHECK(all.first->ray >= wrong);
   CHECK(all.first->query == spoiled);
   CHECK_FALSE(agrees(all.first->verdict));
-  CHECK(all.of(Verdict::incomplete) + all.of(Verdict::unsound) == 1);
+  CHECK(all.of(SampledVerdict::incomplete) + all.of(SampledVerdict::unsound) == 1);
 }
 
 TEST_CASE("every ray that is judged is told of, and none twice") {
@@ -88,18 +88,18 @@ TEST_CASE("an engine that misses everything is wrong on most of its rays") {
   const Agreement all = agreement(
       scene, [](std::span<const scene::Query> queries) { return std::vector<scene::Hit>(queries.size()); }, 1000, 1);
   REQUIRE(all.first);
-  CHECK(all.of(Verdict::unsound) > 400);
+  CHECK(all.of(SampledVerdict::unsound) > 400);
 }
 
 TEST_CASE("a seed and a number name a ray, on every platform") {
-  const std::vector<oracle::Ball> balls{{{1, 2, 3}, 2, 0, 0, 0}, {{-4, 0, 0}, 1, 0, 0, 0}};
+  const std::vector<oracle::BallNode> balls{{{1, 2, 3}, 2, 0, 0, 0}, {{-4, 0, 0}, 1, 0, 0, 0}};
   conform::RaysTowards stream(balls, 7);
   std::vector<model::Rayo> rays;
   for (int i = 0; i < 1000; ++i) rays.push_back(stream.next());
   // The draws in their order: which ball, the three coordinates of the place, those of the way there, how far.
   conform::Random random(7);
   for (const model::Rayo& ray : rays) {
-    const oracle::Ball& ball = balls[random.bits() % 2];
+    const oracle::BallNode& ball = balls[random.bits() % 2];
     double draws[7];
     for (double& x : draws) x = static_cast<double>(random.bits() >> 11) * 0x1p-53;
     const auto in_cube = [&](int first) {

@@ -79,7 +79,7 @@ TEST_CASE("of a phantom, a wrong element and every kind of element the data foun
 TEST_CASE("a length and a point are understood as the profile says, and a thickness counts") {
   Profile length = all;
   length.measure = Measure::length;
-  length.format = Format::binary32;
+  length.format = NumberFormat::binary32;
   const auto data =
       explained(test::finding_of(test::sphere_case({0, 0, 0}, {0, 0, 2}), test::hit_at(3.5), length), length);
   CHECK(data.epsilon == 0x1p-24);

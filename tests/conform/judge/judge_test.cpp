@@ -54,7 +54,7 @@ MovedAnswers check_moved_answers(std::uint64_t first_seed, std::uint64_t last_se
   for (const Family& family : families()) {
     for (std::uint64_t seed = first_seed; seed <= last_seed; ++seed) {
       const SuiteCase of = answered(family, generate(family, seed, 24));
-      for (const Format format : {Format::binary32, Format::binary64}) {
+      for (const NumberFormat format : {NumberFormat::binary32, NumberFormat::binary64}) {
         Profile profile = wide_profile(format);
         Perturbation perturbation(seed, format);
         for (std::size_t i = 0; i < of.truths.size(); ++i) {
@@ -65,7 +65,7 @@ MovedAnswers check_moved_answers(std::uint64_t first_seed, std::uint64_t last_se
             const auto claim = perturbation.answer(of.the_case.scene, of.the_case.rays[i],
                                                    i % 2 == 0 || !std::isfinite(truth.t) ? 0 : truth.t * 0.99, measure);
             if (!claim) continue;
-            const Judgement judgement = judge(of, i, *claim, profile);
+            const ClaimJudgement judgement = judge(of, i, *claim, profile);
             ++verdicts[judgement.verdict];
             if (judgement.verdict == Verdict::skipped) continue;
             other_outcome += (claim->outcome == Outcome::hit) != (truth.resultado == model::Resultado::hit);
@@ -105,9 +105,9 @@ TEST_CASE("the answer of a ray across a sphere is right to seven delta, and off 
   scene::Scene scene;
   add(scene, scene::Sphere{{0, 0, 5}, 1});
   const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 2}));
-  for (const Format format : {Format::binary32, Format::binary64}) {
+  for (const NumberFormat format : {NumberFormat::binary32, NumberFormat::binary64}) {
     const Profile profile = wide_profile(format);
-    const double unit = format == Format::binary32 ? 0x1p-24 : 0x1p-53;
+    const double unit = format == NumberFormat::binary32 ? 0x1p-24 : 0x1p-53;
     const double delta = 16 * unit * 5 / 2;  // in t; M is 5, of centro
     CHECK(verdict_of(of, hit(2, sphere), profile) == Verdict::exact);
     CHECK(judge(of, 0, hit(2 + 6.5 * delta, sphere), profile).ulps > 30);
@@ -132,9 +132,9 @@ TEST_CASE("the answer of a ray across a sphere is right to seven delta, and off 
 }
 
 TEST_CASE("a sphere that data within delta miss or hit may be hit or missed, and one further in or out may not") {
-  for (const Format format : {Format::binary32, Format::binary64}) {
+  for (const NumberFormat format : {NumberFormat::binary32, NumberFormat::binary64}) {
     const Profile profile = wide_profile(format);
-    const double delta = 16 * (format == Format::binary32 ? 0x1p-24 : 0x1p-53) * 4;
+    const double delta = 16 * (format == NumberFormat::binary32 ? 0x1p-24 : 0x1p-53) * 4;
     const auto past = [&](double deltas) {
       scene::Scene scene;
       add(scene, scene::Sphere{{1 + deltas * delta, 0, 4}, 1});
@@ -154,7 +154,7 @@ TEST_CASE("a system that declares a thickness may be off by seven of it besides,
   scene::Scene scene;
   add(scene, scene::Sphere{{0, 0, 5}, 1});
   const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 1}));
-  Profile profile = wide_profile(Format::binary64);
+  Profile profile = wide_profile(NumberFormat::binary64);
   CHECK(verdict_of(of, hit(4 + 6.9e-6, sphere), profile) == Verdict::off);
   profile.thickness = 1e-6;
   for (const double sign : {-1., 1.}) {
@@ -176,7 +176,7 @@ TEST_CASE("another element before, or the name of another, is a wrong element") 
   const scene::ElementRef far = add(scene, scene::Sphere{{0, 0, 15}, 1});
   const scene::ElementRef parked = add(scene, scene::Sphere{{0, 0, 5 + 0x1p-50}, 1});
   const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 1}));
-  const Profile profile = wide_profile(Format::binary64);
+  const Profile profile = wide_profile(NumberFormat::binary64);
   CHECK(verdict_of(of, hit(14, far), profile) == Verdict::wrong_element);
   CHECK(verdict_of(of, hit(4, far), profile) == Verdict::wrong_element);
   CHECK(verdict_of(of, hit(14, near), profile) == Verdict::wrong_element);
@@ -191,7 +191,7 @@ TEST_CASE("a distance may be a length, or a point alone, which must lie on the r
   add(scene, scene::Sphere{{0, 0, 5}, 1});
   add(scene, scene::Plane{{0, 0, 40}, {0, 0, 1}});
   const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 1, 8}));
-  Profile profile = wide_profile(Format::binary64);
+  Profile profile = wide_profile(NumberFormat::binary64);
   const scene::Hit& truth = of.truths[0].hit;
   profile.measure = Measure::length;
   const double length = truth.t * std::sqrt(65.0);
@@ -217,7 +217,7 @@ TEST_CASE("a hit without a place is right where its element may be first, and ne
   const scene::ElementRef not_reached = add(scene, scene::Triangle{{{{-1, -1, -2}, {1, -1, -2}, {0, 2, -2}}}});
   const scene::ElementRef parallel = add(scene, scene::Plane{{0, 7, 0}, {0, 1, 0}});
   const auto verdict = [&](const SuiteCase& of, std::optional<scene::ElementRef> element) {
-    return verdict_of(of, {.outcome = Outcome::hit, .element = element}, wide_profile(Format::binary32));
+    return verdict_of(of, {.outcome = Outcome::hit, .element = element}, wide_profile(NumberFormat::binary32));
   };
   const SuiteCase of = one_ray(scene, ray({0, 0, 1.5}, {0, 0, 1}));
   CHECK(verdict(of, {}) == Verdict::right);
@@ -234,7 +234,7 @@ TEST_CASE("a hit without a place is right where its element may be first, and ne
   add(nested, scene::Sphere{{0, 0, 5}, 1});
   const SuiteCase from_inside = one_ray(std::move(nested), ray({0, 0, 0}, {0, 0, 1}));
   CHECK(verdict(from_inside, outer) == Verdict::wrong_element);
-  Profile at_origin = wide_profile(Format::binary32);
+  Profile at_origin = wide_profile(NumberFormat::binary32);
   at_origin.inside = Inside::origin;
   CHECK(verdict_of(from_inside, {.outcome = Outcome::hit, .element = outer}, at_origin) == Verdict::right);
   // Where nothing is met.
@@ -261,7 +261,7 @@ TEST_CASE("of elements that are not first most are known to be wrong ones, by th
       of.the_case.scene.for_each([&](scene::ElementRef element, const auto&) {
         if (std::find(first.begin(), first.end(), element) != first.end()) return;
         const Claim claim{.outcome = Outcome::hit, .element = element};
-        ++all, wrong += is_gross(judge(of, i, claim, wide_profile(Format::binary32)).verdict);
+        ++all, wrong += is_gross(judge(of, i, claim, wide_profile(NumberFormat::binary32)).verdict);
       });
     }
   }
@@ -282,7 +282,7 @@ scene::Scene tetrahedron(std::optional<std::size_t> left_out = {}) {
   return scene;
 }
 
-Profile watertight_profile(Format format) {
+Profile watertight_profile(NumberFormat format) {
   Profile profile = wide_profile(format);
   profile.watertight = true;
   return profile;
@@ -291,7 +291,7 @@ Profile watertight_profile(Format format) {
 }  // namespace
 
 TEST_CASE("no ray leaves a closed mesh of a system that claims to be watertight, if it starts well inside") {
-  const Profile claimed = watertight_profile(Format::binary32), silent = wide_profile(Format::binary32);
+  const Profile claimed = watertight_profile(NumberFormat::binary32), silent = wide_profile(NumberFormat::binary32);
   for (const glm::dvec3& to : {corners[1], 0.5 * (corners[0] + corners[1]), 0.25 * corners[0] + 0.75 * corners[2]}) {
     SuiteCase of = one_ray(tetrahedron(), ray({0, 0, 0}, to));
     CHECK(verdict_of(of, miss(), claimed) == Verdict::missed);
@@ -324,14 +324,14 @@ TEST_CASE("an origin nearer to a closed mesh than six delta may be outside") {
   for (const auto& [deltas, expected] : {std::pair(5.9, Verdict::right), std::pair(6.1, Verdict::missed)}) {
     const glm::dvec3 p = face + deltas * delta * inwards;
     const SuiteCase of = one_ray(tetrahedron(), ray(p, corners[0] - p));
-    CHECK(verdict_of(of, miss(), watertight_profile(Format::binary32)) == expected);
+    CHECK(verdict_of(of, miss(), watertight_profile(NumberFormat::binary32)) == expected);
   }
 }
 
 TEST_CASE("the exact answer of a mesh whose shared vertices moved together is never off for who claims watertight") {
   std::size_t hits = 0, misses = 0, silent_misses = 0;
   const Family& family = *find_family("vertex");
-  for (const Format format : {Format::binary32, Format::binary64}) {
+  for (const NumberFormat format : {NumberFormat::binary32, NumberFormat::binary64}) {
     const Profile claimed = watertight_profile(format), silent = wide_profile(format);
     for (std::uint64_t seed = 0; seed < fewer_when_sanitized(20); ++seed) {
       Case the_case = generate(family, seed, 20);
@@ -344,7 +344,7 @@ TEST_CASE("the exact answer of a mesh whose shared vertices moved together is ne
       for (const scene::Triangle& triangle : the_case.scene.shapes<scene::Triangle>())
         for (const glm::dvec3& vertex : triangle.vertices)
           for (int i = 0; i < 3; ++i) longest = std::max(longest, std::abs(vertex[i]));
-      const double M = (2 + 0x1p-4) * longest, delta = (format == Format::binary32 ? 0x1p-20 : 0x1p-49) * M;
+      const double M = (2 + 0x1p-4) * longest, delta = (format == NumberFormat::binary32 ? 0x1p-20 : 0x1p-49) * M;
       for (int i = 0; i < 40; ++i) {
         const double of_b = random.uniform(0.1, 0.4), of_c = random.uniform(0.1, 0.4);
         const glm::dvec3 p = a + of_b * (b - a) + of_c * (c - a) + random.uniform(-8, 8) * delta * normal;
@@ -384,7 +384,7 @@ TEST_CASE("of a solid its discs and its wall are one, and from inside the profil
   const scene::ElementRef floor = add(scene, scene::Plane{{0, 0, 10}, {0, 0, 1}});
   SuiteCase of = one_ray(std::move(scene), ray({0, 0, 1}, {0, 0, 1}));
   of.solids.push_back({wall, {base, top}});
-  Profile profile = wide_profile(Format::binary64);
+  Profile profile = wide_profile(NumberFormat::binary64);
   CHECK(verdict_of(of, hit(1, wall), profile) == Verdict::wrong_element);
   profile.caps = Caps::solid;
   CHECK(verdict_of(of, hit(1, wall), profile) == Verdict::exact);
@@ -415,7 +415,7 @@ TEST_CASE("a disc that closes a solid is off by what its wall is off, and one of
     of.solids.push_back({wall, {base}});
     return of;
   };
-  Profile open = wide_profile(Format::binary64), solid = open;
+  Profile open = wide_profile(NumberFormat::binary64), solid = open;
   solid.caps = Caps::solid;
   CHECK(verdict_of(down(0), hit(8 - 9 * delta, base), open) == Verdict::off);
   CHECK(verdict_of(down(0), hit(8 - 10.5 * delta, wall), solid) == Verdict::right);
@@ -440,7 +440,7 @@ TEST_CASE("whatever the truth permits is right, in a suite of both kinds") {
         answer(of);
         for (std::size_t i = 0; i < of.truths.size(); ++i) {
           const auto check = [&](const Claim& claim) {
-            for (const Format format : {Format::binary32, Format::binary64}) {
+            for (const NumberFormat format : {NumberFormat::binary32, NumberFormat::binary64}) {
               Profile profile = wide_profile(format);
               profile.caps = caps;
               // An open element is asked of who knows no solids.
@@ -453,7 +453,7 @@ TEST_CASE("whatever the truth permits is right, in a suite of both kinds") {
               CHECK((is_right(verdict) || verdict == Verdict::skipped));
             }
           };
-          const Truth& truth = of.truths[i];
+          const ExactAnswer& truth = of.truths[i];
           ++ambiguities[truth.ambiguity];
           for (const scene::Hit& permissible : truth.permissible) {
             ++permitted;
@@ -475,23 +475,23 @@ TEST_CASE("a ray is outside a profile by a clause of it, and what the system say
   add(scene, scene::Cylinder{{0, 0, 30}, 2, {0, 0, 1}, 3e9});
   const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 0x1p-130}));
   const auto clause = [&](const auto& change) {
-    Profile profile = wide_profile(Format::binary64);
+    Profile profile = wide_profile(NumberFormat::binary64);
     change(profile);
     return outside(of, 0, profile);
   };
   CHECK(clause([](Profile&) {}).empty());
   CHECK(clause([](Profile& p) { p.tipos = {model::Tipo::soy_esfera}; }) == "no cilindro");
   CHECK(clause([](Profile& p) { p.caps = Caps::solid; }) == "no open cilindro");
-  CHECK(clause([](Profile& p) { p.format = Format::binary32; }) == "numbers of binary32");
+  CHECK(clause([](Profile& p) { p.format = NumberFormat::binary32; }) == "numbers of binary32");
   CHECK(clause([](Profile& p) { p.least_size = 1.5; }) == "a size at least 1.5");
   CHECK(clause([](Profile& p) { p.greatest_size = 1e9; }) == "a size at most 1000000000");
   CHECK(clause([](Profile& p) { p.greatest_coordinate = 29; }) == "a coordinate at most 29");
   CHECK(clause([](Profile& p) { p.greatest_t = 1e20; }) == "a distance at most 1e+20");
   CHECK(clause([](Profile& p) { p.least_t = 0x1p133; }).starts_with("a distance at least"));
   CHECK(clause([](Profile& p) { p.measure = Measure::length, p.least_t = 4.5; }) == "a distance at least 4.5");
-  Profile profile = wide_profile(Format::binary64);
+  Profile profile = wide_profile(NumberFormat::binary64);
   profile.least_t = 0x1p133;
-  const Judgement far = judge(of, 0, hit(0x1.8p132, sphere), profile);
+  const ClaimJudgement far = judge(of, 0, hit(0x1.8p132, sphere), profile);
   CHECK(far.verdict == Verdict::skipped);
   CHECK(far.otherwise == Verdict::far_root);
   CHECK_FALSE(judge(of, 0, {}, profile).otherwise.has_value());
@@ -530,9 +530,9 @@ TEST_CASE("a verdict is the same where everything is a power of two larger") {
         for (int places = 0; places < 24; ++places) {
           const double t = truth.t * (1 + std::ldexp(random.uniform(-1, 1), -places));
           const Claim claim = hit(t, truth.elementos[0]), larger = hit(std::ldexp(t, k), truth.elementos[0]);
-          const Verdict verdict = judge(here, i, claim, wide_profile(Format::binary32)).verdict;
+          const Verdict verdict = judge(here, i, claim, wide_profile(NumberFormat::binary32)).verdict;
           ++verdicts[verdict];
-          CHECK(verdict == judge(there, i, larger, wide_profile(Format::binary32)).verdict);
+          CHECK(verdict == judge(there, i, larger, wide_profile(NumberFormat::binary32)).verdict);
         }
       }
     }

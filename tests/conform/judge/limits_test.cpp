@@ -31,7 +31,7 @@ SuiteCase one_ray(scene::Scene scene, const model::Rayo& rayo) {
 
 /// Of every type, with limits.
 Profile limited(double least_t, double greatest_t, Measure measure = Measure::parameter) {
-  Profile profile = wide_profile(Format::binary64);
+  Profile profile = wide_profile(NumberFormat::binary64);
   profile.least_t = least_t;
   profile.greatest_t = greatest_t;
   profile.measure = measure;
@@ -127,7 +127,7 @@ TEST_CASE("from inside a solid, the origin is nearer than any least distance") {
 TEST_CASE("of a ray outside a profile by its distance, what is listed beside it knows no limit") {
   const SuiteCase of = sphere_at({0, 0, 8}, 1, {0, 0, 1});
   for (const Profile& profile : {limited(0, 6), limited(7.5, no_limit)}) {
-    const Judgement is = judge(of, 0, miss, profile);
+    const ClaimJudgement is = judge(of, 0, miss, profile);
     CHECK(is.verdict == Verdict::skipped);
     CHECK(is.otherwise == Verdict::missed);
   }

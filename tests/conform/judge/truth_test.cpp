@@ -18,7 +18,7 @@ using model::Resultado;
 namespace {
 
 /// What is permissible beside the hit, each as its elements and t: "esfera#0 4; miss".
-std::string said(const Truth& of) {
+std::string said(const ExactAnswer& of) {
   std::string text{name(of.ambiguity)};
   for (const scene::Hit& hit : of.permissible) {
     text += ';';
@@ -32,7 +32,7 @@ std::string said(const Truth& of) {
 
 std::string said(const scene::Scene& scene, const glm::dvec3& p, const glm::dvec3& v) {
   const scene::Query query{ray(p, v), {}};
-  const Truth found = truth(scene, query);
+  const ExactAnswer found = truth(scene, query);
   CHECK(identical(found.hit, surface::exact::first_hit(scene, query.rayo)));
   return said(found);
 }
@@ -41,7 +41,7 @@ const glm::dvec3 down(0, 0, -1), forward(1, 0, 0);
 
 /// A bound of a flat element that it meets is 0.
 bool meets_flat_at_edge(const AnsweredQuery& q, model::Tipo tipo) {
-  return any_met_element(q, [&](const Candidate& c) {
+  return any_met_element(q, [&](const ElementQuadratic& c) {
     return c.e.tipo == tipo && number::sign(c.f.B) != 0 &&
            std::any_of(c.f.bounds.begin(), c.f.bounds.end(),
                        [](const auto& bound) { return number::sign(bound.C) == 0; });
@@ -51,7 +51,7 @@ bool meets_flat_at_edge(const AnsweredQuery& q, model::Tipo tipo) {
 /// The class, by the questions that say which families a ray is of.
 Ambiguity by_questions(const AnsweredQuery& q) {
   const bool lies_in =
-      conform::in_surface(q) || any_met_element(q, [](const Candidate& c) { return roots(c.f).every; });
+      conform::in_surface(q) || any_met_element(q, [](const ElementQuadratic& c) { return roots(c.f).every; });
   if (lies_in) return Ambiguity::in_surface;
   if (conform::apex(q)) return Ambiguity::apex;
   if (meets_flat_at_edge(q, model::Tipo::soy_triangulo)) return Ambiguity::edge;
@@ -62,7 +62,7 @@ Ambiguity by_questions(const AnsweredQuery& q) {
 
 /// The hit is one of those that the truth leaves, up to the change in t that a small change of the data makes; a
 /// stretch leaves all between its ends.
-bool leaves(const Truth& of, const scene::Hit& hit) {
+bool leaves(const ExactAnswer& of, const scene::Hit& hit) {
   const auto near = [&](const scene::Hit& other) {
     return other.resultado == hit.resultado && std::abs(other.t - hit.t) <= 0x1p-12 * (1 + hit.t) &&
            std::includes(other.elementos.begin(), other.elementos.end(), hit.elementos.begin(), hit.elementos.end());
@@ -156,7 +156,7 @@ TEST_CASE("over all families the class is what the questions of the families say
       for (std::size_t i = 0; i < of.rays.size(); ++i) {
         const AnsweredQuery q{of.scene, of.rays[i],
                               surface::exact::first_hit(of.scene, of.rays[i].rayo, of.rays[i].en)};
-        const Truth found = truth(of.scene, of.rays[i]);
+        const ExactAnswer found = truth(of.scene, of.rays[i]);
         INFO(replay(family, seed, 40, i) << ": " << said(found));
         CHECK(identical(found.hit, q.hit));
         CHECK(name(found.ambiguity) == name(by_questions(q)));
@@ -204,7 +204,7 @@ TEST_CASE("what a small change of the ray makes of an answer is left by the trut
     const Family& family = *find_family("grid_snapped");
     const Case of = generate(family, seed, 60);
     for (std::size_t i = 0; i < of.rays.size(); ++i) {
-      const Truth found = truth(of.scene, of.rays[i]);
+      const ExactAnswer found = truth(of.scene, of.rays[i]);
       for (int j = 0; j < 4; ++j) {
         const glm::dvec3 p = of.rays[i].rayo.p().xyz() + random.in_cube(0x1p-45);
         const glm::dvec3 v = of.rays[i].rayo.v().xyz() + random.in_cube(0x1p-45);

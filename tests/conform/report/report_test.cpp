@@ -59,7 +59,7 @@ TEST_CASE("replay options name what is not usual, so that the same case is made"
   const SuiteOptions unusual{.seed = 9,
                              .tipos = {model::Tipo::soy_cono, model::Tipo::soy_plano},
                              .caps = Caps::solid,
-                             .numbers = Format::binary64};
+                             .numbers = NumberFormat::binary64};
   CHECK(replay_options(unusual, finding).ends_with(" --seed 9 --types cono,plano --solids --numbers binary64"));
 }
 

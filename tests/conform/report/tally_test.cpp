@@ -49,7 +49,7 @@ TEST_CASE("failures are counted by family and verdict, and the worst kept with i
   CHECK(worst->judgement.verdict == Verdict::missed);
   REQUIRE(tiny.most_failures);
   std::size_t failures = 0;
-  for (const Judgement& is : tiny.most_failures->judgements) failures += is_failure(is.verdict);
+  for (const ClaimJudgement& is : tiny.most_failures->judgements) failures += is_failure(is.verdict);
   CHECK(failures > 0);
   CHECK(failures <= tiny.failures());
 }

@@ -12,8 +12,8 @@ using namespace durero;
 using io::InputError;
 using io::Source;
 using io::json::Document;
-using io::json::Kind;
 using io::json::Reader;
+using io::json::TokenKind;
 using io::json::Writer;
 
 namespace {
@@ -34,10 +34,10 @@ TEST_CASE("Each token has its kind and its offset") {
   const std::string text = R"( {"a":[1,-2.5e3, "s","\"\\",""],"é\n":{"n":null,"t":true,"f":false},"e":[],"o":{}} )";
   const Source source("f", text);
   const Document document(source);
-  std::vector<std::pair<Kind, std::string>> seen;
+  std::vector<std::pair<TokenKind, std::string>> seen;
   for (const auto token : document.tokens()) seen.emplace_back(token.kind, text.substr(token.offset, 1));
-  using K = Kind;
-  const std::vector<std::pair<Kind, std::string>> expected = {
+  using K = TokenKind;
+  const std::vector<std::pair<TokenKind, std::string>> expected = {
       {K::object, "{"},    {K::key, "\""},    {K::array, "["},      {K::number, "1"},     {K::number, "-"},
       {K::string, "\""},   {K::string, "\""}, {K::string, "\""},    {K::end_array, "]"},  {K::key, "\""},
       {K::object, "{"},    {K::key, "\""},    {K::null, "n"},       {K::key, "\""},       {K::boolean, "t"},
@@ -120,7 +120,7 @@ TEST_CASE("A quote or a number inside a string is no token") {
   Reader in(document);
   std::vector<std::string> items;
   in.array("a", [&] {
-    items.push_back(in.kind() == Kind::number ? io::number_text(in.number("n")) : std::string(in.string("s")));
+    items.push_back(in.kind() == TokenKind::number ? io::number_text(in.number("n")) : std::string(in.string("s")));
   });
   CHECK(items == std::vector<std::string>{"1\"2\\", "3", "\\\"-4e5", "5"});
 }
@@ -131,7 +131,7 @@ TEST_CASE("A string that ends with a backslash ends there: the number behind it 
   const Document document(source);
   Reader in(document);
   in.array("a", [&] {
-    const bool right = in.kind() == Kind::number ? in.number("n") == 1 : in.string("s") == "\\";
+    const bool right = in.kind() == TokenKind::number ? in.number("n") == 1 : in.string("s") == "\\";
     CHECK(right);
   });
 }

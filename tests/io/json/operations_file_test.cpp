@@ -21,7 +21,7 @@ scene::Stage stage_with_red() {
 const auto reading = [](const io::Source& source) { return io::read_script(source, stage_with_red()); };
 std::string error_at(const std::string& with_mark) { return test::error_at_mark(with_mark, reading); }
 
-const model::Operation& operation(const io::Step& step) { return std::get<scene::Edit>(step.edit).operation; }
+const model::Operation& operation(const io::ScriptStep& step) { return std::get<scene::Edit>(step.edit).operation; }
 
 // The answers of a script, one a line.
 std::string answers(scene::Scene& scene, const std::string& script) {

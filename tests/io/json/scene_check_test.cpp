@@ -8,7 +8,7 @@
 #include "support/catch.hpp"
 
 using namespace durero;
-using io::Finding;
+using io::SceneDefect;
 
 namespace {
 
@@ -24,7 +24,7 @@ io::SceneCheck check_of(const std::string& text) { return io::check_scene(io::So
 /// `LABEL POINTER LINE` of each finding.
 std::vector<std::string> found_in(const std::string& text) {
   std::vector<std::string> all;
-  for (const Finding& finding : check_of(text).findings)
+  for (const SceneDefect& finding : check_of(text).findings)
     all.push_back(fmt::format("{} {} {}", finding.broken == nullptr ? "malformed" : finding.broken->label,
                               finding.pointer.value_or("none"), finding.place.line));
   return all;
@@ -125,11 +125,11 @@ TEST_CASE("An invariant that does not hold is found at the element that breaks i
   }
   escena.mi_radio.emplace(model::Elemento{"a"}, model::Rmas{1});
   escena.tipos.insert(model::Tipo::soy_esfera);
-  const std::vector<Finding> findings = broken_invariants(file, escena);
+  const std::vector<SceneDefect> findings = broken_invariants(file, escena);
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].broken->label == "Escena.inv.3");
   CHECK(findings[0].pointer == "/elementos/1");
-  CHECK(findings[0].place == io::Place{3, 1});
+  CHECK(findings[0].place == io::TextPosition{3, 1});
   CHECK(findings[0].message == "element b breaks Escena.inv.3");
 }
 

@@ -16,7 +16,7 @@
 
 using namespace durero;
 using io::picture_of;
-using scene::Curve;
+using scene::TransferFunction;
 
 namespace {
 
@@ -79,13 +79,13 @@ std::string said(const test::Folder& folder, const std::string& parts) {
 
 TEST_CASE("a PNG of 8 bits: rows from the top, by the curve or as it stands") {
   const std::string bytes = png(3, 2, PNG_FORMAT_RGB, six);
-  const scene::Picture plain = picture_of(bytes, Curve::linear);
+  const scene::TexelImage plain = picture_of(bytes, TransferFunction::linear);
   CHECK((plain.width == 3 && plain.height == 2));
   CHECK(plain.at(0, 0) == glm::dvec3(1, 0, 0));
   CHECK(plain.at(2, 0) == glm::dvec3(0, 0, 1));
   CHECK(plain.at(0, 1) == glm::dvec3(0));
   CHECK(plain.at(2, 1) == glm::dvec3(128, 51, 10) / 255.0);
-  const scene::Picture light = picture_of(bytes, Curve::srgb);
+  const scene::TexelImage light = picture_of(bytes, TransferFunction::srgb);
   CHECK(light.at(1, 1) == glm::dvec3(1));
   CHECK(light.at(2, 1) == glm::dvec3(io::linear_light(128), io::linear_light(51), io::linear_light(10)));
 }
@@ -101,42 +101,45 @@ TEST_CASE("the curve is that of sRGB") {
 TEST_CASE("a PNG of 16 bits is linear, whatever the curve") {
   const std::uint16_t samples[] = {0, 1000, 65535, 32768, 7, 0};
   const std::string bytes = png(2, 1, PNG_FORMAT_LINEAR_RGB, samples);
-  for (const Curve curve : {Curve::srgb, Curve::linear}) {
-    const scene::Picture picture = picture_of(bytes, curve);
+  for (const TransferFunction curve : {TransferFunction::srgb, TransferFunction::linear}) {
+    const scene::TexelImage picture = picture_of(bytes, curve);
     CHECK(picture.at(0, 0) == glm::dvec3(0, 1000, 65535) / 65535.0);
     CHECK(picture.at(1, 0) == glm::dvec3(32768, 7, 0) / 65535.0);
   }
 }
 
 TEST_CASE("a JPEG of odd size, grey") {
-  const scene::Picture picture = picture_of(jpeg(5, 3, 100), Curve::linear);
+  const scene::TexelImage picture = picture_of(jpeg(5, 3, 100), TransferFunction::linear);
   CHECK((picture.width == 5 && picture.height == 3));
   REQUIRE(picture.texels.size() == 15);
   for (const glm::dvec3& texel : picture.texels) CHECK(texel == glm::dvec3(100 / 255.0));
 }
 
 TEST_CASE("what is no picture, and what ends early, is refused") {
-  CHECK_THROWS_WITH(picture_of("", Curve::srgb), "it is no picture");
-  CHECK_THROWS_WITH(picture_of("GIF89a", Curve::srgb), "it is no picture");
+  CHECK_THROWS_WITH(picture_of("", TransferFunction::srgb), "it is no picture");
+  CHECK_THROWS_WITH(picture_of("GIF89a", TransferFunction::srgb), "it is no picture");
   const std::string whole_png = png(3, 2, PNG_FORMAT_RGB, six), whole_jpeg = jpeg(64, 64, 9);
   for (const std::string& whole : {whole_png, whole_jpeg})
     for (const std::size_t tenths : {3U, 6U})
-      CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() * tenths / 10), Curve::srgb), io::PictureError);
+      CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() * tenths / 10), TransferFunction::srgb),
+                      io::PictureError);
   // libpng asks for nothing behind the last texel.
   const std::uint16_t deep[] = {0, 1000, 65535, 32768, 7, 0};
   for (const std::string& whole : {whole_png, png(2, 1, PNG_FORMAT_LINEAR_RGB, deep)}) {
-    CHECK_THROWS_WITH(picture_of(whole.substr(0, whole.size() - 12), Curve::srgb),
+    CHECK_THROWS_WITH(picture_of(whole.substr(0, whole.size() - 12), TransferFunction::srgb),
                       "it ends before its end chunk, IEND");
     for (std::size_t missing = 1; missing < whole.size(); ++missing)
-      CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() - missing), Curve::srgb), io::PictureError);
-    CHECK(picture_of(whole + "behind the end", Curve::linear) == picture_of(whole, Curve::linear));
+      CHECK_THROWS_AS(picture_of(whole.substr(0, whole.size() - missing), TransferFunction::srgb), io::PictureError);
+    CHECK(picture_of(whole + "behind the end", TransferFunction::linear) ==
+          picture_of(whole, TransferFunction::linear));
   }
   // Of the latter libjpeg would make up what is missing, and warn.
-  CHECK_THROWS_AS(picture_of(whole_jpeg.substr(0, whole_jpeg.size() - 8), Curve::srgb), io::PictureError);
+  CHECK_THROWS_AS(picture_of(whole_jpeg.substr(0, whole_jpeg.size() - 8), TransferFunction::srgb), io::PictureError);
 }
 
 TEST_CASE("a picture of too many texels is refused before it is decoded") {
-  CHECK_THROWS_WITH(picture_of(jpeg(8192, 4097, 9), Curve::srgb), "it has 8192 by 4097 texels, more than 33554432");
+  CHECK_THROWS_WITH(picture_of(jpeg(8192, 4097, 9), TransferFunction::srgb),
+                    "it has 8192 by 4097 texels, more than 33554432");
 }
 
 TEST_CASE("pictures of a scene: from its folder, with their mipmaps, and errors with their place") {

@@ -44,8 +44,9 @@ scene::Scene crowd(double distance) {
 scene::Environment read(const std::vector<render::Image>& images, Surroundings kind) {
   scene::Environment environment{.kind = kind};
   for (const render::Image& image : images)
-    environment.pictures.push_back({"", std::make_shared<const std::vector<scene::Picture>>(
-                                            1, io::picture_of(render::encode_png(image), scene::Curve::srgb))});
+    environment.pictures.push_back(
+        {"", std::make_shared<const std::vector<scene::TexelImage>>(
+                 1, io::picture_of(render::encode_png(image), scene::TransferFunction::srgb))});
   return environment;
 }
 

@@ -25,12 +25,12 @@ Environment filled(Surroundings kind, std::uint32_t side, Color&& color) {
   Environment environment{.kind = kind, .pictures = std::vector<scene::PictureFile>(pictures_of(kind))};
   const bool is_panorama = kind == Surroundings::equirectangular;
   for (std::size_t i = 0; i < environment.pictures.size(); ++i) {
-    scene::Picture picture{is_panorama ? 2 * side : side, side};
+    scene::TexelImage picture{is_panorama ? 2 * side : side, side};
     for (std::uint32_t y = 0; y < picture.height; ++y)
       for (std::uint32_t x = 0; x < picture.width; ++x)
         picture.texels.push_back(
             color(direction_of(kind, {i, {(x + 0.5) / picture.width, 1 - (y + 0.5) / picture.height}})));
-    environment.pictures[i].levels = std::make_shared<const std::vector<scene::Picture>>(1, picture);
+    environment.pictures[i].levels = std::make_shared<const std::vector<scene::TexelImage>>(1, picture);
   }
   return environment;
 }

@@ -178,8 +178,8 @@ TEST_CASE("of no function does it say less than 7/15 of it, 3/7 of eight points,
 TEST_CASE("one sample in a grid is the picture of one ray, and more are the mean of theirs") {
   const scene::Scene scene = stage();
   const auto engine = engine::find("analytic")->prepare(scene);
-  render::Reach reach;
-  const render::Frame four{.size = scene::Resolution{8, 6}, .samples = {.most = 4}};
+  render::PathStatistics reach;
+  const render::RenderSettings four{.size = scene::Resolution{8, 6}, .samples = {.most = 4}};
   const render::Picture picture = render::render(scene, *engine, {}, four, &reach);
   CHECK(reach.samples == 8 * 6 * 4);
   const render::Picture fine = render::render(scene, *engine, {}, {.size = scene::Resolution{16, 12}});
@@ -195,13 +195,13 @@ TEST_CASE("every sampling gives a pixel the same bytes, whatever the threads, th
   const auto engine = engine::find("exact")->prepare(scene), other = engine::find("fast")->prepare(scene);
   for (const Sampling sampling : {Sampling::grid, Sampling::stratified, Sampling::statistical}) {
     const render::Samples samples{.sampling = sampling, .most = 16, .width = 0.1};
-    const render::Frame whole{.size = scene::Resolution{24, 18}, .samples = samples};
+    const render::RenderSettings whole{.size = scene::Resolution{24, 18}, .samples = samples};
     const render::Picture picture = render::render(scene, *engine, {}, whole);
     for (const std::size_t threads : {1, 3}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       CHECK(render::render(scene, *other, {}, whole).rgb == picture.rgb);
     }
-    const render::Frame part{.size = whole.size, .crop = render::Crop{5, 7, {9, 4}}, .samples = samples};
+    const render::RenderSettings part{.size = whole.size, .crop = render::Crop{5, 7, {9, 4}}, .samples = samples};
     const render::Picture crop = render::render(scene, *other, {}, part);
     for (std::size_t y = 0; y < 4; ++y)
       for (std::size_t x = 0; x < 9; ++x) CHECK(crop.rgb[y * 9 + x] == picture.rgb[(7 + y) * 24 + 5 + x]);
@@ -212,8 +212,9 @@ TEST_CASE("what is even takes four rays and the corners, and what never settles 
   scene::Scene scene = test::lit_ball();
   scene.stage().camera = scene::Camera{{0, 0, -5}, {0, 0, -9}, {0, 1, 0}, 45};  // away from it
   const auto engine = engine::find("analytic")->prepare(scene);
-  render::Frame frame{.size = scene::Resolution{8, 4}, .samples = {.sampling = Sampling::statistical, .most = 40}};
-  render::Reach reach;
+  render::RenderSettings frame{.size = scene::Resolution{8, 4},
+                               .samples = {.sampling = Sampling::statistical, .most = 40}};
+  render::PathStatistics reach;
   render::render(scene, *engine, {}, frame, &reach);
   CHECK(reach.samples == 8 * 4 * 4 + 11 * 7);
   CHECK(reach.in_doubt == 0);
@@ -228,9 +229,9 @@ TEST_CASE("what is even takes four rays and the corners, and what never settles 
 namespace {
 
 /// How a scene with that stage is seen in one pixel of 90°, whose corners are (±1, ±1, 1) from the eye.
-render::Reach seen_in_one_pixel(const scene::Scene& scene, const render::Samples& samples) {
+render::PathStatistics seen_in_one_pixel(const scene::Scene& scene, const render::Samples& samples) {
   const auto engine = engine::find("exact")->prepare(scene);
-  render::Reach reach;
+  render::PathStatistics reach;
   render::render(scene, *engine, {}, {.size = scene::Resolution{1, 1}, .samples = samples}, &reach);
   return reach;
 }
@@ -288,13 +289,13 @@ TEST_CASE("few points are held to a part of the width, the last ones to all of i
 TEST_CASE("as many pixels as the confidence says are within the width, and it takes less than four tenths of a grid") {
   const scene::Scene scene = stage();
   const auto engine = engine::find("fast")->prepare(scene);
-  const auto drawn = [&](const render::Samples& samples, render::Reach* reach = nullptr) {
+  const auto drawn = [&](const render::Samples& samples, render::PathStatistics* reach = nullptr) {
     return render::render(scene, *engine, {}, {.crop = render::Crop{12, 10, {40, 32}}, .samples = samples}, reach);
   };
   const render::Picture truth = drawn({.most = 4096});
   const double grid = squared_error(drawn({.most = 64}), truth);
   const render::Samples samples{.sampling = Sampling::statistical, .most = 1024, .width = 0.25, .confidence = 0.95};
-  render::Reach reach;
+  render::PathStatistics reach;
   const render::Picture picture = drawn(samples, &reach);
   const double rays = double(reach.samples) / double(reach.pixels), error = squared_error(picture, truth);
   std::size_t off = 0;

@@ -11,7 +11,7 @@
 #include "support/property.hpp"
 
 using namespace durero;
-using render::Coordinates;
+using render::TextureCoordinates;
 
 namespace {
 
@@ -32,7 +32,7 @@ scene::Scene one_of_each() {
 }
 
 /// Away from seams and poles, of a disc within the rim and of a triangle within it.
-Coordinates any_coordinates() {
+TextureCoordinates any_coordinates() {
   const double u = *rc::gen::inRange(5, 60) / 128.0, v = *rc::gen::inRange(5, 60) / 128.0;
   return {u + 0.1, v};
 }
@@ -42,9 +42,9 @@ Coordinates any_coordinates() {
 TEST_CASE("(u, v) to the point and back, on every surface, to 10^-12") {
   const scene::Scene scene = one_of_each();
   test::property("and the point lies on the surface", [&] {
-    const Coordinates at = any_coordinates();
+    const TextureCoordinates at = any_coordinates();
     scene.for_each([&](scene::ElementRef element, const auto&) {
-      const Coordinates back = render::coordinates(scene, element, render::point_at(scene, element, at));
+      const TextureCoordinates back = render::coordinates(scene, element, render::point_at(scene, element, at));
       RC_ASSERT(std::abs(back.u - at.u) < 1e-12);
       RC_ASSERT(std::abs(back.v - at.v) < 1e-12);
     });
@@ -54,7 +54,7 @@ TEST_CASE("(u, v) to the point and back, on every surface, to 10^-12") {
 TEST_CASE("tangents are the slopes of f_p to 10^-8, and their product lies on the outer side") {
   const scene::Scene scene = one_of_each();
   test::property("central differences of 2^-17", [&] {
-    const Coordinates at = any_coordinates();
+    const TextureCoordinates at = any_coordinates();
     scene.for_each([&](scene::ElementRef element, const auto&) {
       // Their error is h²/6 of a third derivative, at most (2π)³·2.5/6 of 2⁻³⁴, and of rounding 2⁻⁵⁰/h.
       constexpr double h = 0x1p-17;
@@ -74,8 +74,8 @@ TEST_CASE("at a pole u is 0 and the tangents have no product") {
   scene.apply(model::Agregar_Cono{model::Elemento("k"), {0, 0, 0}, 0.5, {0, 1, 0}, 2});
   const auto pole = [&](const char* name, const glm::dvec3& p, double v) {
     const scene::ElementRef element = *scene.find(name);
-    const Coordinates at = render::coordinates(scene, element, p);
-    CHECK(at == Coordinates{0, v});
+    const TextureCoordinates at = render::coordinates(scene, element, p);
+    CHECK(at == TextureCoordinates{0, v});
     const auto t = render::tangents(scene, element, at);
     CHECK(glm::cross(t.u, t.v) == glm::dvec3(0));
   };
@@ -115,7 +115,7 @@ TEST_CASE("a triangle whose vertices have (u, v) has those there, and what is li
   const scene::ElementRef element = wrapped(scene, {some_uv});
   const auto& [a, b, c] = scene.shapes<scene::Triangle>()[element.index].vertices;
   const auto at = [&](const glm::dvec3& p) {
-    const Coordinates found = render::coordinates(scene, element, p);
+    const TextureCoordinates found = render::coordinates(scene, element, p);
     return glm::dvec2(found.u, found.v);
   };
   CHECK(glm::distance(at(a), some_uv[0]) < 1e-14);

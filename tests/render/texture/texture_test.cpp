@@ -10,12 +10,12 @@
 #include "support/catch.hpp"
 
 using namespace durero;
-using render::Beyond;
 using render::texture_at;
+using render::WrapModes;
 using scene::Edges;
 using scene::Filter;
 using scene::Pattern;
-using scene::Picture;
+using scene::TexelImage;
 using scene::Texture;
 
 namespace {
@@ -23,25 +23,25 @@ namespace {
 const glm::dvec3 white(1), black(0);
 
 /// Texel (j, k) is (j, k, 0)/8.
-Picture numbered(std::uint32_t width, std::uint32_t height) {
-  Picture picture{width, height};
+TexelImage numbered(std::uint32_t width, std::uint32_t height) {
+  TexelImage picture{width, height};
   for (std::uint32_t k = 0; k < height; ++k)
     for (std::uint32_t j = 0; j < width; ++j) picture.texels.emplace_back(j / 8.0, k / 8.0, 0);
   return picture;
 }
 
 /// Squares of so many texels, black and white.
-Picture checker(std::uint32_t side, std::uint32_t square) {
-  Picture picture{side, side};
+TexelImage checker(std::uint32_t side, std::uint32_t square) {
+  TexelImage picture{side, side};
   for (std::uint32_t k = 0; k < side; ++k)
     for (std::uint32_t j = 0; j < side; ++j) picture.texels.emplace_back((j / square + k / square) % 2);
   return picture;
 }
 
-Texture image(const Picture& picture, Filter filter, double near = 1) {
+Texture image(const TexelImage& picture, Filter filter, double near = 1) {
   Texture texture{.pattern = Pattern::image, .filter = filter};
-  texture.image.levels = std::make_shared<const std::vector<Picture>>(
-      filter == Filter::mipmap ? scene::mipmap(picture) : std::vector<Picture>{picture});
+  texture.image.levels = std::make_shared<const std::vector<TexelImage>>(
+      filter == Filter::mipmap ? scene::mipmap(picture) : std::vector<TexelImage>{picture});
   if (filter == Filter::mipmap) texture.near = near;
   return texture;
 }
@@ -51,7 +51,7 @@ Texture rule(Pattern pattern) { return {.pattern = pattern, .colors = {white, bl
 }  // namespace
 
 TEST_CASE("the nearest texel: (0, 0) of the unit square is the lower left corner, and edges repeat or hold") {
-  const Picture picture = numbered(4, 2);
+  const TexelImage picture = numbered(4, 2);
   const auto at = [&](double x, double y, Edges edges) {
     return render::nearest_texel(picture, {x, y}, {edges, edges});
   };
@@ -65,7 +65,7 @@ TEST_CASE("the nearest texel: (0, 0) of the unit square is the lower left corner
 }
 
 TEST_CASE("between the centres of texels it is linear, and at a centre the texel itself") {
-  const Picture picture = numbered(4, 2);
+  const TexelImage picture = numbered(4, 2);
   const auto at = [&](double x, double y, Edges edges) {
     return render::linear_texels(picture, {x, y}, {edges, edges});
   };
@@ -93,10 +93,10 @@ TEST_CASE("the level is one more at twice the distance, from 0 to n") {
 }
 
 TEST_CASE("at a whole level that level alone is shown, and up to `near` the picture itself") {
-  const Picture picture = numbered(8, 8);
+  const TexelImage picture = numbered(8, 8);
   const Texture texture = image(picture, Filter::mipmap, 3), plain = image(picture, Filter::linear);
-  const std::vector<Picture>& levels = *texture.image.levels;
-  const render::Coordinates at{0.3, 0.7};
+  const std::vector<TexelImage>& levels = *texture.image.levels;
+  const render::TextureCoordinates at{0.3, 0.7};
   for (std::size_t i = 0; i < levels.size(); ++i)
     CHECK(texture_at(texture, at, 3 * std::exp2(i)) == render::linear_texels(levels[i], {at.u, at.v}, {}));
   for (const double d : {0.0, 1.0, 3.0}) CHECK(texture_at(texture, at, d) == texture_at(plain, at, d));
@@ -104,8 +104,8 @@ TEST_CASE("at a whole level that level alone is shown, and up to `near` the pict
 
 TEST_CASE("what a receding plane shows changes by no jump, which whole levels alone would") {
   const Texture texture = image(checker(64, 1), Filter::mipmap);
-  const std::vector<Picture>& levels = *texture.image.levels;
-  const render::Coordinates at{0.3 / 64, 0.4 / 64};
+  const std::vector<TexelImage>& levels = *texture.image.levels;
+  const render::TextureCoordinates at{0.3 / 64, 0.4 / 64};
   double greatest = 0, jump = 0;
   for (double d = 0.5; d < 200; d *= 1.0003) {
     const double next = d * (1 + 1e-6);
@@ -170,7 +170,7 @@ TEST_CASE("p6m is kept by its generators: the turn by 60 degrees, the mirrors, t
 TEST_CASE("slopes of waves are exact, and differences come nearer by four when their step is halved") {
   Texture texture = rule(Pattern::waves);
   texture.repeat = {3, 2};
-  const render::Coordinates at{0.11, 0.17};
+  const render::TextureCoordinates at{0.11, 0.17};
   const glm::dvec2 exact = render::slopes(texture, at, {});
   const auto error = [&](double delta) {
     const glm::dvec2 off = render::slopes(texture, at, delta) - exact;
@@ -182,7 +182,7 @@ TEST_CASE("slopes of waves are exact, and differences come nearer by four when t
 }
 
 TEST_CASE("slopes of an image: by one texel, over its edges, and none where all is level") {
-  Picture ramp{8, 1};
+  TexelImage ramp{8, 1};
   for (int i = 0; i < 8; ++i) ramp.texels.emplace_back(i / 8.0);
   const Texture texture = image(ramp, Filter::linear);
   CHECK(render::slopes(texture, {3.5 / 8, 0.5}, {}) == glm::dvec2(1, 0));
@@ -242,7 +242,7 @@ std::vector<double> rows(const scene::Scene& scene, std::uint32_t first, std::ui
   for (std::uint32_t y = first; y < first + count; ++y)
     for (std::uint32_t x = 0; x < scene.stage().resolution->width; ++x) queries.push_back({rays.ray(x, y)});
   std::vector<double> colors;
-  for (const render::Brought& ray : render::brought(scene, *engine, queries, {1})) colors.push_back(ray.color.x);
+  for (const render::PathRadiance& ray : render::brought(scene, *engine, queries, {1})) colors.push_back(ray.color.x);
   return colors;
 }
 

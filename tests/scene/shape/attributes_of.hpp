@@ -29,10 +29,10 @@ bool is_what_its_addition_adds(const Shape& shape) {
   model::apply(escena, in);
   const Shape again = scene::shape_of<Shape>(in);
   bool is = in.e == e && escena.de_que_tipo.at(e) == Shape::tipo;
-  scene::for_each_attribute<Shape, model::Escena>([&]<class Row>(const Row& attribute) {
+  scene::for_each_attribute<Shape, model::Escena>([&]<class TableRow>(const TableRow& attribute) {
     const auto& value = (escena.*attribute.component).at(e);
     using Value = std::remove_cvref_t<decltype(value)>;
-    is = is && value == Value(scene::input_of<typename Row::Input>(shape.*attribute.field)) &&
+    is = is && value == Value(scene::input_of<typename TableRow::Input>(shape.*attribute.field)) &&
          again.*attribute.field == shape.*attribute.field;
   });
   return is;

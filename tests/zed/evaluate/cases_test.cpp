@@ -197,7 +197,7 @@ TEST_CASE("an operation whose input a function has cases for may go on") {
   const Evaluator evaluator(looked_for().sections);
   const Value three = Real(3), zero = Real(0);
   for (const auto& [input, truth] : {std::pair{three, Truth::yes}, std::pair{zero, Truth::no}}) {
-    const Given locals = {{{"x", ""}, zero}, {{"p", "?"}, input}};
+    const Valuation locals = {{{"x", ""}, zero}, {{"p", "?"}, input}};
     CHECK(evaluator.holds(parse_unicode("pre Pay"), locals) == truth);
   }
   const Value here[] = {zero};

@@ -24,7 +24,7 @@ std::vector<Section> sections(const std::string& text) {
 }
 
 struct Asked {
-  explicit Asked(const std::string& text, const Given& given = {}) : evaluator(sections(text), given) {}
+  explicit Asked(const std::string& text, const Valuation& given = {}) : evaluator(sections(text), given) {}
   std::string value(const std::string& expression) { return evaluator.value(parse_unicode(expression)).text(); }
   std::string taken() const {
     std::string all;

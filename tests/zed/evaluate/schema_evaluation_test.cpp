@@ -99,7 +99,7 @@ Truth satisfies(const char* schema, const std::vector<std::pair<std::string, int
 std::vector<std::string> broken(const char* schema, const std::vector<std::pair<std::string, int>>& given) {
   const SchemaCheck check = evaluator().schema({schema, ""});
   std::vector<std::string> labels;
-  for (const Finding& finding : check.findings(values(check, given))) {
+  for (const ConjunctTruth& finding : check.findings(values(check, given))) {
     if (finding.truth == Truth::no)
       labels.push_back((finding.label.empty() ? finding.predicate : finding.label) + finding.strokes);
   }

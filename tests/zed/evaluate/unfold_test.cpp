@@ -160,8 +160,8 @@ TEST_CASE("what is written out has the bindings of the schema") {
       for (int after = 0; after <= 2; ++after)
         for (int by = 0; by <= 2; ++by) {
           const auto value = [](int number) { return Value(Real(number)); };
-          const Given locals{{{"n", ""}, value(n)},     {{"most", ""}, value(2)}, {{"n", "'"}, value(after)},
-                             {{"most", "'"}, value(2)}, {{"by", "?"}, value(by)}, {{"r", "!"}, value(after)}};
+          const Valuation locals{{{"n", ""}, value(n)},     {{"most", ""}, value(2)}, {{"n", "'"}, value(after)},
+                                 {{"most", "'"}, value(2)}, {{"by", "?"}, value(by)}, {{"r", "!"}, value(after)}};
           CAPTURE(n, after, by);
           const Truth written = evaluator.holds(*text, locals), meant = evaluator.holds(schema, locals);
           if (written == Truth::open || meant == Truth::open) continue;  // one of them asks for more than can be found

@@ -14,7 +14,7 @@
 namespace durero::accel {
 
 /// A volume and its expected cost for a ray, in nanoseconds on the machine of docs/acceleration-reference.md.
-struct Choice {
+struct VolumeCost {
   Volume volume;  ///< of one part or more
   double tests;   ///< n·B
   double m;       ///< the share of rays that meet the volume and are tested against the element
@@ -23,10 +23,10 @@ struct Choice {
 
 /// The cheapest choice for isotropic rays that cross a convex region of that surface. Precondition: the element has an
 /// outline (volume/outline.hpp).
-Choice choose(scene::ShapeView element, double surface_of_region);
+VolumeCost choose(scene::ShapeView element, double surface_of_region);
 
 /// The kind of a simple volume.
-const Kind& kind_of(const Simple& volume);
+const VolumeKind& kind_of(const Simple& volume);
 /// A description such as `ball`, `ball ∩ ellipsoid` or `ball ∪ ball`, in the order of the tests.
 std::string described(const Volume& volume);
 

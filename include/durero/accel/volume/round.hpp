@@ -16,7 +16,7 @@
 namespace durero::accel {
 
 /// The result of testing a ray against a volume.
-enum class Verdict : std::uint8_t {
+enum class VolumeTest : std::uint8_t {
   met,     ///< the ray may have a point of the volume up to the limit
   missed,  ///< it has no point of it
   beyond,  ///< it has no point of it up to the limit
@@ -35,8 +35,8 @@ struct Ellipsoid {
 Ellipsoid ellipsoid_around(const Outline& outline);
 
 /// Tests a ray against a ball. Preconditions: the ray is ordinary; the ball is that of an ordinary element.
-Verdict verdict(const surface::Ball& ball, const trace::Ray& ray, double limit);
+VolumeTest verdict(const surface::Ball& ball, const trace::Ray& ray, double limit);
 /// Tests a ray against an ellipsoid. Preconditions: the ray is ordinary; the ellipsoid is that of an ordinary element.
-Verdict verdict(const Ellipsoid& ellipsoid, const trace::Ray& ray, double limit);
+VolumeTest verdict(const Ellipsoid& ellipsoid, const trace::Ray& ray, double limit);
 
 }  // namespace durero::accel

@@ -34,7 +34,7 @@ class Projection {
   Projection(const glm::dvec3& n, const trace::Ray& ray);
 
   /// The parameters at which the ray may be in the slab, within 0 … `never`.
-  Stretch within(const Slab& slab) const {
+  BoxInterval within(const Slab& slab) const {
     const double ahead = (backwards_ ? S_ - slab.high : slab.low - S_) - slack_;
     const double behind = (backwards_ ? S_ - slab.low : slab.high - S_) + slack_;
     if (T_far_ < never) return {ahead > 0 ? ahead * T_near_ : 0, behind * T_far_};
@@ -86,9 +86,9 @@ Slabs slabs_around(const Outline& outline, std::size_t k);
 OrientedBox oriented_box_around(const Outline& outline);
 
 /// The intersection of the ray's stretches in all slabs. Precondition: the projections cover the slabs' directions.
-Stretch stretch(const Slabs& slabs, const Projections& projections);
+BoxInterval stretch(const Slabs& slabs, const Projections& projections);
 /// The intersection of the ray's stretches in the box's slabs. It projects the ray on the box's own directions, which
 /// makes it dearer.
-Stretch stretch(const OrientedBox& box, const trace::Ray& ray);
+BoxInterval stretch(const OrientedBox& box, const trace::Ray& ray);
 
 }  // namespace durero::accel

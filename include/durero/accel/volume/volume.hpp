@@ -18,9 +18,9 @@ namespace durero::accel {
 using Simple = std::variant<surface::Ball, surface::Box, OrientedBox, Ellipsoid, Slabs>;
 
 /// A ray, prepared once for tests against any number of volumes.
-struct Asked {
+struct PrecomputedRay {
   /// Prepares a ray for boxes, and for slabs across the first k of the common directions. Precondition: it is ordinary.
-  Asked(const trace::Ray& of, std::size_t k) : ray(of), beam(of), projections(of, k) {}
+  PrecomputedRay(const trace::Ray& of, std::size_t k) : ray(of), beam(of), projections(of, k) {}
 
   const trace::Ray& ray;    ///< the ray, which must outlive it
   Beam beam;                ///< for boxes
@@ -29,7 +29,7 @@ struct Asked {
 
 /// Tests a ray against a volume. The result is never `missed` where the ray has a point of the volume at some 0 < t ≤
 /// limit, nor `beyond`.
-Verdict verdict(const Simple& volume, const Asked& asked, double limit);
+VolumeTest verdict(const Simple& volume, const PrecomputedRay& asked, double limit);
 
 /// A composed volume, which bounds an element by the intersection of its parts, where each contains the element, or by
 /// their union, where they contain it together.
@@ -41,7 +41,7 @@ struct Volume {
 
 /// Tests a ray against a composed volume. An intersection stops at the first part that is not met, a union at the first
 /// that is. Each part's test is counted as that of a volume.
-Verdict verdict(const Volume& volume, const Asked& asked, double limit, Work& work);
+VolumeTest verdict(const Volume& volume, const PrecomputedRay& asked, double limit, Work& work);
 
 /// @{ The surface of a simple volume, and the area of its orthogonal projection along a unit vector; rounded.
 double surface_of(const Simple& volume);
@@ -54,7 +54,7 @@ double void_area(const Simple& volume, const Outline& outline, const glm::dvec3&
 double mean_fit(const Simple& volume, const Outline& outline);
 
 /// A kind of volume that every element can have.
-struct Kind {
+struct VolumeKind {
   std::string_view name;  ///< as figures print it
   double B;               ///< the cost of a test, in nanoseconds on the machine of docs/acceleration-reference.md
   Simple (*around)(scene::ShapeView element, const Outline& outline);  ///< makes the volume around an element
@@ -62,16 +62,16 @@ struct Kind {
 /// The number of kinds.
 inline constexpr std::size_t kind_count = 7;
 /// The kinds: ball, box, oriented-box, ellipsoid, and three, seven and thirteen slabs.
-std::span<const Kind, kind_count> kinds();
-/// The cost of a test of an element, in the unit of Kind::B.
+std::span<const VolumeKind, kind_count> kinds();
+/// The cost of a test of an element, in the unit of VolumeKind::B.
 inline constexpr double I = 51;
 
 /// The kind of the least T = n·B + m·I, where a share m/n of n rays meets each kind's volume. `shares` are in the order
 /// of kinds().
-const Kind& cheapest(std::span<const double> shares);
+const VolumeKind& cheapest(std::span<const double> shares);
 /// The cheapest kind for isotropic rays that cross a convex region of that surface.
-const Kind& cheapest(scene::ShapeView element, double surface_of_region);
+const VolumeKind& cheapest(scene::ShapeView element, double surface_of_region);
 /// The cheapest kind for rays along a unit vector, through an area across it.
-const Kind& cheapest(scene::ShapeView element, const glm::dvec3& v, double area);
+const VolumeKind& cheapest(scene::ShapeView element, const glm::dvec3& v, double area);
 
 }  // namespace durero::accel

@@ -1,7 +1,7 @@
 #pragma once
 /// The wide hierarchy is a BVH with eight children a node, boxes in binary32 that are rounded outwards, and single
-/// elements as leaves. One ray traverses it nearest box first; many rays share a traversal (wide_walk.hpp). A tree of
-/// one node is not traversed by many rays: their columns are tested against each of its elements.
+/// elements as leaves. One ray traverses it nearest box first; many rays share a traversal (wide_traversal.hpp). A tree
+/// of one node is not traversed by many rays: their columns are tested against each of its elements.
 ///
 /// Two lists stand beside the tree: the elements that are not ordinary, and those without a finite box in binary32,
 /// such as planes.
@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "durero/accel/structure.hpp"
-#include "durero/accel/wide/wide_leaves.hpp"
-#include "durero/accel/wide/wide_walk.hpp"
+#include "durero/accel/wide/leaf_columns.hpp"
+#include "durero/accel/wide/wide_traversal.hpp"
 #include "durero/trace/picked.hpp"
 
 namespace durero::accel {
@@ -49,8 +49,8 @@ class WideBvh {
   }
   /// @}
   /// @{ The operations of PairCandidates (trace/candidates.hpp).
-  template <class Limit, class Take, class Flush>
-  void pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const;
+  template <class Limit, class Visitor, class Flush>
+  void pairs(std::span<const trace::Ray> rays, Limit limit, Visitor take, Flush flush) const;
   template <class Visit>
   decltype(auto) visit(scene::ElementRef leaf, Visit&& visit) const {
     return leaves_.visit(leaf, visit);
@@ -62,9 +62,9 @@ class WideBvh {
   /// The order of the queries that is traversed faster, for trace::order_of: by octant of the direction and by cell of
   /// the origin where the tree exceeds the cache and the queries are not coherent already; otherwise empty, which keeps
   /// the queries' own order.
-  std::vector<std::uint32_t> order(std::span<const scene::Query> queries, trace::Asked asked) const;
+  std::vector<std::uint32_t> order(std::span<const scene::Query> queries, trace::QueryKind asked) const;
   /// The elements of nodes() and unbounded(), copied into the tree's order.
-  const WideLeaves& leaves() const noexcept { return leaves_; }
+  const LeafColumns& leaves() const noexcept { return leaves_; }
 
   /// The mean distance of neighbouring elements, the unit in which a bundle's width is measured: the longest edge of
   /// the root's box by the cube root of the number of elements.
@@ -73,14 +73,14 @@ class WideBvh {
   Size size() const;
 
  private:
-  template <class Bundles, class Limit, class Take>
-  void pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Take& take) const;
+  template <class Bundles, class Limit, class Visitor>
+  void pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Visitor& take) const;
   template <class Limit, class Visit, class Count>
   bool walk(const trace::Ray& ray, Limit limit, Visit visit, Count count) const;
 
   const scene::Scene* scene_;
   LargeVector<WideNode> nodes_;
-  WideLeaves leaves_;  // of the nodes, then of unbounded_
+  LeafColumns leaves_;  // of the nodes, then of unbounded_
   double spacing_ = 0;
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
   // The leaves that any ray may be tested against: of unbounded_, then of a tree of one node.
@@ -96,9 +96,9 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
     if (visit(e)) return true;
   }
   if (nodes_.empty()) return false;
-  WideWalker walker(ray);
+  SingleRayTraversal walker(ray);
   bool answered = false;
-  while (!answered && walker.advance(nodes_.data(), limit()) == WideWalker::Next::element) {
+  while (!answered && walker.advance(nodes_.data(), limit()) == SingleRayTraversal::Next::element) {
     count([](Work& work) { ++work.cells, ++work.candidates; });
     answered = visit(element(walker.element));
   }
@@ -112,8 +112,8 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
 }
 
 /// Tests the rays, in columns of 64, against each leaf of every_rays_leaves_.
-template <class Bundles, class Limit, class Take>
-void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Take& take) const {
+template <class Bundles, class Limit, class Visitor>
+void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Visitor& take) const {
   trace::RayColumns columns;
   typename Bundles::Numbers numbers{};
   std::size_t count = 0;
@@ -136,10 +136,10 @@ void WideBvh::pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, T
   if (count > 0) take_all();
 }
 
-template <class Limit, class Take, class Flush>
-void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Flush flush) const {
+template <class Limit, class Visitor, class Flush>
+void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Visitor take, Flush flush) const {
   if (rays.empty()) return;
-  using Bundles = WideBundles<WideBvh, Limit, Take, Flush>;
+  using Bundles = PacketTraversal<WideBvh, Limit, Visitor, Flush>;
   if constexpr (Bundles::takes_many) {
     if (!every_rays_leaves_.empty()) pairs_in_columns<Bundles>(rays, limit, take);
     if (nodes_.size() == 1) return;
@@ -149,7 +149,7 @@ void WideBvh::pairs(std::span<const trace::Ray> rays, Limit limit, Take take, Fl
       if (limit(number) > 0)
         for (const scene::ElementRef leaf : unbounded) take(number, leaf);
   }
-  if (!nodes_.empty()) WideWalk(*this, rays, limit, take, flush).all();
+  if (!nodes_.empty()) WideTraversal(*this, rays, limit, take, flush).all();
 }
 
 }  // namespace durero::accel

@@ -50,7 +50,7 @@ inline double latest_entry(double limit) { return limit * grow + tiny; }
 
 /// A bundle is up to 64 rays in columns that traverse the tree together. Preconditions: the rays are ordinary; no
 /// component of a direction is 0; the components along an axis have one sign.
-struct WideBundle {
+struct WidePacket {
   static constexpr std::size_t size = trace::RayColumns::size;  ///< rays at most
   static constexpr std::size_t eight = trace::Packet::size;     ///< rays that lanes test side by side
   using Column = trace::RayColumns::Column;                     ///< a number of each ray
@@ -83,28 +83,28 @@ struct WideBundle {
 };
 
 /// Computes the inverses of the first `count` rays. Precondition: `count` is a multiple of eight.
-void invert(WideBundle& bundle, std::size_t count);
+void invert(WidePacket& bundle, std::size_t count);
 
 /// Bounds the rays at begin … end, which are the ones that traverse from then on. False where the rays cannot share a
 /// traversal, since their signs differ or an inverse is infinite; the bounds mean nothing then. Preconditions: begin
 /// and end are multiples of eight; the rays' inverses are computed.
-bool gather(WideBundle& bundle, std::size_t begin, std::size_t end);
+bool gather(WidePacket& bundle, std::size_t begin, std::size_t end);
 
 /// The greatest limit of the rays that traverse, or 0 where none takes part.
-double farthest(const WideBundle& bundle);
+double farthest(const WidePacket& bundle);
 
 /// The children whose boxes some ray of the bundle may meet at 0 < t ≤ limit, a bit each, the first child's lowest.
 /// `entries` gets a lower bound of each box's entry parameters. Rounded subtraction and multiplication are monotonic,
 /// so the entry computed from the bounds of origins and inverses is no later, and the exit no earlier, than `stretch`
 /// computes for any ray within the bounds (proofs/Bundles.v: bundle_entry, bundle_exit). The test therefore passes
 /// wherever the test of some ray does.
-unsigned met(const WideNode& node, const WideBundle& bundle, double limit, WideNode::Entries& entries);
+unsigned met(const WideNode& node, const WidePacket& bundle, double limit, WideNode::Entries& entries);
 
 /// A set of rays of a bundle for each child of a node, a bit for each ray.
 using WideMeetings = std::array<std::uint64_t, WideNode::width>;
 
 /// For each child in `children`, the rays that traverse and may meet its box up to their own limits, by the test of
 /// `stretch`. The sets of other children mean nothing.
-void met_by(const WideNode& node, unsigned children, const WideBundle& bundle, WideMeetings& met);
+void met_by(const WideNode& node, unsigned children, const WidePacket& bundle, WideMeetings& met);
 
 }  // namespace durero::accel

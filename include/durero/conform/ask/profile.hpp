@@ -14,7 +14,7 @@
 namespace durero::conform {
 
 /// The format that a system computes in, which fixes the ε of its backward error.
-enum class Format { binary32, binary64 };
+enum class NumberFormat { binary32, binary64 };
 
 /// The ends of a cylinder, a cone or a truncated cone in a system: open, or closed by discs into a solid.
 enum class Caps { open, solid };
@@ -46,7 +46,7 @@ inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "
 /// @}
 
 /// @{ The word of a value in files.
-constexpr std::string_view word(Format format) { return format_words[static_cast<std::size_t>(format)]; }
+constexpr std::string_view word(NumberFormat format) { return format_words[static_cast<std::size_t>(format)]; }
 constexpr std::string_view word(Caps caps) { return caps_words[static_cast<std::size_t>(caps)]; }
 constexpr std::string_view word(Measure measure) { return measure_words[static_cast<std::size_t>(measure)]; }
 constexpr std::string_view word(Directions directions) {
@@ -56,7 +56,7 @@ constexpr std::string_view word(Inside inside) { return inside_words[static_cast
 /// @}
 
 /// A sentence of the system's documentation that supports a claim.
-struct Source {
+struct Citation {
   std::string claim;     ///< the profile's key that it supports
   std::string sentence;  ///< of the documentation
   std::string place;     ///< file, page or address
@@ -64,9 +64,9 @@ struct Source {
 
 /// The claims of a system about itself. A bound on t, sizes or coordinates that it does not claim excludes nothing.
 struct Profile {
-  std::string system;                       ///< the system's name: of its file, or as a profile's file says
-  Format format = Format::binary64;         ///< a scene or ray with numbers beyond its range is outside
-  std::vector<model::Tipo> tipos{};         ///< the types of element that it has: a scene with another is outside
+  std::string system;                            ///< the system's name: of its file, or as a profile's file says
+  NumberFormat format = NumberFormat::binary64;  ///< a scene or ray with numbers beyond its range is outside
+  std::vector<model::Tipo> tipos{};              ///< the types of element that it has: a scene with another is outside
   Caps caps = Caps::open;                   ///< solid: a scene with an open cylinder, cone or truncated cone is outside
   Measure measure = Measure::parameter;     ///< the meaning of Claim::t
   Directions directions = Directions::any;  ///< the demand on v
@@ -78,8 +78,8 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();        ///< the greatest size inside the profile
   double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude of a coordinate
   bool names_elements = true;                                            ///< whether its hits name their element
-  bool watertight = false;        ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
-  std::vector<Source> sources{};  ///< the sources of its claims: they are shown, and decide nothing
+  bool watertight = false;          ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
+  std::vector<Citation> sources{};  ///< the sources of its claims: they are shown, and decide nothing
 };
 
 }  // namespace durero::conform

@@ -34,7 +34,7 @@ struct Campaign {
   std::vector<const Family*> families{};            ///< one at least, in the order of families()
   std::optional<std::vector<model::Tipo>> tipos{};  ///< none: those of the profile
   std::optional<Caps> caps{};                       ///< none: those of the profile
-  Format numbers = Format::binary32;                ///< the format of scenes and rays, except discs that close solids
+  NumberFormat numbers = NumberFormat::binary32;    ///< the format of scenes and rays, except discs that close solids
   double time = 10;                                 ///< seconds for each ray
 };
 

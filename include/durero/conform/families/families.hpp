@@ -54,9 +54,9 @@ Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
 
 /// The options of generated cases.
 struct CaseOptions {
-  Format numbers = Format::binary64;  ///< the format of scenes and rays, except discs that close solids
-  std::vector<model::Tipo> tipos{};   ///< the types of elements; none: all
-  Caps caps = Caps::open;             ///< solid: discs close the cylinders, cones and truncated cones
+  NumberFormat numbers = NumberFormat::binary64;  ///< the format of scenes and rays, except discs that close solids
+  std::vector<model::Tipo> tipos{};               ///< the types of elements; none: all
+  Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
 };
 
 /// A solid is an element together with the discs that close it: a system with solids knows them as one. The disc
@@ -83,7 +83,7 @@ std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std:
                                   const CaseOptions& options);
 
 /// The range of the family's parameter, narrower than family.parameter where that leaves the format.
-Range parameter(const Family& family, Format numbers);
+Range parameter(const Family& family, NumberFormat numbers);
 
 /// The membership of a ray, decided by surface::exact. Precondition: the case is of the family, and the ray is of the
 /// case.

@@ -14,12 +14,12 @@ namespace durero::conform {
 
 /// The options of a suite.
 struct SuiteOptions {
-  std::vector<const Family*> families{};  ///< none: all
-  std::uint64_t seed = 1;                 ///< the seed of all random streams: another seed, other cases
-  std::size_t rays = 1024;                ///< the number of rays of each family
-  std::vector<model::Tipo> tipos{};       ///< the types of elements; none: all
-  Caps caps = Caps::open;                 ///< solid: discs close the cylinders, cones and truncated cones
-  Format numbers = Format::binary32;      ///< the format of scenes and rays, except discs that close solids
+  std::vector<const Family*> families{};          ///< none: all
+  std::uint64_t seed = 1;                         ///< the seed of all random streams: another seed, other cases
+  std::size_t rays = 1024;                        ///< the number of rays of each family
+  std::vector<model::Tipo> tipos{};               ///< the types of elements; none: all
+  Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
+  NumberFormat numbers = NumberFormat::binary32;  ///< the format of scenes and rays, except discs that close solids
 };
 
 /// The number of rays of a case, of which the last of a family may have fewer. It is small, for radii and poses differ
@@ -28,12 +28,12 @@ inline constexpr std::size_t rays_of_a_case = 16;
 
 /// A scene with its rays and its place in the suite, and the exact answers once answer() has found them.
 struct SuiteCase {
-  const Family* family = nullptr;  ///< one of families()
-  std::uint64_t number = 0;        ///< its number among the cases of its family, from 0
-  int parameter = 0;               ///< the parameter of the family, as drawn
-  Case the_case;                   ///< the scene and its rays, which in a suite start on no elements
-  std::vector<Solid> solids{};     ///< with Caps::solid, the elements that discs close
-  std::vector<Truth> truths{};     ///< the truths of the rays, in their order
+  const Family* family = nullptr;     ///< one of families()
+  std::uint64_t number = 0;           ///< its number among the cases of its family, from 0
+  int parameter = 0;                  ///< the parameter of the family, as drawn
+  Case the_case;                      ///< the scene and its rays, which in a suite start on no elements
+  std::vector<Solid> solids{};        ///< with Caps::solid, the elements that discs close
+  std::vector<ExactAnswer> truths{};  ///< the truths of the rays, in their order
 
   std::string name() const;  ///< FAMILY/0000
 };

@@ -24,13 +24,13 @@ namespace durero::conform {
 class RaysTowards {
  public:
   /// A stream towards these balls. Precondition: there is at least one.
-  RaysTowards(std::vector<oracle::Ball> balls, std::uint64_t seed) : balls_(std::move(balls)), random_(seed) {}
+  RaysTowards(std::vector<oracle::BallNode> balls, std::uint64_t seed) : balls_(std::move(balls)), random_(seed) {}
   /// The next ray of the stream. Its v leads from its origin to the place aimed at, which is at t = 1 but for a
   /// rounding.
   model::Rayo next();
 
  private:
-  std::vector<oracle::Ball> balls_;
+  std::vector<oracle::BallNode> balls_;
   Random random_;
 };
 
@@ -38,21 +38,21 @@ class RaysTowards {
 struct Agreement {
   /// A claimed hit that is wrong, as the samples show.
   struct Disagreement {
-    std::uint64_t ray;                 ///< its number in the stream, from 0
-    scene::Query query;                ///< the ray; it starts on no elements
-    scene::Hit claimed;                ///< the engine's answer
-    oracle::sampled::Verdict verdict;  ///< incomplete or unsound
+    std::uint64_t ray;                        ///< its number in the stream, from 0
+    scene::Query query;                       ///< the ray; it starts on no elements
+    scene::Hit claimed;                       ///< the engine's answer
+    oracle::sampled::SampledVerdict verdict;  ///< incomplete or unsound
   };
 
   std::array<std::uint64_t, oracle::sampled::verdict_count> counts{};  ///< rays, by verdict
   std::optional<Disagreement> first;                                   ///< the first ray whose hit is wrong
 
   /// The number of rays with the verdict.
-  std::uint64_t of(oracle::sampled::Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
+  std::uint64_t of(oracle::sampled::SampledVerdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
   /// The number of rays that were judged: the sum of the counts.
   std::uint64_t rays() const;
   /// Counts the next ray of the stream, and keeps it where it is the first whose claim is wrong.
-  void add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::Verdict verdict);
+  void add(const scene::Query& query, const scene::Hit& claimed, oracle::sampled::SampledVerdict verdict);
 };
 
 /// A function that answers rays with the first hit of each.

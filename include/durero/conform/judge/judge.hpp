@@ -26,7 +26,7 @@ namespace durero::conform {
 
 /// The judgement on the claim about ray number `ray` of the case. Preconditions: the case was answered, and has such a
 /// ray.
-Judgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile);
+ClaimJudgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile);
 
 /// The clause of the profile that excludes the ray, or an empty text where the ray is inside the profile. A ray outside
 /// is not asked. Preconditions: those of judge().

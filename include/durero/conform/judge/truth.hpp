@@ -28,7 +28,7 @@ enum class Ambiguity {
 std::string_view name(Ambiguity ambiguity);
 
 /// The exact answer to a ray, and the answers that are permissible in its place.
-struct Truth {
+struct ExactAnswer {
   scene::Hit hit;                         ///< the answer of Primera_Interseccion
   Ambiguity ambiguity = Ambiguity::none;  ///< the reason why `hit` is not the only answer; none where it is
   /// The answers that are permissible beside `hit`, nearest first: the crossings behind it up to and including the
@@ -40,6 +40,6 @@ struct Truth {
 
 /// The exact answer and its permissible variants, from the certified steps of the tracer; surface::exact decides the
 /// elements that these steps leave open. Precondition: the ray is of the scene.
-Truth truth(const scene::Scene& scene, const scene::Query& ray);
+ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray);
 
 }  // namespace durero::conform

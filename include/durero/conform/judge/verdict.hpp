@@ -43,7 +43,7 @@ std::string_view meaning(Verdict verdict);
 bool is_gross(Verdict verdict);
 
 /// A verdict on a claim, and the amount by which the claim is off.
-struct Judgement {
+struct ClaimJudgement {
   Verdict verdict = Verdict::skipped;  ///< on the claim
   /// The error of a hit where the truth is a hit too: |t − t!| in units of the last place of t! in the system's format,
   /// with t for the number that the system calls distance. For a claim of a point alone it is the error of the worst

@@ -16,17 +16,17 @@ namespace durero::conform {
 
 /// A judged ray, and its case without the other rays: enough to show the failure and to ask for it again.
 struct Finding {
-  SuiteCase of;         ///< the case with this ray alone
-  std::size_t ray = 0;  ///< its number in the whole case
-  Claim claim;          ///< the system's answer
-  Judgement judgement;  ///< the judgement on the claim
+  SuiteCase of;              ///< the case with this ray alone
+  std::size_t ray = 0;       ///< its number in the whole case
+  Claim claim;               ///< the system's answer
+  ClaimJudgement judgement;  ///< the judgement on the claim
 };
 
 /// A case, and the judgements on its rays.
 struct JudgedCase {
-  SuiteCase of;                       ///< the case with all its rays
-  Claims claims;                      ///< in the order of the rays
-  std::vector<Judgement> judgements;  ///< in the order of the rays
+  SuiteCase of;                            ///< the case with all its rays
+  Claims claims;                           ///< in the order of the rays
+  std::vector<ClaimJudgement> judgements;  ///< in the order of the rays
 };
 
 /// The error of the claims on one case, for a plot against the family's parameter.
@@ -74,7 +74,7 @@ class Tally {
 
   /// Judges the claims on the rays of a case, and returns the judgements in the order of the rays. Precondition: the
   /// case was answered, and has as many rays as claims.
-  std::vector<Judgement> add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile);
+  std::vector<ClaimJudgement> add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile);
 
   const std::vector<FamilyTally>& families() const { return families_; }  ///< in the order of their first case
   /// @{ The counts of FamilyTally, summed over the families.

@@ -26,7 +26,7 @@ namespace durero::io::json {
 
 /// What a token is: a value; `key`, of an object; `object` and `array`, an opening bracket, and its closing one; `end`,
 /// behind the last.
-enum class Kind : std::uint8_t { null, boolean, number, string, key, object, end_object, array, end_array, end };
+enum class TokenKind : std::uint8_t { null, boolean, number, string, key, object, end_object, array, end_array, end };
 
 /// One JSON text, checked: its tokens in order, then one of kind `end`.
 class Document {
@@ -40,7 +40,7 @@ class Document {
   /// Where a piece of the text begins, and what it is.
   struct Token {
     std::uint64_t offset : 56;  ///< its first byte in the source: of a string or key, the opening quote
-    Kind kind : 8;              ///< says whether it has a number_text(), a string_value() or neither
+    TokenKind kind : 8;         ///< says whether it has a number_text(), a string_value() or neither
   };
 
   /// What it was parsed from.
@@ -54,7 +54,7 @@ class Document {
 
  private:
   friend struct Recorder;
-  static Token token(std::size_t offset, Kind kind) { return {offset & ((std::uint64_t{1} << 56U) - 1), kind}; }
+  static Token token(std::size_t offset, TokenKind kind) { return {offset & ((std::uint64_t{1} << 56U) - 1), kind}; }
 
   const Source* source_;
   std::size_t end_;
@@ -75,9 +75,9 @@ class Reader {
   explicit Reader(const Document& document) : document_(&document) {}
 
   /// Of the token that stands here; `end` behind the last value.
-  Kind kind() const { return token().kind; }
+  TokenKind kind() const { return token().kind; }
   /// Of what an array or an object begins with. Precondition: one stands here.
-  Kind kind_of_first_item() const { return document_->tokens()[next_ + 1].kind; }
+  TokenKind kind_of_first_item() const { return document_->tokens()[next_ + 1].kind; }
   /// Which byte of the source the token that stands here begins at.
   std::size_t offset() const { return token().offset; }
   /// Where the last key that was read stands.
@@ -123,16 +123,16 @@ class Reader {
   /// Calls item() for each item of an array; it must read exactly one value.
   template <class Item>
   void array(std::string_view what, Item&& item) {
-    open(Kind::array, what);
-    while (kind() != Kind::end_array) item();
+    open(TokenKind::array, what);
+    while (kind() != TokenKind::end_array) item();
     ++next_;
   }
 
   /// Calls member(Key) for each member of an object whose keys are free; it must read exactly one value.
   template <class Member>
   void members(std::string_view what, Member&& member) {
-    open(Kind::object, what);
-    while (kind() != Kind::end_object) member(take_key());
+    open(TokenKind::object, what);
+    while (kind() != TokenKind::end_object) member(take_key());
     ++next_;
   }
 
@@ -162,7 +162,7 @@ class Reader {
 
  private:
   Document::Token token() const { return document_->tokens()[next_]; }
-  void open(Kind kind, std::string_view what);
+  void open(TokenKind kind, std::string_view what);
   void require_less_than_three(std::string_view what, std::size_t count, const char* expected) const;
   void require_three(std::string_view what, std::size_t count, std::size_t at, const char* expected) const;
   [[noreturn]] void wrong_kind(std::string_view what, std::string_view expected) const;

@@ -31,7 +31,7 @@
 namespace durero::io {
 
 /// One line of a script: the edit that it asks for.
-struct Step {
+struct ScriptStep {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
   std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit> edit;
@@ -55,7 +55,8 @@ EditAnswer edit_answer(const scene::Outcome& answer);
 
 /// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError. Of a WrittenEdit
 /// there is none where there are no types.
-std::vector<Step> read_script(const Source& source, const scene::Stage& stage, std::span<const WrittenType> types = {});
+std::vector<ScriptStep> read_script(const Source& source, const scene::Stage& stage,
+                                    std::span<const WrittenType> types = {});
 
 /// `{"line":1,"ok":true,"r":"esfera_agregada"}`, perhaps with a left_group, or with what was violated; without line
 /// end.

@@ -23,11 +23,11 @@ namespace durero::io {
 inline constexpr json::FormatVersion check_format{"durero-check", 1};
 
 /// Something wrong, and where.
-struct Finding {
+struct SceneDefect {
   const contract::clause* broken;      ///< null where no clause speaks of it: the file is malformed
   std::string message;                 ///< what is wrong; what is expected
   std::optional<std::string> pointer;  ///< to the value in the file, or to where it should be; none where it is no JSON
-  Place place;                         ///< in the file; of a broken invariant, where the element begins
+  TextPosition place;                  ///< in the file; of a broken invariant, where the element begins
 };
 
 /// What check_scene() has found.
@@ -36,10 +36,10 @@ struct SceneCheck {
   scene::Scene scene{};  ///< without what is wrong
   /// How many there are of each type that a Z text declares; in the scene they stand as spheres.
   std::map<std::string, std::size_t> written{};
-  std::vector<InputError> errors{};  ///< as they were met: the first is what read_scene throws
-  model::Judgements invariants{};    ///< none where there is an error: then there is no scene to judge
-  std::vector<Finding> findings{};   ///< in the order of the file
-  std::vector<Warning> warnings{};   ///< of what is right, and may not be meant
+  std::vector<InputError> errors{};     ///< as they were met: the first is what read_scene throws
+  model::Judgements invariants{};       ///< none where there is an error: then there is no scene to judge
+  std::vector<SceneDefect> findings{};  ///< in the order of the file
+  std::vector<Warning> warnings{};      ///< of what is right, and may not be meant
 };
 
 /// Reads the whole file and judges the scene. What is wrong with the file is found, not thrown.
@@ -50,7 +50,7 @@ SceneCheck check_scene(const Source& file);
 SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge);
 
 /// A finding for each element that breaks an invariant. A scene that was read breaks none, unless the program is wrong.
-std::vector<Finding> broken_invariants(const Source& file, const model::Escena& escena);
+std::vector<SceneDefect> broken_invariants(const Source& file, const model::Escena& escena);
 
 /// The elements by shape, a line for each invariant and one for each warning; `fails` is the word for one that does not
 /// hold.

@@ -37,7 +37,7 @@ scene::Scene read_scene(const Source& source, std::span<const WrittenType> types
 /// Where an element stands in its file.
 struct ElementPlace {
   std::string pointer;  ///< `/elementos/3`
-  Place place;          ///< of its opening brace
+  TextPosition place;   ///< of its opening brace
 };
 
 /// Precondition: the source is the text of a scene that has the element.

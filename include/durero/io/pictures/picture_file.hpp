@@ -27,7 +27,7 @@ double linear_light(std::uint8_t srgb) noexcept;
 /// `linear` takes them as they stand, of 255. Of 16 bits they are what libpng takes for linear light, whatever the
 /// curve. What is transparent lies before black. Throws PictureError where the bytes are neither, where texels are
 /// missing, and where they are more than most_texels.
-scene::Picture picture_of(std::string_view bytes, scene::Curve curve);
+scene::TexelImage picture_of(std::string_view bytes, scene::TransferFunction curve);
 
 /// Reads every picture that the textures and the environment of a scene name, from the folder that the scene's file is
 /// in, and makes the mipmaps. Throws InputError at the first name whose file cannot be read or holds no such picture.

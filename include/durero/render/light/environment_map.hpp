@@ -19,6 +19,6 @@ scene::Resolution size_of(scene::Surroundings kind, std::uint32_t width);
 /// there in its direction brings. Rows are shared among threads; every texel is the same whatever their number. Throws
 /// std::domain_error for a gradient, which has no pictures, and as brought() does. Precondition: `width` is at least 1.
 std::vector<Image> environment_map(const scene::Scene& scene, const engine::Engine& engine, scene::Surroundings kind,
-                                   std::uint32_t width, const glm::dvec3& from, const Limits& limits);
+                                   std::uint32_t width, const glm::dvec3& from, const PathLimits& limits);
 
 }  // namespace durero::render

@@ -23,13 +23,13 @@ inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
 std::uint32_t depth_of(const scene::Stage& stage);
 
 /// The limits on the rays that are followed.
-struct Limits {
+struct PathLimits {
   std::uint32_t max_depth;  ///< rays in a row, the first one being of depth 1; black where it is 0
   double min_weight = 0;    ///< a ray is not sent where it would count for less than this share of red, green and blue
 };
 
 /// The colour that a ray brings, and its counts.
-struct Brought {
+struct PathRadiance {
   glm::dvec3 color{0};      ///< linear RGB
   std::uint32_t depth = 0;  ///< the depth of the deepest ray that was followed
   std::uint64_t rays = 0;   ///< the rays that were followed, itself among them
@@ -59,7 +59,7 @@ struct Brought {
 /// bends nothing changes no bit of what is seen through it, where the depth allows for one ray more. Of several
 /// elements at one point the first by name gives colour and normal. Throws std::domain_error where a picture of the
 /// stage has not been read. Precondition: the engine honours origins.
-std::vector<Brought> brought(const scene::Scene& scene, const engine::Engine& engine,
-                             std::span<const scene::Query> rays, const Limits& limits);
+std::vector<PathRadiance> brought(const scene::Scene& scene, const engine::Engine& engine,
+                                  std::span<const scene::Query> rays, const PathLimits& limits);
 
 }  // namespace durero::render

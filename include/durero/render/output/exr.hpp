@@ -14,7 +14,7 @@ namespace durero::render {
 
 /// The channels beside the colour, with the names behind their numbers.
 struct Channels {
-  std::vector<Seen> pixels;        ///< one for each pixel of the picture, rows from the top
+  std::vector<PrimaryHit> pixels;  ///< one for each pixel of the picture, rows from the top
   std::vector<std::string> names;  ///< the names of the elements, that of number 1 first
 };
 

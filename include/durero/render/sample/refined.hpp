@@ -22,7 +22,7 @@ class Refined {
   static constexpr std::uint32_t most_passes = greatest_samples;
 
   /// A picture without passes. The samples of the frame are ignored. Throws as render() does.
-  Refined(const scene::Scene& scene, const engine::Engine& engine, const Frame& frame);
+  Refined(const scene::Scene& scene, const engine::Engine& engine, const RenderSettings& frame);
   ~Refined();
   Refined(const Refined&) = delete;
   Refined& operator=(const Refined&) = delete;

@@ -14,7 +14,7 @@
 namespace durero::render {
 
 /// The first meeting of the ray through the centre of a pixel; the default values stand for none.
-struct Seen {
+struct PrimaryHit {
   double depth = std::numeric_limits<double>::infinity();  ///< the distance from the eye, in the scene's unit
   glm::dvec3 normal{0};                                    ///< the unit normal, on the side of the eye
   std::uint32_t element = 0;  ///< the number of the element: from 1, ascending by name; 0 for none
@@ -25,7 +25,7 @@ struct Seen {
 
 /// The sight of each pixel, rows from the top. Throws as render does. Preconditions: as render; the program has shapes
 /// for all elements.
-std::vector<Seen> seen(const scene::Scene& scene, const engine::Engine& engine, const Frame& frame = {});
+std::vector<PrimaryHit> seen(const scene::Scene& scene, const engine::Engine& engine, const RenderSettings& frame = {});
 
 /// The names of the elements by their numbers, that of 1 first.
 std::vector<std::string> numbered(const scene::Scene& scene);

@@ -20,10 +20,10 @@
 namespace durero::render {
 
 /// The coordinates of a point on its surface.
-struct Coordinates {
+struct TextureCoordinates {
   double u;  ///< across, or around
   double v;  ///< upwards, or along
-  bool operator==(const Coordinates&) const = default;
+  bool operator==(const TextureCoordinates&) const = default;
 };
 
 /// The tangents ∂f_p/∂u and ∂f_p/∂v: tangent and bitangent. Their cross product is null at a pole, and on a triangle
@@ -36,12 +36,12 @@ struct Tangents {
 };
 
 /// The coordinates of a point of the element.
-Coordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);
+TextureCoordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);
 
 /// The point f_p(u, v) of the element.
-glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at);
+glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const TextureCoordinates& at);
 
 /// The tangents at the point f_p(u, v) of the element.
-Tangents tangents(const scene::Scene& scene, scene::ElementRef element, const Coordinates& at);
+Tangents tangents(const scene::Scene& scene, scene::ElementRef element, const TextureCoordinates& at);
 
 }  // namespace durero::render

@@ -12,17 +12,17 @@
 namespace durero::render {
 
 /// The continuation of a picture's texels beyond its edges, across and upwards.
-struct Beyond {
+struct WrapModes {
   scene::Edges across = scene::Edges::repeat;   ///< to the left and right
   scene::Edges upwards = scene::Edges::repeat;  ///< above and below
 };
 
 /// The texel that (x, y) lies in, a unit square being the picture, y upwards. Precondition: the picture has texels.
-glm::dvec3 nearest_texel(const scene::Picture& picture, const glm::dvec2& at, Beyond beyond);
+glm::dvec3 nearest_texel(const scene::TexelImage& picture, const glm::dvec2& at, WrapModes beyond);
 
 /// The mean of the four texels whose centres are around (x, y), weighted by how near each is. Precondition: the picture
 /// has texels.
-glm::dvec3 linear_texels(const scene::Picture& picture, const glm::dvec2& at, Beyond beyond);
+glm::dvec3 linear_texels(const scene::TexelImage& picture, const glm::dvec2& at, WrapModes beyond);
 
 /// The level of a mipmap M₀ … Mₙ for a distance (realism seed, 1.1): log₂(distance/near), clamped to 0 … n. At twice
 /// the distance it is one more.
@@ -37,11 +37,11 @@ double grey(const glm::dvec3& color);
 
 /// The colour of a texture at a point seen from that distance, the length of the way from the eye to it, along mirrors
 /// and through glass. Throws std::domain_error where its picture has not been read.
-glm::dvec3 texture_at(const scene::Texture& texture, const Coordinates& at, double distance);
+glm::dvec3 texture_at(const scene::Texture& texture, const TextureCoordinates& at, double distance);
 
 /// The slopes ∂/∂u and ∂/∂v of the grey of a texture. They are exact for waves; otherwise (f(u + Δ, v) − f(u − Δ,
 /// v))/2Δ (realism seed, 1.2), where Δ is `delta` of a unit of the texture, or one texel, or 1/64 of a rule. For a
 /// mipmap the picture itself counts.
-glm::dvec2 slopes(const scene::Texture& texture, const Coordinates& at, std::optional<double> delta);
+glm::dvec2 slopes(const scene::Texture& texture, const TextureCoordinates& at, std::optional<double> delta);
 
 }  // namespace durero::render

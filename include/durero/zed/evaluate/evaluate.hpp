@@ -26,10 +26,10 @@
 namespace durero::zed {
 
 /// Values for names. For a name that stands in the list twice, the last counts.
-using Given = std::vector<std::pair<Name, Value>>;
+using Valuation = std::vector<std::pair<Name, Value>>;
 
 /// A finding is a conjunct of a schema, which is a predicate or a declaration `x ∈ S`, with its truth.
-struct Finding {
+struct ConjunctTruth {
   std::string label;         ///< a declaration has none
   std::string predicate;     ///< it is written in Unicode
   std::string strokes;       ///< the state that it speaks of has them: `'` for Escena ' in an operation
@@ -51,21 +51,21 @@ class SchemaCheck {
     Truth last;    ///< the last predicate, which is asked only where these hold; open elsewhere
   };
   /// The facts that are known about the values.
-  struct Known {
+  struct KnownTruth {
     std::vector<bool> parts;  ///< which declarations and predicates hold, in their order; none where it is empty
     std::vector<BindingPtr> bindings;  ///< the values of some components are those of this binding
   };
   /// Returns both truths apart. The conjunct that was last found false is asked first, as it is likely to be false
   /// again. Precondition: the schema is a text [ D | P ] with a predicate. Throws as holds() does.
-  Apart apart(std::span<const Value> values, const Known& known) const;
+  Apart apart(std::span<const Value> values, const KnownTruth& known) const;
   /// Says whether some conjunct before the last predicate is false, whatever values stand for the open ones. An
   /// undecided conjunct refutes nothing. Preconditions: those of apart().
-  bool refuted(std::span<const Value> values, const Known& known) const;
+  bool refuted(std::span<const Value> values, const KnownTruth& known) const;
   /// Returns the truth of the last predicate alone. Precondition and errors: those of apart().
-  Truth last(std::span<const Value> values, const Known& known) const;
+  Truth last(std::span<const Value> values, const KnownTruth& known) const;
   /// Returns every conjunct with its truth. A disjunction gives those of a side that holds; else those of the side
   /// with the fewest false conjuncts.
-  std::vector<Finding> findings(std::span<const Value> values) const;
+  std::vector<ConjunctTruth> findings(std::span<const Value> values) const;
 
  private:
   friend class Evaluator;
@@ -96,7 +96,7 @@ class Evaluator {
   /// given sets, which have no other members then; throws EvaluationError for any other name. What is asked counts its
   /// steps, in `steps` where that is given, which outlives the evaluator; all that follow then throw StepsSpent where
   /// they take too many.
-  explicit Evaluator(std::vector<Section> sections, const Given& given = {}, Steps* steps = nullptr);
+  explicit Evaluator(std::vector<Section> sections, const Valuation& given = {}, Steps* steps = nullptr);
   ~Evaluator();
   /// Takes over the other evaluator, which is then for its end or an assignment only. Its earlier results stay in use.
   Evaluator(Evaluator&&) noexcept;
@@ -105,9 +105,9 @@ class Evaluator {
 
   /// Returns the value of an expression, or the truth of a predicate, with these local names. All that follow throw
   /// EvaluationError for what cannot be decided.
-  Value value(const Term& expression, const Given& locals = {}) const;
+  Value value(const Term& expression, const Valuation& locals = {}) const;
   /// Returns the truth of a predicate, or of a schema in its place, with these local names.
-  Truth holds(const Term& predicate, const Given& locals = {}) const;
+  Truth holds(const Term& predicate, const Valuation& locals = {}) const;
   /// Returns the value of a declared name.
   Value value(const Name& name) const;
   /// Says whether value ∈ set.
@@ -123,7 +123,7 @@ class Evaluator {
   std::vector<Name> constants() const;
   /// Returns the constants whose value was chosen so far among several that satisfy the facts about them, with these
   /// values: results that depend on one were found for its value.
-  Given taken() const;
+  Valuation taken() const;
   /// Throws Unsatisfied where the value given for a constant makes a fact of the text about it false.
   void check_given(const Name& constant) const;
 

@@ -27,7 +27,7 @@ struct Trial {
   std::size_t tried = 0;  ///< the states where it was decided and true; for ∃, the states looked at for a witness
   std::string counterexample;  ///< a state where it is false, a name and value a line; empty where none was met
   std::string why_not;         ///< where `tried` is 0 and there is no counterexample: the reason
-  Given taken{};               ///< the values taken for constants by then (Evaluator::taken)
+  Valuation taken{};           ///< the values taken for constants by then (Evaluator::taken)
 };
 
 /// The bounds of a trial.
@@ -35,7 +35,7 @@ struct TrialBounds {
   std::size_t states = 8;         ///< the most states of a conjecture, except for the witness of an ∃
   std::size_t draws = 64;         ///< the most values drawn, not all of which need be states
   std::uint64_t steps = 1000000;  ///< the most steps of its evaluation
-  Given constants{};              ///< constants of the text have these values
+  Valuation constants{};          ///< constants of the text have these values
 };
 
 /// Tries every conjecture, in the order of the text. The states are the same at every call. Precondition: `typing` is

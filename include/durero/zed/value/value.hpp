@@ -198,7 +198,7 @@ struct Polynomial {
   std::uint32_t unknown;         ///< the id of the unknown
 };
 
-/// The context holds the findings of an evaluation in progress (Search).
+/// The context holds the findings of an evaluation in progress (Solver).
 struct Context;
 
 /// The points of a curve, by the number t that leads to each (Set::curve).

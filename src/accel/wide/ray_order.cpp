@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_order.hpp"
+#include "durero/accel/wide/ray_order.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +18,7 @@ constexpr std::size_t least_rays = 1 << 10;
 constexpr std::size_t few = 1 << 13;  // keys that are sorted by 8 bits a pass
 
 /// The distance, in spacings of the elements, within which consecutive origins count as coherent for segments. The rest
-/// is sorted within each block (WideWalk).
+/// is sorted within each block (WideTraversal).
 constexpr double near_for_segments = 8;
 
 /// Whether most of a sample of rays start within `near` of the ray before them along each axis, as camera rays and
@@ -61,7 +61,7 @@ void sort(std::vector<Keyed>& keyed, unsigned bits) {
 
 }  // namespace
 
-WideKeys::WideKeys(const WideNode& root, double spacing) {
+RayOrderKey::RayOrderKey(const WideNode& root, double spacing) {
   glm::dvec3 width{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<int>(axis);
@@ -104,19 +104,19 @@ bool end_together(std::span<const trace::Ray> rays, std::span<const std::uint32_
 
 }  // namespace
 
-void sort_segments(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
+void sort_segments(const RayOrderKey& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
   if (end_together(rays, numbers)) {
-    sort_by_key([](const trace::Ray& ray) { return WideWays()(ray.v); }, WideWays::bits(), rays, numbers);
+    sort_by_key([](const trace::Ray& ray) { return DirectionKey()(ray.v); }, DirectionKey::bits(), rays, numbers);
   } else {
     sort_by_key([&](const trace::Ray& ray) { return key_of(ray.p, ray.v); }, key_of.bits(), rays, numbers);
   }
 }
 
-std::vector<std::uint32_t> WideBvh::order(std::span<const scene::Query> queries, trace::Asked asked) const {
-  const bool first = asked == trace::Asked::first;
+std::vector<std::uint32_t> WideBvh::order(std::span<const scene::Query> queries, trace::QueryKind asked) const {
+  const bool first = asked == trace::QueryKind::first;
   if (nodes().size_bytes() < (first ? least_of_rays : least_of_segments) || queries.size() < least_rays) return {};
   if (each_near_the_last(queries, first ? 0 : near_for_segments * spacing())) return {};
-  const WideKeys key_of(nodes().front(), spacing());
+  const RayOrderKey key_of(nodes().front(), spacing());
   std::vector<Keyed> keyed(queries.size());
   for (std::uint32_t i = 0; i < queries.size(); ++i)
     keyed[i] = {key_of(queries[i].rayo.p().xyz(), queries[i].rayo.v().xyz()), i};

@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "accel/wide/wide_stream.cpp"  // as seen from src/
+#define HWY_TARGET_INCLUDE "accel/wide/stream_traversal.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
 #include "accel/wide/wide_lanes-inl.hpp"
@@ -7,7 +7,7 @@
 #include <bit>
 #include <cmath>
 
-#include "durero/accel/wide/wide_stream.hpp"
+#include "durero/accel/wide/stream_traversal.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::accel {
@@ -30,8 +30,8 @@ HWY_INLINE Lanes crossing(Lanes plane, double p, double inverse) {
   return hn::Mul(hn::Sub(plane, hn::Set(Tag(), p)), hn::Set(Tag(), inverse));
 }
 
-void meet_in_lanes(const WideNode& node, std::span<const WideStreamRay> rays, std::span<const std::uint32_t> some,
-                   WideMet& met) {
+void meet_in_lanes(const WideNode& node, std::span<const StreamRay> rays, std::span<const std::uint32_t> some,
+                   StreamPairs& met) {
   const Tag tag;
   const hn::Rebind<std::uint64_t, Tag> tag_of_whose;
   double* const entries = met.entries.data();
@@ -78,8 +78,8 @@ HWY_EXPORT(meet_in_lanes);
 }  // namespace
 
 /// The columns have room for one ray more, because a store fills whole lanes.
-void meet(const WideNode& node, std::span<const WideStreamRay> rays, std::span<const std::uint32_t> some,
-          WideMet& met) {
+void meet(const WideNode& node, std::span<const StreamRay> rays, std::span<const std::uint32_t> some,
+          StreamPairs& met) {
   met.size = 0;
   met.count.fill(0);
   met.soonest.fill(HUGE_VAL);

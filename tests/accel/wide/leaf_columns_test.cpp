@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_leaves.hpp"
+#include "durero/accel/wide/leaf_columns.hpp"
 
 #include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
@@ -14,7 +14,7 @@ TEST_CASE("each leaf is its element, whatever the order in which they came") {
   std::vector<ElementRef> elements;
   scene.for_each([&](ElementRef e, const auto&) { elements.push_back(e); });
   std::reverse(elements.begin(), elements.end());
-  accel::WideLeaves leaves;
+  accel::LeafColumns leaves;
   leaves.reserve(scene);
   const std::size_t bytes = leaves.bytes();
   for (const ElementRef e : elements) {

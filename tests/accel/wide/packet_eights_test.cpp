@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_eights.hpp"
+#include "durero/accel/wide/packet_eights.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,9 +9,9 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::WideBundle;
-using accel::WideEights;
 using accel::WideNode;
+using accel::WidePacket;
+using accel::WidePacketEights;
 
 namespace {
 
@@ -29,7 +29,7 @@ WideNode random_node(Random& random) {
 }
 
 /// Rays about one in eights that lie apart, some of which reach less far, and some no way at all.
-void fill(WideBundle& bundle, std::size_t count, Random& random) {
+void fill(WidePacket& bundle, std::size_t count, Random& random) {
   const glm::dvec3 p = random.in_cube(12), v = random.in_cube(1);
   glm::dvec3 about{};
   for (std::size_t place = 0; place < count; ++place) {
@@ -41,13 +41,13 @@ void fill(WideBundle& bundle, std::size_t count, Random& random) {
   invert(bundle, count);
 }
 
-std::uint64_t met_by_rays(const WideNode& node, std::size_t child, const WideBundle& bundle) {
+std::uint64_t met_by_rays(const WideNode& node, std::size_t child, const WidePacket& bundle) {
   accel::WideMeetings met{};
   met_by(node, 1u << child, bundle, met);
   return met[child];
 }
 
-double greatest_limit(const WideBundle& bundle, std::size_t eight) {
+double greatest_limit(const WidePacket& bundle, std::size_t eight) {
   return *std::max_element(&bundle.limit[8 * eight], &bundle.limit[8 * eight] + 8);
 }
 
@@ -57,12 +57,12 @@ TEST_CASE("by eights the rays of a bundle meet the boxes that each of them meets
   Random random(16);
   std::size_t gathered = 0, met = 0;
   for (std::size_t turn = 0; turn < 2000; ++turn) {
-    WideBundle bundle;
+    WidePacket bundle;
     const std::size_t count = 8 * (1 + turn % 8);
     fill(bundle, count, random);
     if (!gather(bundle, 0, count)) continue;
     ++gathered;
-    WideEights eights;
+    WidePacketEights eights;
     gather(eights, bundle);
     const WideNode node = random_node(random);
     for (int falls = 0; falls < 4; ++falls) {
@@ -88,12 +88,12 @@ TEST_CASE("by eights the rays of a bundle meet the boxes that each of them meets
 
 TEST_CASE("an eight lies between the ends of its own rays, and those that do not walk take no part") {
   Random random(17);
-  WideBundle bundle;
+  WidePacket bundle;
   do fill(bundle, 40, random);
   while (!gather(bundle, 0, 40));
-  WideEights eights;
+  WidePacketEights eights;
   gather(eights, bundle);
-  for (std::size_t eight = 0; eight < WideEights::most; ++eight) {
+  for (std::size_t eight = 0; eight < WidePacketEights::most; ++eight) {
     if (eight >= 5) {
       CHECK(eights.limit[eight] < 0);
       continue;

@@ -16,14 +16,14 @@
 namespace durero::accel {
 
 /// A ray of a stream, in one cache line.
-struct alignas(64) WideStreamRay {
+struct alignas(64) StreamRay {
   Beam beam;             ///< the ray
   double limit;          ///< the limit (tmax)
   std::uint32_t number;  ///< the caller's number of the ray
 };
 
 /// The pairs of a ray and a child whose box the ray meets, in columns.
-struct WideMet {
+struct StreamPairs {
   std::vector<double> entries;       ///< the entry parameter, not less than 0
   std::vector<std::uint64_t> whose;  ///< the ray, and 2³² times the child's place
   std::size_t size = 0;              ///< the number of pairs
@@ -39,18 +39,19 @@ struct WideMet {
 
 /// Finds the boxes of a node that the rays in `some` meet at 0 < t ≤ their limits, by the test of `stretch`.
 /// Precondition: the directions' components along an axis have one sign.
-void meet(const WideNode& node, std::span<const WideStreamRay> rays, std::span<const std::uint32_t> some, WideMet& met);
+void meet(const WideNode& node, std::span<const StreamRay> rays, std::span<const std::uint32_t> some, StreamPairs& met);
 
 /// A traversal of streams; limit(number) and take(number, element) are those of PairCandidates::pairs.
-template <class Limit, class Take>
-class WideStream {
+template <class Limit, class Visitor>
+class StreamTraversal {
  public:
   /// The traversal keeps references to its arguments, which must outlive it.
-  WideStream(std::span<const WideNode> nodes, Limit& limit, Take& take) : nodes_(nodes), limit_(limit), take_(take) {}
+  StreamTraversal(std::span<const WideNode> nodes, Limit& limit, Visitor& take)
+      : nodes_(nodes), limit_(limit), take_(take) {}
 
   /// Traverses the tree from the root with every ray. Preconditions: the directions lie in one octant; limits are not
   /// less than 0.
-  void walk(std::span<WideStreamRay> rays) {
+  void walk(std::span<StreamRay> rays) {
     rays_ = rays;
     waiting_.resize(std::max(waiting_.size(), waiting_size_ = rays.size()));
     for (std::uint32_t i = 0; i < rays.size(); ++i) waiting_[i] = {0, i};
@@ -112,18 +113,18 @@ class WideStream {
     }
     if (waiting_.size() < waiting_size_) waiting_.resize(2 * waiting_size_);
     for (std::size_t i = 0; i < met_.size; ++i)
-      waiting_[end[WideMet::place(met_.whose[i])]++] = {met_.entries[i], WideMet::ray(met_.whose[i])};
+      waiting_[end[StreamPairs::place(met_.whose[i])]++] = {met_.entries[i], StreamPairs::ray(met_.whose[i])};
   }
 
   std::span<const WideNode> nodes_;
   Limit& limit_;
-  Take& take_;
-  std::span<WideStreamRay> rays_;
+  Visitor& take_;
+  std::span<StreamRay> rays_;
   std::vector<Child> children_;   // the stack of children
   std::vector<Waiting> waiting_;  // their rays, in the order of the stack: only the first waiting_size_ are set
   std::size_t waiting_size_ = 0;
   std::vector<std::uint32_t> here_;  // the rays at the child that is visited
-  WideMet met_;
+  StreamPairs met_;
 };
 
 }  // namespace durero::accel

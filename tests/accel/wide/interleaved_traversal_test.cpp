@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_turns.hpp"
+#include "durero/accel/wide/interleaved_traversal.hpp"
 
 #include <map>
 #include <numeric>
@@ -45,12 +45,12 @@ TEST_CASE(
     std::map<std::uint32_t, std::vector<scene::ElementRef>> taken;
     const auto limit = [&](std::uint32_t number) { return limits[number]; };
     const auto take = [&](std::uint32_t number, scene::ElementRef leaf) { taken[number].push_back(leaf); };
-    accel::WideTurns(tree.nodes(), tree.leaves(), rays, limit, take).walk(numbers);
+    accel::InterleavedTraversal(tree.nodes(), tree.leaves(), rays, limit, take).walk(numbers);
     std::size_t some = 0;
     for (const std::uint32_t number : numbers) {
-      accel::WideWalker walker(rays[number]);
+      accel::SingleRayTraversal walker(rays[number]);
       std::vector<scene::ElementRef> alone;
-      while (walker.advance(tree.nodes().data(), limits[number]) != accel::WideWalker::Next::end)
+      while (walker.advance(tree.nodes().data(), limits[number]) != accel::SingleRayTraversal::Next::end)
         alone.push_back(walker.element);
       some += alone.size();
       CHECK(taken[number] == alone);
@@ -76,14 +76,15 @@ TEST_CASE("a ray goes on by its limit as it is in each turn") {
     ++taken[number];
     limits[number] = 0;  // so that only boxes about the origin are left
   };
-  accel::WideTurns(tree.nodes(), tree.leaves(), rays, limit, take).walk(numbers);
+  accel::InterleavedTraversal(tree.nodes(), tree.leaves(), rays, limit, take).walk(numbers);
   std::size_t boxes = 0, rays_with_some = 0;
   for (const std::uint32_t number : numbers) {
-    accel::WideWalker about(rays[number]), whole(rays[number]);
+    accel::SingleRayTraversal about(rays[number]), whole(rays[number]);
     std::set<scene::ElementRef> expected;
-    while (about.advance(tree.nodes().data(), 0) != accel::WideWalker::Next::end) expected.insert(about.element);
+    while (about.advance(tree.nodes().data(), 0) != accel::SingleRayTraversal::Next::end)
+      expected.insert(about.element);
     boxes += expected.size();
-    if (whole.advance(tree.nodes().data(), trace::no_limit) != accel::WideWalker::Next::end) {
+    if (whole.advance(tree.nodes().data(), trace::no_limit) != accel::SingleRayTraversal::Next::end) {
       expected.insert(whole.element);
       ++rays_with_some;
     }

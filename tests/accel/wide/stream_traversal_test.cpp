@@ -1,5 +1,5 @@
 // Streams of rays find what each of their rays finds alone.
-#include "durero/accel/wide/wide_stream.hpp"
+#include "durero/accel/wide/stream_traversal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 
 using namespace durero;
 using namespace durero::test;
+using accel::StreamRay;
 using accel::WideNode;
-using accel::WideStreamRay;
 
 namespace {
 
@@ -29,8 +29,8 @@ scene::Scene some_spheres(std::size_t count) {
 }
 
 /// Rays into one octant; every fourth one along a plane of its axes, every third one with an end.
-std::vector<WideStreamRay> stream_into(Random& random, unsigned octant, std::size_t count) {
-  std::vector<WideStreamRay> rays;
+std::vector<StreamRay> stream_into(Random& random, unsigned octant, std::size_t count) {
+  std::vector<StreamRay> rays;
   for (std::uint32_t i = 0; i < count; ++i) {
     glm::dvec3 v = glm::abs(random.direction());
     if (i % 4 == 0) v[static_cast<int>(i / 4 % 3)] = 0;
@@ -53,11 +53,11 @@ surface::Box box_of(const WideNode& node, std::size_t place) {
 using Pairs = std::multiset<std::pair<std::uint32_t, scene::ElementRef>>;
 
 /// What each ray comes to alone.
-Pairs alone(std::span<const WideNode> nodes, std::span<const WideStreamRay> rays, std::span<const trace::Ray> whole) {
+Pairs alone(std::span<const WideNode> nodes, std::span<const StreamRay> rays, std::span<const trace::Ray> whole) {
   Pairs pairs;
-  for (const WideStreamRay& ray : rays) {
-    accel::WideWalker walker(whole[ray.number]);
-    while (walker.advance(nodes.data(), ray.limit) != accel::WideWalker::Next::end)
+  for (const StreamRay& ray : rays) {
+    accel::SingleRayTraversal walker(whole[ray.number]);
+    while (walker.advance(nodes.data(), ray.limit) != accel::SingleRayTraversal::Next::end)
       pairs.emplace(ray.number, walker.element);
   }
   return pairs;
@@ -69,17 +69,17 @@ TEST_CASE("a stream meets the boxes that its rays meet, and enters them where th
   Random random(12);
   const scene::Scene scene = some_spheres(200);
   const accel::WideBvh tree(scene);
-  accel::WideMet met;
+  accel::StreamPairs met;
   for (unsigned octant = 0; octant < 8; ++octant) {
-    const std::vector<WideStreamRay> rays = stream_into(random, octant, 40);
+    const std::vector<StreamRay> rays = stream_into(random, octant, 40);
     std::vector<std::uint32_t> some;
     for (std::uint32_t i = 0; i < rays.size(); i += 1 + i % 2) some.push_back(i);
     for (const WideNode& node : tree.nodes()) {
       accel::meet(node, rays, some, met);
       std::set<std::pair<std::uint32_t, std::size_t>> found, expected;
       for (std::size_t i = 0; i < met.size; ++i) {
-        const std::uint32_t ray = accel::WideMet::ray(met.whose[i]);
-        const std::size_t place = accel::WideMet::place(met.whose[i]);
+        const std::uint32_t ray = accel::StreamPairs::ray(met.whose[i]);
+        const std::size_t place = accel::StreamPairs::place(met.whose[i]);
         CHECK(found.emplace(ray, place).second);
         CHECK(met.entries[i] == stretch(box_of(node, place), rays[ray].beam, rays[ray].limit).entry);
       }
@@ -91,7 +91,7 @@ TEST_CASE("a stream meets the boxes that its rays meet, and enters them where th
         std::size_t count = 0;
         double soonest = trace::no_limit;
         for (std::size_t i = 0; i < met.size; ++i) {
-          if (accel::WideMet::place(met.whose[i]) != place) continue;
+          if (accel::StreamPairs::place(met.whose[i]) != place) continue;
           ++count;
           soonest = std::min(soonest, met.entries[i]);
         }
@@ -111,7 +111,7 @@ TEST_CASE("a stream comes to the elements that its rays come to alone, each once
   const accel::WideBvh tree(scene);
   for (unsigned octant = 0; octant < 8; ++octant) {
     std::vector<trace::Ray> whole;
-    std::vector<WideStreamRay> rays;
+    std::vector<StreamRay> rays;
     for (std::uint32_t i = 0; i < 100; ++i) {
       glm::dvec3 v = random.direction();
       for (int axis = 0; axis < 3; ++axis) v[axis] = std::copysign(v[axis], (octant >> axis & 1) != 0 ? -1.0 : 1.0);
@@ -122,7 +122,7 @@ TEST_CASE("a stream comes to the elements that its rays come to alone, each once
     Pairs found;
     const auto limit = [&](std::uint32_t number) { return number % 3 == 0 ? 0.5 : infinity; };
     const auto take = [&](std::uint32_t number, scene::ElementRef e) { found.emplace(number, e); };
-    accel::WideStream stream(tree.nodes(), limit, take);
+    accel::StreamTraversal stream(tree.nodes(), limit, take);
     stream.walk(rays);
     CHECK(found == expected);
     stream.walk({});

@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_beam.hpp"
+#include "durero/accel/wide/frustum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 using namespace durero;
 using namespace durero::test;
-using accel::WideBundle;
 using accel::WideNode;
+using accel::WidePacket;
 using number::exact;
 using number::Rational;
 
@@ -35,7 +35,7 @@ void hold(WideNode& node, std::size_t place, const glm::dvec3& point, Random& ra
 }
 
 /// Segments from about a point, or from a point, or along each other; the first `count` places.
-void fill(WideBundle& bundle, std::size_t count, int kind, double apart, Random& random) {
+void fill(WidePacket& bundle, std::size_t count, int kind, double apart, Random& random) {
   const glm::dvec3 p = random.in_cube(9), end = random.in_cube(9);
   for (std::size_t place = 0; place < count; ++place) {
     const glm::dvec3 from = kind == 1 ? p : p + random.in_cube(apart);
@@ -51,10 +51,10 @@ TEST_CASE("a beam passes over no box that holds a point of a segment") {
   Random random(5);
   std::size_t narrow = 0;
   for (std::size_t turn = 0; turn < fewer_when_sanitized(2000); ++turn) {
-    WideBundle bundle;
+    WidePacket bundle;
     const std::size_t count = 8 * (1 + turn % 8);
     fill(bundle, count, static_cast<int>(turn % 3), std::ldexp(1, -static_cast<int>(turn % 50)), random);
-    const accel::WideBeam beam = beam_of(bundle, all);
+    const accel::Frustum beam = beam_of(bundle, all);
     if (!std::isfinite(beam.width)) continue;
     narrow += beam.width < 0.1;
     for (std::size_t place = 0; place < count; ++place) {
@@ -90,13 +90,13 @@ TEST_CASE("a beam passes over no box that holds a point of a segment") {
 }
 
 TEST_CASE("a beam passes over what lies beside it, before it and beyond it") {
-  WideBundle bundle;
+  WidePacket bundle;
   for (std::size_t place = 0; place < 8; ++place) {
     const glm::dvec3 from(0.01 * static_cast<double>(place), 0, 0.01 * static_cast<double>(place % 3));
     bundle.set(place, trace::Ray(ray(from, glm::dvec3(0.5, 8, 0.25) - from)), 1);
   }
   bundle.begin = 0, bundle.end = 8;
-  const accel::WideBeam beam = beam_of(bundle, all);
+  const accel::Frustum beam = beam_of(bundle, all);
   CHECK(beam.along == 1);
   CHECK(beam.width < 0.1);
   const auto asked = [&](const glm::dvec3& centre) {
@@ -119,7 +119,7 @@ TEST_CASE("a beam passes over what lies beside it, before it and beyond it") {
 }
 
 TEST_CASE("of segments that stand still along the longest way of the first, a beam says nothing or what is true") {
-  WideBundle bundle;
+  WidePacket bundle;
   for (std::size_t place = 0; place < 8; ++place)
     bundle.set(place, trace::Ray(ray({0, 0, 0}, place == 0 ? glm::dvec3(0, 1, 0.5) : glm::dvec3(1, 0, 0))), 1);
   bundle.begin = 0, bundle.end = 8;

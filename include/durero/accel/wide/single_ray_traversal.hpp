@@ -11,14 +11,14 @@
 namespace durero::accel {
 
 /// A traversal by one ray, and its stack. It can be left and resumed.
-struct WideWalker {
+struct SingleRayTraversal {
   /// A traversal has reached an element to test, a node to open, or its end.
   enum class Next : std::uint8_t { element, node, end };
 
   static constexpr std::size_t room = most_waiting + WideNode::width;  ///< of the stack: a store fills whole lanes
 
   /// Starts at the root. Precondition: the ray is ordinary.
-  explicit WideWalker(const trace::Ray& ray) : beam(ray) { restart(ray); }
+  explicit SingleRayTraversal(const trace::Ray& ray) : beam(ray) { restart(ray); }
   /// Restarts at the root with another ray. Precondition: the ray is ordinary.
   void restart(const trace::Ray& ray);
 
@@ -62,6 +62,6 @@ struct WideWalker {
 
 /// Opens the nodes that some traversals have reached. The boxes of all are tested first, without a branch, so that one
 /// ray's tests need not wait for another's; the children that each ray meets are sorted then.
-void open(const WideNode* nodes, std::span<WideWalker* const> walkers);
+void open(const WideNode* nodes, std::span<SingleRayTraversal* const> walkers);
 
 }  // namespace durero::accel

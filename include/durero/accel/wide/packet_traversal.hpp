@@ -12,42 +12,42 @@
 #include <span>
 #include <vector>
 
-#include "durero/accel/wide/wide_beam.hpp"
-#include "durero/accel/wide/wide_eights.hpp"
-#include "durero/accel/wide/wide_leaves.hpp"
+#include "durero/accel/wide/coherent_run.hpp"
+#include "durero/accel/wide/frustum.hpp"
+#include "durero/accel/wide/leaf_columns.hpp"
+#include "durero/accel/wide/packet_eights.hpp"
+#include "durero/accel/wide/traversal_stack.hpp"
 #include "durero/accel/wide/wide_node.hpp"
-#include "durero/accel/wide/wide_run.hpp"
-#include "durero/accel/wide/wide_stack.hpp"
 
 namespace durero::accel {
 
 /// PairCandidates::pairs for coherent rays, over a tree with nodes(), leaves() and spacing(). Incoherent rays are
 /// handed back.
-template <class Tree, class Limit, class Take, class Flush>
-class WideBundles {
+template <class Tree, class Limit, class Visitor, class Flush>
+class PacketTraversal {
  public:
-  using Numbers = std::array<std::uint32_t, WideBundle::size>;  ///< of the bundle's rays
+  using Numbers = std::array<std::uint32_t, WidePacket::size>;  ///< of the bundle's rays
 
   /// @{ Whether `Take` tests a whole bundle against an element. Then take(columns, numbers, which, element) answers a
   /// bit for each ray whose limit may have changed, and take.starts() answers whether the columns must hold the
   /// elements that the rays start on.
   static constexpr bool takes_many =
-      requires(Take& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
+      requires(Visitor& take, const trace::RayColumns& rays, const Numbers& numbers, scene::ElementRef element) {
         { take(rays, numbers, std::uint64_t{}, element) } -> std::same_as<std::uint64_t>;
         { take.starts() } -> std::same_as<bool>;
       };
   /// Whether the query is any-hit: each ray is a segment whose limit is 1 until a hit is found, and 0 from then on.
   static constexpr bool takes_any = [] {
-    if constexpr (requires { Take::any_hit; }) return takes_many && Take::any_hit;
+    if constexpr (requires { Visitor::any_hit; }) return takes_many && Visitor::any_hit;
     return false;
   }();
   /// @}
 
   /// The traversal keeps references to its arguments, which must outlive it. Precondition: the tree has a node.
-  WideBundles(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
+  PacketTraversal(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Visitor& take, Flush& flush)
       : nodes_(tree.nodes()),
         rows_(tree.leaves().rows()),
-        large_(nodes_.size_bytes() > WideLeaves::nearby),
+        large_(nodes_.size_bytes() > LeafColumns::nearby),
         narrow_(widest * tree.spacing()),
         rays_(rays),
         limit_(limit),
@@ -72,14 +72,14 @@ class WideBundles {
     for (std::size_t i = 0; i < asked && 4 * joined < asked; ++i) {
       const std::size_t at = i * (rays_.size() - 1) / asked;
       const double limit = limit_(static_cast<std::uint32_t>(at));
-      if (limit > 0 && WideRun(rays_[at], all_, limit).join(rays_[at + 1], narrow_)) ++joined;
+      if (limit > 0 && CoherentRun(rays_[at], all_, limit).join(rays_[at + 1], narrow_)) ++joined;
     }
     return 4 * joined >= asked;
   }
   /// Adds the next ray, and its limit. Precondition: the limit is not 0.
   void add(std::uint32_t number, double limit) {
     coming_.set(number, rays_[number], limit, starts_);
-    if (coming_.count == WideBundle::size) part(false);
+    if (coming_.count == WidePacket::size) part(false);
   }
   /// Traverses with the rays that still wait, and appends the numbers of the incoherent rays to `alone`.
   void finish(std::vector<std::uint32_t>& alone) {
@@ -91,10 +91,10 @@ class WideBundles {
   static constexpr double widest = takes_any ? 4 : 2;            // the greatest width of a bundle, in spacings
   static constexpr std::size_t least_worth = takes_any ? 3 : 6;  // the least rays of a useful bundle
   static constexpr std::size_t asked = 64;                       // sampled pairs of consecutive rays
-  static constexpr std::size_t eight = WideBundle::eight;
+  static constexpr std::size_t eight = WidePacket::eight;
 
   /// A bundle and its rays' numbers.
-  struct Some {
+  struct PendingRays {
     void set(std::uint32_t number, const trace::Ray& ray, double limit, bool starts) {
       numbers[count] = number;
       if (starts) bundle.rays.set_start(count, ray.start());
@@ -108,7 +108,7 @@ class WideBundles {
       invert(bundle, places);
       return gather(bundle, 0, places);
     }
-    WideBundle bundle;
+    WidePacket bundle;
     Numbers numbers;  // only the first `count` are set
     std::size_t count = 0;
   };
@@ -131,7 +131,7 @@ class WideBundles {
     }
     std::size_t begin = 0;
     while (begin < coming_.count) {
-      WideRun run(ray(begin), all_, coming_.bundle.limit[begin]);
+      CoherentRun run(ray(begin), all_, coming_.bundle.limit[begin]);
       std::size_t end = begin + 1;
       while (end < coming_.count && run.join(ray(end), narrow_)) ++end;
       if (end == coming_.count && begin > 0 && !all) break;
@@ -151,7 +151,7 @@ class WideBundles {
   /// Traverses with the longest narrow prefix of the waiting segments, found by halving. The rest waits until 64 are
   /// there, unless `all` says that no more will come.
   void part_segments(bool all) {
-    while (coming_.count == WideBundle::size || (all && coming_.count > 0)) {
+    while (coming_.count == WidePacket::size || (all && coming_.count > 0)) {
       const std::size_t come = coming_.count;
       std::size_t count = come;
       while (count >= least_worth && !walk_first(count)) count = (count + 1) / 2;
@@ -162,7 +162,7 @@ class WideBundles {
   }
   /// Traverses with the first `count` waiting segments, if their frustum is narrow. False where it is not.
   bool walk_first(std::size_t count) {
-    Some* some = &coming_;
+    PendingRays* some = &coming_;
     if (count < coming_.count) {
       some = &apart_;
       apart_.count = 0;
@@ -170,7 +170,7 @@ class WideBundles {
         apart_.set(coming_.numbers[place], ray(place), coming_.bundle.limit[place], starts_);
     }
     if (!some->gathered()) return false;
-    const WideBeam beam = beam_of(some->bundle, all_);
+    const Frustum beam = beam_of(some->bundle, all_);
     if (!(beam.width <= narrow_)) return false;
     walk_any(*some, beam);
     return true;
@@ -188,8 +188,8 @@ class WideBundles {
     for (std::size_t place = begin; place < end; ++place) alone_.push_back(coming_.numbers[place]);
   }
 
-  /// Whether the bundle is narrow, by the bound of WideRun::join on all its rays.
-  bool narrow(const WideBundle& bundle) const {
+  /// Whether the bundle is narrow, by the bound of CoherentRun::join on all its rays.
+  bool narrow(const WidePacket& bundle) const {
     const double reach = std::max(stretch(all_, Beam(ray(0)), bundle.limit[0]).exit, 0.0);
     bool narrow = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -202,10 +202,10 @@ class WideBundles {
   /// Closest-hit traversal, nearest box first, past boxes that are entered beyond the bundle's greatest limit. An
   /// element is tested as soon as the traversal reaches it, even for few rays, because a limit that falls early prunes
   /// more.
-  void walk(Some& some) {
+  void walk(PendingRays& some) {
     if (large_) gather(eights_, some.bundle);
     double limit = farthest(some.bundle);
-    WideStack waiting;
+    TraversalStack waiting;
     open(waiting, some.bundle, 0, limit);
     while (!waiting.empty()) {
       const auto [entry, node, place] = waiting.pop();
@@ -223,7 +223,7 @@ class WideBundles {
   }
 
   /// Tests an element for the rays in `which`. The answer has a bit for each ray whose limit may have changed.
-  std::uint64_t take(Some& some, std::uint64_t which, scene::ElementRef own) {
+  std::uint64_t take(PendingRays& some, std::uint64_t which, scene::ElementRef own) {
     if constexpr (takes_many) {
       return take_(some.bundle.rays, some.numbers, which, own);
     } else {
@@ -234,14 +234,14 @@ class WideBundles {
     }
   }
 
-  std::uint64_t met_by_now(const WideNode& node, std::size_t child, const WideBundle& bundle) const {
+  std::uint64_t met_by_now(const WideNode& node, std::size_t child, const WidePacket& bundle) const {
     if (large_) return met_by(node, child, bundle, eights_);
     WideMeetings meeting;
     met_by(node, 1u << child, bundle, meeting);
     return meeting[child];
   }
 
-  void open(WideStack& waiting, const WideBundle& bundle, std::uint32_t node, double limit) const {
+  void open(TraversalStack& waiting, const WidePacket& bundle, std::uint32_t node, double limit) const {
     WideNode::Entries entries;
     const unsigned bits = met(nodes_[node], bundle, limit, entries);
     ask_for(nodes_[node], bits);
@@ -260,7 +260,7 @@ class WideBundles {
   }
 
   /// Reads the limits of the rays in `which` again. The greatest limit of the bundle.
-  double brought_up_to_date(Some& some, std::uint64_t which) {
+  double brought_up_to_date(PendingRays& some, std::uint64_t which) {
     for (std::uint64_t left = which; left != 0; left &= left - 1) {
       const auto place = static_cast<std::size_t>(std::countr_zero(left));
       const double limit = limit_(some.numbers[place]);
@@ -270,11 +270,11 @@ class WideBundles {
   }
 
   /// Any-hit traversal: in no particular order, all elements of a node at once, until every ray has a hit.
-  void walk_any(Some& some, WideBeam beam) {
+  void walk_any(PendingRays& some, Frustum beam) {
     std::array<std::uint32_t, most_waiting> waiting;
     std::size_t size = 1;
     waiting[0] = 0;
-    std::uint64_t open = ~std::uint64_t{} >> (WideBundle::size - some.count);
+    std::uint64_t open = ~std::uint64_t{} >> (WidePacket::size - some.count);
     while (size > 0) {
       const WideNode& node = nodes_[waiting[--size]];
       const unsigned bits = met(node, beam);
@@ -298,7 +298,7 @@ class WideBundles {
   }
 
   /// Tests some elements of a node for the rays in `open`, which have no hit yet. The rays that still have none.
-  std::uint64_t take_elements(Some& some, const WideNode& node, unsigned elements, std::uint64_t open) {
+  std::uint64_t take_elements(PendingRays& some, const WideNode& node, unsigned elements, std::uint64_t open) {
     WideMeetings meeting;
     met_by(node, elements, some.bundle, meeting);
     for (; elements != 0; elements &= elements - 1) {
@@ -311,7 +311,7 @@ class WideBundles {
 
   /// Compacts the bundle to the rays in `open`, if that saves a quarter of its groups of eight, and narrows its bounds;
   /// otherwise the rays with a hit are only switched off. Whether the bundle was compacted.
-  static bool close_up(Some& some, std::uint64_t& open) {
+  static bool close_up(PendingRays& some, std::uint64_t& open) {
     const auto count = static_cast<std::size_t>(std::popcount(open));
     if (4 * whole_eights(count) > 3 * (some.bundle.end - some.bundle.begin)) {
       for (std::size_t place = 0; place < some.count; ++place)
@@ -325,22 +325,22 @@ class WideBundles {
       some.bundle.move(place, some.count++);
     }
     some.gathered();
-    open = ~std::uint64_t{} >> (WideBundle::size - count);
+    open = ~std::uint64_t{} >> (WidePacket::size - count);
     return true;
   }
 
   std::span<const WideNode> nodes_;
-  WideLeaves::Rows rows_;
+  LeafColumns::Rows rows_;
   bool starts_ = false;  // whether some ray starts on an element, so that the columns must say which
   bool large_;           // the tree exceeds the cache: leaves are prefetched, and boxes tested by groups of eight
   double narrow_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;
-  Take& take_;
+  Visitor& take_;
   Flush& flush_;
   surface::Box all_{};
-  Some coming_, apart_;
-  WideEights eights_;  // the groups of eight of the bundle in traversal, where large_
+  PendingRays coming_, apart_;
+  WidePacketEights eights_;  // the groups of eight of the bundle in traversal, where large_
   std::vector<std::uint32_t> alone_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Interleaved traversal of the wide hierarchy by single rays. In each turn the rays that have reached a node open it
-/// side by side (wide_walker.hpp), and the prefetches of one ray complete while the others go on.
+/// side by side (single_ray_traversal.hpp), and the prefetches of one ray complete while the others go on.
 
 #include <algorithm>
 #include <array>
@@ -9,18 +9,18 @@
 #include <span>
 #include <vector>
 
-#include "durero/accel/wide/wide_leaves.hpp"
-#include "durero/accel/wide/wide_walker.hpp"
+#include "durero/accel/wide/leaf_columns.hpp"
+#include "durero/accel/wide/single_ray_traversal.hpp"
 
 namespace durero::accel {
 
 /// A traversal of several rays in turns; limit(number) and take(number, element) are those of PairCandidates::pairs.
-template <class Limit, class Take>
-class WideTurns {
+template <class Limit, class Visitor>
+class InterleavedTraversal {
  public:
   /// The traversal keeps references to its arguments, which must outlive it. Precondition: there is a node.
-  WideTurns(std::span<const WideNode> nodes, const WideLeaves& leaves, std::span<const trace::Ray> rays, Limit& limit,
-            Take& take)
+  InterleavedTraversal(std::span<const WideNode> nodes, const LeafColumns& leaves, std::span<const trace::Ray> rays,
+                       Limit& limit, Visitor& take)
       : nodes_(nodes), rows_(leaves.rows()), rays_(rays), limit_(limit), take_(take) {}
 
   /// Traverses the tree with the rays of these numbers.
@@ -35,7 +35,7 @@ class WideTurns {
       active[count] = &walking.emplace_back(rays_[number], number);
     }
     while (count > 0) {
-      std::array<WideWalker*, at_a_time> at_nodes{};
+      std::array<SingleRayTraversal*, at_a_time> at_nodes{};
       std::size_t nodes = 0;
       for (std::size_t i = 0; i < count;) {
         Walking& one = *active[i];
@@ -56,7 +56,7 @@ class WideTurns {
   /// A ray's traversal, and the ray's number.
   struct Walking {
     Walking(const trace::Ray& ray, std::uint32_t number_of_it) : walker(ray), number(number_of_it) {}
-    WideWalker walker;
+    SingleRayTraversal walker;
     std::uint32_t number;
     bool arrived = false;  // at an element, whose row was prefetched
   };
@@ -75,13 +75,13 @@ class WideTurns {
     one.arrived = false;
     for (;;) {
       switch (one.walker.next(limit_(one.number))) {
-        case WideWalker::Next::element:
+        case SingleRayTraversal::Next::element:
           rows_.ask_for(one.walker.element);
           return one.arrived = true;
-        case WideWalker::Next::node:
+        case SingleRayTraversal::Next::node:
           trace::ask_for(nodes_[one.walker.node]);
           return true;
-        case WideWalker::Next::end:
+        case SingleRayTraversal::Next::end:
           if (coming_.empty()) return false;
           one.number = next_number();
           one.walker.restart(rays_[one.number]);
@@ -90,10 +90,10 @@ class WideTurns {
   }
 
   std::span<const WideNode> nodes_;
-  WideLeaves::Rows rows_;
+  LeafColumns::Rows rows_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;
-  Take& take_;
+  Visitor& take_;
   std::span<const std::uint32_t> coming_;  // rays that have not started
 };
 

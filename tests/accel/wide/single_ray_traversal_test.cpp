@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_walker.hpp"
+#include "durero/accel/wide/single_ray_traversal.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -10,10 +10,10 @@
 
 using namespace durero;
 using namespace durero::test;
+using accel::SingleRayTraversal;
 using accel::WideChild;
 using accel::WideNode;
-using accel::WideWalker;
-using Next = WideWalker::Next;
+using Next = SingleRayTraversal::Next;
 
 namespace {
 
@@ -40,7 +40,7 @@ std::vector<WideNode> two_nodes() {
 
 std::vector<std::uint32_t> walked(const glm::dvec3& v, double limit, const glm::dvec3& p = {0, 0, 0}) {
   const std::vector<WideNode> nodes = two_nodes();
-  WideWalker walker{trace::Ray(ray(p, v))};
+  SingleRayTraversal walker{trace::Ray(ray(p, v))};
   std::vector<std::uint32_t> elements;
   while (walker.advance(nodes.data(), limit) != Next::end) elements.push_back(walker.element.index);
   return elements;
@@ -61,13 +61,13 @@ TEST_CASE("the nearest box comes first, and none beyond the limit") {
 
 TEST_CASE("walkers that open their nodes side by side go on as each alone") {
   const std::vector<WideNode> nodes = two_nodes();
-  std::vector<WideWalker> walkers;
+  std::vector<SingleRayTraversal> walkers;
   const std::vector<glm::dvec3> from{{0, 0, 0}, {4, 0, 0}, {0, 5, 0}, {1, 0, 0}, {2.25, 0, 0}, {9.5, 0, 0}};
   const auto v = [&](std::size_t i) { return glm::dvec3(i + 1 < from.size() ? 1 : -1, 0, 0); };
   for (std::size_t i = 0; i < from.size(); ++i) walkers.emplace_back(trace::Ray(ray(from[i], v(i))));
   std::vector<std::vector<std::uint32_t>> elements(walkers.size());
   const double limit = 7;
-  std::vector<WideWalker*> at_nodes{&walkers[0]};  // which is one node ahead of the others
+  std::vector<SingleRayTraversal*> at_nodes{&walkers[0]};  // which is one node ahead of the others
   CHECK(walkers[0].next(limit) == Next::node);
   open(nodes.data(), at_nodes);
   do {
@@ -118,7 +118,7 @@ TEST_CASE("a walker comes to the children whose boxes the test of one box passes
       std::vector<std::uint32_t> one_by_one, walked;
       for (std::uint32_t place = 0; place < WideNode::width; ++place)
         if (stretch(boxes[place], accel::Beam(traced), limit).meets()) one_by_one.push_back(place);
-      WideWalker walker(traced);
+      SingleRayTraversal walker(traced);
       while (walker.advance(nodes.data(), limit) != Next::end) walked.push_back(walker.element.index);
       std::ranges::sort(walked);
       INFO("turn " << turn << ", up to " << limit);
@@ -129,7 +129,7 @@ TEST_CASE("a walker comes to the children whose boxes the test of one box passes
 
 TEST_CASE("a walker counts, and starts again") {
   const std::vector<WideNode> nodes = two_nodes();
-  WideWalker walker{trace::Ray(ray({0, 0, 0}, {1, 0, 0}))};
+  SingleRayTraversal walker{trace::Ray(ray({0, 0, 0}, {1, 0, 0}))};
   while (walker.advance(nodes.data(), trace::no_limit) != Next::end) continue;
   CHECK(walker.nodes == 2);
   CHECK(walker.met == 4);

@@ -15,12 +15,12 @@
 namespace durero::accel {
 
 /// The bounds of a bundle's groups of eight, in columns.
-struct WideEights {
-  static constexpr std::size_t most = WideBundle::size / WideBundle::eight;  ///< groups in a bundle
+struct WidePacketEights {
+  static constexpr std::size_t most = WidePacket::size / WidePacket::eight;  ///< groups in a bundle
   using Column = std::array<double, most>;                                   ///< a number of each group
   using Columns = std::array<Column, 3>;                                     ///< by axis
 
-  /// @{ The bounds of that name of WideBundle, for each group.
+  /// @{ The bounds of that name of WidePacket, for each group.
   alignas(64) Columns p_low{}, p_high{};
   Columns inverse_low{}, inverse_high{};
   /// @}
@@ -29,14 +29,14 @@ struct WideEights {
 
 /// Computes the bounds and limits of the groups. Precondition: the bundle is gathered from its first place on. Places
 /// behind its end take no part.
-void gather(WideEights& eights, const WideBundle& bundle);
+void gather(WidePacketEights& eights, const WidePacket& bundle);
 
 /// Computes the limits of the groups anew that hold a ray of `which`. The greatest limit of the bundle, or 0 where no
 /// ray takes part.
-double bring_up_to_date(WideEights& eights, const WideBundle& bundle, std::uint64_t which);
+double bring_up_to_date(WidePacketEights& eights, const WidePacket& bundle, std::uint64_t which);
 
 /// met_by for one child of a node, by groups of eight. Precondition: the bounds and limits of `eights` are the
 /// bundle's.
-std::uint64_t met_by(const WideNode& node, std::size_t child, const WideBundle& bundle, const WideEights& eights);
+std::uint64_t met_by(const WideNode& node, std::size_t child, const WidePacket& bundle, const WidePacketEights& eights);
 
 }  // namespace durero::accel

@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_walk.hpp"
+#include "durero/accel/wide/wide_traversal.hpp"
 
 #include <map>
 

@@ -24,7 +24,7 @@
 namespace durero::accel {
 
 /// A frustum between six planes, two for each axis.
-struct WideBeam {
+struct Frustum {
   /// A plane: x − slope·y of every point of the segments is not below `bound` (a low side) or not above it (a high
   /// side).
   struct Side {
@@ -42,10 +42,10 @@ struct WideBeam {
 /// The frustum of a bundle's segments { p + t·v | 0 ≤ t ≤ 1 } in a scene whose box is `all`. A ray with a limit below 0
 /// counts as its origin alone. A frustum whose width is not finite bounds nothing. Preconditions: all other limits are
 /// 1; the bundle is gathered.
-WideBeam beam_of(const WideBundle& bundle, const surface::Box& all);
+Frustum beam_of(const WidePacket& bundle, const surface::Box& all);
 
 /// The children whose boxes may hold a point of the frustum's segments, a bit each, the first child's lowest.
 /// Preconditions: the frustum's width is finite; the node belongs to the scene for which the frustum was made.
-unsigned met(const WideNode& node, const WideBeam& beam);
+unsigned met(const WideNode& node, const Frustum& beam);
 
 }  // namespace durero::accel

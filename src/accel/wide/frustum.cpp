@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "accel/wide/wide_beam.cpp"  // as seen from src/
+#define HWY_TARGET_INCLUDE "accel/wide/frustum.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
 #include "accel/wide/wide_lanes-inl.hpp"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "durero/accel/wide/wide_beam.hpp"
+#include "durero/accel/wide/frustum.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::accel {
@@ -15,8 +15,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// The range of the numbers that were joined to it, lane by lane.
-struct Extent {
-  HWY_INLINE Extent() : least(hn::Set(Tag(), HUGE_VAL)), greatest(hn::Set(Tag(), -HUGE_VAL)) {}
+struct LaneExtent {
+  HWY_INLINE LaneExtent() : least(hn::Set(Tag(), HUGE_VAL)), greatest(hn::Set(Tag(), -HUGE_VAL)) {}
   HWY_INLINE void join(Lanes x) { least = hn::Min(least, x), greatest = hn::Max(greatest, x); }
   HWY_INLINE double low() const { return hn::GetLane(hn::MinOfLanes(Tag(), least)); }
   HWY_INLINE double high() const { return hn::GetLane(hn::MaxOfLanes(Tag(), greatest)); }
@@ -25,8 +25,8 @@ struct Extent {
 };
 
 /// An axis of some rays, in lanes. The end of a ray that takes no part is its origin.
-struct Axis {
-  HWY_INLINE Axis(const WideBundle& bundle, std::size_t axis, std::size_t at)
+struct LaneAxis {
+  HWY_INLINE LaneAxis(const WidePacket& bundle, std::size_t axis, std::size_t at)
       : p(hn::LoadU(Tag(), &bundle.rays.p[axis][at])), v(hn::LoadU(Tag(), &bundle.rays.v[axis][at])) {
     const auto walks = hn::Ge(hn::LoadU(Tag(), &bundle.limit[at]), hn::Zero(Tag()));
     end = hn::IfThenElse(walks, hn::Add(p, v), p);
@@ -44,24 +44,24 @@ struct Ranges {
   }
   HWY_INLINE bool converge() const { return end.high() - end.low() <= p.high() - p.low(); }
 
-  Extent p, end, slope;
+  LaneExtent p, end, slope;
 };
 
 constexpr double slack = 0x1p-48;  // 32u
 
-WideBeam beam_in_lanes(const WideBundle& bundle, const surface::Box& all) {
+Frustum beam_in_lanes(const WidePacket& bundle, const surface::Box& all) {
   const auto lanes = hn::Lanes(Tag());
   const auto speed = [&](std::size_t axis) HWY_ATTR { return std::abs(bundle.rays.v[axis][bundle.begin]); };
-  WideBeam beam;
+  Frustum beam;
   for (std::size_t axis = 1; axis < 3; ++axis)
     if (speed(axis) > speed(beam.along)) beam.along = axis;
   beam.across = {(beam.along + 1) % 3, (beam.along + 2) % 3};
   Ranges y, x[2];
   for (std::size_t at = bundle.begin; at < bundle.end; at += lanes) {
-    const Axis along(bundle, beam.along, at);
+    const LaneAxis along(bundle, beam.along, at);
     y.p.join(along.p), y.end.join(along.end);
     for (std::size_t i = 0; i < 2; ++i) {
-      const Axis across(bundle, beam.across[i], at);
+      const LaneAxis across(bundle, beam.across[i], at);
       x[i].p.join(across.p), x[i].end.join(across.end), x[i].slope.join(hn::Div(across.v, along.v));
     }
   }
@@ -74,9 +74,9 @@ WideBeam beam_in_lanes(const WideBundle& bundle, const surface::Box& all) {
     beam.low[i].slope = steep ? x[i].slope.high() : x[i].slope.low();
     beam.high[i].slope = steep ? x[i].slope.low() : x[i].slope.high();
     const Lanes b = hn::Set(Tag(), beam.low[i].slope), d = hn::Set(Tag(), beam.high[i].slope);
-    Extent of_low, of_high;
+    LaneExtent of_low, of_high;
     for (std::size_t at = bundle.begin; at < bundle.end; at += lanes) {
-      const Axis along(bundle, beam.along, at), across(bundle, beam.across[i], at);
+      const LaneAxis along(bundle, beam.along, at), across(bundle, beam.across[i], at);
       of_low.join(hn::Sub(across.p, hn::Mul(b, along.p))), of_low.join(hn::Sub(across.end, hn::Mul(b, along.end)));
       of_high.join(hn::Sub(across.p, hn::Mul(d, along.p))), of_high.join(hn::Sub(across.end, hn::Mul(d, along.end)));
     }
@@ -92,7 +92,7 @@ WideBeam beam_in_lanes(const WideBundle& bundle, const surface::Box& all) {
   return beam;
 }
 
-unsigned met_by_beam(const WideNode& node, const WideBeam& beam) {
+unsigned met_by_beam(const WideNode& node, const Frustum& beam) {
   const Tag tag;
   unsigned met = 0;
   for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
@@ -123,10 +123,10 @@ HWY_EXPORT(beam_in_lanes);
 HWY_EXPORT(met_by_beam);
 }  // namespace
 
-WideBeam beam_of(const WideBundle& bundle, const surface::Box& all) {
+Frustum beam_of(const WidePacket& bundle, const surface::Box& all) {
   return HWY_DYNAMIC_DISPATCH(beam_in_lanes)(bundle, all);
 }
-unsigned met(const WideNode& node, const WideBeam& beam) { return HWY_DYNAMIC_DISPATCH(met_by_beam)(node, beam); }
+unsigned met(const WideNode& node, const Frustum& beam) { return HWY_DYNAMIC_DISPATCH(met_by_beam)(node, beam); }
 
 }  // namespace durero::accel
 #endif

@@ -1,4 +1,4 @@
-#include "durero/accel/wide/wide_bundles.hpp"
+#include "durero/accel/wide/packet_traversal.hpp"
 
 #include <bit>
 #include <set>

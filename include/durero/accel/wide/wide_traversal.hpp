@@ -1,7 +1,7 @@
 #pragma once
-/// Traversal of the wide hierarchy by many rays. Coherent rays traverse in bundles (wide_bundles.hpp). Incoherent rays
-/// traverse in streams, one for each octant of directions (wide_stream.hpp), or interleaved one by one
-/// (wide_turns.hpp).
+/// Traversal of the wide hierarchy by many rays. Coherent rays traverse in bundles (packet_traversal.hpp). Incoherent
+/// rays traverse in streams, one for each octant of directions (stream_traversal.hpp), or interleaved one by one
+/// (interleaved_traversal.hpp).
 
 #include <array>
 #include <cmath>
@@ -9,22 +9,22 @@
 #include <span>
 #include <vector>
 
-#include "durero/accel/wide/wide_bundles.hpp"
-#include "durero/accel/wide/wide_leaves.hpp"
-#include "durero/accel/wide/wide_order.hpp"
-#include "durero/accel/wide/wide_stream.hpp"
-#include "durero/accel/wide/wide_turns.hpp"
+#include "durero/accel/wide/interleaved_traversal.hpp"
+#include "durero/accel/wide/leaf_columns.hpp"
+#include "durero/accel/wide/packet_traversal.hpp"
+#include "durero/accel/wide/ray_order.hpp"
+#include "durero/accel/wide/stream_traversal.hpp"
 #include "durero/trace/finding.hpp"
 
 namespace durero::accel {
 
 /// PairCandidates::pairs over a tree with nodes(), leaves() and spacing().
-template <class Tree, class Limit, class Take, class Flush>
-class WideWalk {
+template <class Tree, class Limit, class Visitor, class Flush>
+class WideTraversal {
  public:
   /// The traversal keeps references to its arguments, which must outlive it. Preconditions: the tree has a node; there
   /// is a ray.
-  WideWalk(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Take& take, Flush& flush)
+  WideTraversal(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Visitor& take, Flush& flush)
       : nodes_(tree.nodes()),
         leaves_(tree.leaves()),
         spacing_(tree.spacing()),
@@ -51,12 +51,12 @@ class WideWalk {
     }
     bundles_.finish(alone_);
     // Streams serve small trees only: in a large tree too few rays reach the same node.
-    if (alone_.size() >= least_stream && nodes_.size_bytes() <= WideLeaves::nearby) return walk_streams();
-    WideTurns(nodes_, leaves_, rays_, limit_, take_).walk(alone_);
+    if (alone_.size() >= least_stream && nodes_.size_bytes() <= LeafColumns::nearby) return walk_streams();
+    InterleavedTraversal(nodes_, leaves_, rays_, limit_, take_).walk(alone_);
   }
 
  private:
-  using Bundles = WideBundles<Tree, Limit, Take, Flush>;
+  using Bundles = PacketTraversal<Tree, Limit, Visitor, Flush>;
 
   static constexpr std::size_t least_stream = 64;  // incoherent rays that are worth a stream
 
@@ -66,7 +66,7 @@ class WideWalk {
     numbers.reserve(rays_.size());
     for (std::uint32_t number = 0; number < rays_.size(); ++number)
       if (limit_(number) > 0) numbers.push_back(number);
-    sort_segments(WideKeys(nodes_[0], spacing_), rays_, numbers);
+    sort_segments(RayOrderKey(nodes_[0], spacing_), rays_, numbers);
     constexpr std::size_t ahead = 16;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       if (i + ahead < numbers.size()) trace::ask_for(rays_[numbers[i + ahead]]);
@@ -80,22 +80,22 @@ class WideWalk {
 
   /// Traverses with the incoherent rays, a stream for each octant.
   void walk_streams() {
-    std::array<std::vector<WideStreamRay>, 8> streams;
-    for (std::vector<WideStreamRay>& stream : streams) stream.reserve(alone_.size() / 4);
+    std::array<std::vector<StreamRay>, 8> streams;
+    for (std::vector<StreamRay>& stream : streams) stream.reserve(alone_.size() / 4);
     for (const std::uint32_t number : alone_) {
       const trace::Ray& ray = rays_[number];
       streams[octant_of(ray.v)].push_back({Beam(ray), trace::no_limit, number});
     }
-    WideStream walk(nodes_, limit_, take_);
-    for (std::vector<WideStreamRay>& stream : streams) walk.walk(stream);
+    StreamTraversal walk(nodes_, limit_, take_);
+    for (std::vector<StreamRay>& stream : streams) walk.walk(stream);
   }
 
   std::span<const WideNode> nodes_;
-  const WideLeaves& leaves_;
+  const LeafColumns& leaves_;
   double spacing_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;
-  Take& take_;
+  Visitor& take_;
   Bundles bundles_;
   std::vector<std::uint32_t> alone_;
 };

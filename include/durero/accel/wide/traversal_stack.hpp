@@ -10,18 +10,18 @@
 namespace durero::accel {
 
 /// A child on the stack: its parent, its place there, and a lower bound of the rays' entry into its box.
-struct WideWaiting {
+struct StackEntry {
   double entry;         ///< not less than 0
   std::uint32_t node;   ///< the parent
   std::uint32_t place;  ///< among the parent's children
 };
 
 /// The children that a bundle has still to visit, the next one on top.
-class WideStack {
+class TraversalStack {
  public:
   /// @{ The operations of a stack.
   bool empty() const { return size_ == 0; }
-  WideWaiting pop() { return waiting_[--size_]; }
+  StackEntry pop() { return waiting_[--size_]; }
   /// @}
   /// Pushes the children of a node in `met`, the nearest on top.
   void push(std::uint32_t node, unsigned met, const WideNode::Entries& entries) {
@@ -35,7 +35,7 @@ class WideStack {
   }
 
  private:
-  std::array<WideWaiting, most_waiting> waiting_;  // only the first size_ are set
+  std::array<StackEntry, most_waiting> waiting_;  // only the first size_ are set
   std::size_t size_ = 0;
 };
 

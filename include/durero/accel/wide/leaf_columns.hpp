@@ -18,7 +18,7 @@
 namespace durero::accel {
 
 /// Columns of elements, one for each type. A leaf is a row of a column, named by an ElementRef whose index is the row.
-class WideLeaves {
+class LeafColumns {
  public:
   static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes that stay in the cache: no prefetch of leaves
 
@@ -71,7 +71,7 @@ class WideLeaves {
     }
 
    private:
-    friend class WideLeaves;
+    friend class LeafColumns;
     struct OfType {
       const std::byte* first;
       std::size_t size;

@@ -9,11 +9,11 @@
 namespace durero::accel {
 
 /// The bounds of the origins and the directions of a run's rays.
-class WideRun {
+class CoherentRun {
  public:
   /// A run of one ray, whose reach is measured to the box of the scene, `all`, or to the limit. `all` must outlive the
   /// run.
-  WideRun(const trace::Ray& ray, const surface::Box& all, double limit)
+  CoherentRun(const trace::Ray& ray, const surface::Box& all, double limit)
       : p_low_(ray.p), p_high_(ray.p), v_low_(ray.v), v_high_(ray.v), first_(ray), all_(all), limit_(limit) {}
 
   /// Adds a ray to the run, if the directions have no component 0, the components along an axis have one sign, and the

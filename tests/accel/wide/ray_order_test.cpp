@@ -10,7 +10,7 @@
 
 using namespace durero;
 using namespace durero::test;
-using trace::Asked;
+using trace::QueryKind;
 
 namespace {
 
@@ -36,16 +36,16 @@ TEST_CASE("every ray is in the order once, where the tree is large and the rays 
   const accel::WideBvh tree(scene), small(few);
   Random random(8);
   const std::vector<scene::Query> queries = queries_from(random, 3000, 1.5);
-  std::vector<std::uint32_t> order = tree.order(queries, Asked::segment), all(queries.size());
+  std::vector<std::uint32_t> order = tree.order(queries, QueryKind::segment), all(queries.size());
   CHECK(!std::ranges::is_sorted(order));
   std::ranges::sort(order);
   std::iota(all.begin(), all.end(), 0);
   CHECK(order == all);
-  CHECK(tree.order(queries, Asked::first).empty());
-  CHECK(small.order(queries, Asked::segment).empty());
-  CHECK(tree.order(queries_from(random, 100, 1.5), Asked::segment).empty());
-  CHECK(tree.order(queries_from(random, 3000, 0), Asked::segment).empty());
-  CHECK(tree.order({}, Asked::segment).empty());
+  CHECK(tree.order(queries, QueryKind::first).empty());
+  CHECK(small.order(queries, QueryKind::segment).empty());
+  CHECK(tree.order(queries_from(random, 100, 1.5), QueryKind::segment).empty());
+  CHECK(tree.order(queries_from(random, 3000, 0), QueryKind::segment).empty());
+  CHECK(tree.order({}, QueryKind::segment).empty());
 }
 
 TEST_CASE("answers of a large tree are those one by one, each in its place") {
@@ -59,6 +59,6 @@ TEST_CASE("answers of a large tree are those one by one, each in its place") {
     if (hit.resultado == model::Resultado::hit)
       queries.push_back({{model::Punto(hit.punto), model::Vector(random.direction())}, hit.elementos});
   }
-  for (const Asked asked : {Asked::first, Asked::segment}) REQUIRE(!tree.order(queries, asked).empty());
+  for (const QueryKind asked : {QueryKind::first, QueryKind::segment}) REQUIRE(!tree.order(queries, asked).empty());
   check_each_alone(tree, queries);
 }

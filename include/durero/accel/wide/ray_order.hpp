@@ -14,10 +14,10 @@ namespace durero::accel {
 
 /// The sort key of a ray: the octant of its direction, then the Morton code of its origin's cell. Neighbouring cells
 /// mostly have neighbouring codes.
-class WideKeys {
+class RayOrderKey {
  public:
   /// Divides the root's box into cells whose width is the spacing of the elements or half of it.
-  WideKeys(const WideNode& root, double spacing);
+  RayOrderKey(const WideNode& root, double spacing);
   /// The greatest number of bits of a key.
   unsigned bits() const { return 3 * bits_ + 3; }
   /// The key of a ray with origin p and direction v.
@@ -53,7 +53,7 @@ class WideKeys {
 
 /// The sort key of a segment that ends at one point with the others, such as a shadow ray: the direction's place on a
 /// cube. Segments that pass the same elements on their way to the point mostly have neighbouring keys.
-class WideWays {
+class DirectionKey {
  public:
   /// The number of bits of a key.
   static constexpr unsigned bits() { return 2 * bits_across + 3; }
@@ -87,6 +87,6 @@ class WideWays {
 
 /// Sorts the numbers of segments into a coherent order: by direction where their ends lie much closer together than
 /// their origins, by origin and octant otherwise. The sort is stable.
-void sort_segments(const WideKeys& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers);
+void sort_segments(const RayOrderKey& key_of, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers);
 
 }  // namespace durero::accel

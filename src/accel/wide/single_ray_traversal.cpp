@@ -1,19 +1,19 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "accel/wide/wide_walker.cpp"  // as seen from src/
+#define HWY_TARGET_INCLUDE "accel/wide/single_ray_traversal.cpp"  // as seen from src/
 #include <hwy/foreach_target.h>
 //
 #include "accel/wide/wide_lanes-inl.hpp"
 //
 #include <bit>
 
-#include "durero/accel/wide/wide_walker.hpp"
+#include "durero/accel/wide/single_ray_traversal.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::accel {
 namespace HWY_NAMESPACE {
 namespace {
 
-using Next = WideWalker::Next;
+using Next = SingleRayTraversal::Next;
 
 /// A ray in every lane.
 struct LaneBeam {
@@ -33,7 +33,7 @@ struct LaneBeam {
 
 /// Sorts the last node's children, the nearest on top, by insertion. An insertion carries a child down the stack and
 /// exchanges it for each farther one by a mask, because a branch on which is nearer would be mispredicted.
-HWY_INLINE void sort(WideWalker& walker) {
+HWY_INLINE void sort(SingleRayTraversal& walker) {
   const std::uint32_t begin = walker.sorted;
   for (std::uint32_t i = begin + 1; i < walker.size; ++i) {
     double entry = walker.entries[i];
@@ -52,7 +52,7 @@ HWY_INLINE void sort(WideWalker& walker) {
 }
 
 /// Pushes the children of a node whose boxes the ray meets, not sorted yet.
-HWY_INLINE void meet(WideWalker& walker, const WideNode& node, const LaneBeam& beam) {
+HWY_INLINE void meet(SingleRayTraversal& walker, const WideNode& node, const LaneBeam& beam) {
   const Tag tag;
   const hn::Rebind<std::uint64_t, Tag> tag_of_children;
   walker.sorted = walker.size;
@@ -78,7 +78,7 @@ HWY_INLINE void meet(WideWalker& walker, const WideNode& node, const LaneBeam& b
   walker.met += walker.size - walker.sorted;
 }
 
-Next advance_walker(WideWalker& walker, const WideNode* nodes, double limit) {
+Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, double limit) {
   const LaneBeam beam(walker.beam);
   Next next = walker.next(limit);
   for (; next == Next::node; next = walker.next(limit)) {
@@ -88,9 +88,9 @@ Next advance_walker(WideWalker& walker, const WideNode* nodes, double limit) {
   return next;
 }
 
-void open_walkers(const WideNode* nodes, std::span<WideWalker* const> walkers) {
-  for (WideWalker* const walker : walkers) meet(*walker, nodes[walker->node], LaneBeam(walker->beam));
-  for (WideWalker* const walker : walkers) sort(*walker);
+void open_walkers(const WideNode* nodes, std::span<SingleRayTraversal* const> walkers) {
+  for (SingleRayTraversal* const walker : walkers) meet(*walker, nodes[walker->node], LaneBeam(walker->beam));
+  for (SingleRayTraversal* const walker : walkers) sort(*walker);
 }
 
 }  // namespace
@@ -105,18 +105,18 @@ HWY_EXPORT(advance_walker);
 HWY_EXPORT(open_walkers);
 }  // namespace
 
-void WideWalker::restart(const trace::Ray& ray) {
+void SingleRayTraversal::restart(const trace::Ray& ray) {
   beam = Beam(ray);
   size = 1;
   entries[0] = 0;
   children[0] = std::bit_cast<std::uint64_t>(WideChild{0, {}, WideChild::Kind::node});
 }
 
-WideWalker::Next WideWalker::advance(const WideNode* all, double greatest) {
+SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, double greatest) {
   return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, greatest);
 }
 
-void open(const WideNode* nodes, std::span<WideWalker* const> walkers) {
+void open(const WideNode* nodes, std::span<SingleRayTraversal* const> walkers) {
   HWY_DYNAMIC_DISPATCH(open_walkers)(nodes, walkers);
 }
 
