@@ -9,7 +9,7 @@
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Rounding Vectors.
-From Durero Require Formas.
+From Durero Require Exacto Formas.
 Local Open Scope R_scope.
 Local Instance prec53 : Prec_gt_0 53 := eq_refl.
 Local Instance below1024 : Prec_lt_emax 53 1024 := eq_refl.
@@ -135,12 +135,16 @@ Proof.
     + pose proof (bpow_gt_0 radix2 (Z.min e f)); lra.
 Qed.
 
-(** ** A term, from inside *)
+(** ** A term, from inside
+
+    Its functions are unfolded by cbv beta delta before: unfold would put what a let names wherever it is used. *)
 
 Lemma integer n : IZR n = D n 0.
 Proof. unfold D; cbn; ring. Qed.
 Lemma power e : bpow radix2 e = D 1 e.
 Proof. unfold D; ring. Qed.
+Lemma half n : Exacto.over 2 n = D n (-1).
+Proof. reflexivity. Qed.
 
 Lemma of_rnd x n e m f : x = D n e -> parts (float_of n e) = Some (m, f) -> rnd x = D m f.
 Proof. intros ->; apply rounded. Qed.
@@ -182,6 +186,9 @@ Lemma of_quadratic {T} (A A' B B' C C' F F' H H' : T) A_error A_error' B_error B
 Proof. now intros -> -> -> -> -> -> -> -> -> -> -> -> -> -> ->. Qed.
 Lemma of_stable {T} b b' (x x' : T) q q' : b = b' -> x = x' -> q = q' -> Formas.Stable b x q = Formas.Stable b' x' q'.
 Proof. now intros -> -> ->. Qed.
+Lemma of_point t x y z c t' x' y' z' c' : t = t' -> x = x' -> y = y' -> z = z' -> c = c' ->
+  Formas.Pairs.Once_point t x y z c = Formas.Pairs.Once_point t' x' y' z' c'.
+Proof. now intros -> -> -> -> ->. Qed.
 
 Ltac valued := lazymatch goal with |- ?a = ?r => let v := eval vm_compute in a in unify r v; vm_cast_no_check (eq_refl v) end.
 Ltac projected := cbv beta iota delta [cx cy cz Formas.A Formas.B Formas.C Formas.F Formas.H Formas.A_error Formas.B_error Formas.C_error
@@ -194,6 +201,7 @@ Ltac computes := lazymatch goal with
   | |- D _ _ = _ => reflexivity
   | |- IZR _ = _ => apply integer
   | |- bpow radix2 _ = _ => apply power
+  | |- Exacto.over 2 _ = _ => apply half
   | |- _ + _ = _ => eapply of_sum; [computes | computes | valued | valued]
   | |- _ - _ = _ => eapply of_difference; [computes | computes | valued | valued]
   | |- _ * _ = _ => eapply of_product; [computes | computes | valued | valued]
@@ -212,5 +220,6 @@ Ltac computes := lazymatch goal with
   | |- Formas.Pairs.Twofold _ _ = _ => eapply of_call2; [computes | computes | reflexivity]
   | |- Formas.Quadratic _ _ _ _ _ _ _ _ _ _ _ _ _ _ _ = _ => apply of_quadratic; computes
   | |- Formas.Stable _ _ _ = _ => apply of_stable; computes
+  | |- Formas.Pairs.Once_point _ _ _ _ _ = _ => apply of_point; computes
   | |- Formas.Known _ _ = _ => eapply of_call2; [computes | computes | reflexivity]
   end.
