@@ -3,7 +3,6 @@
     A theorem whose premises nothing satisfies says nothing. For each theorem of Main*.v that has premises, what is called
     instance_of_ and its name here is that theorem with all of them discharged, for one scene, one ray, one list or a few
     numbers; tests/proofs/audit.sh sees that it is there, that it has no premise of its own and that it rests on the theorem.
-    [without_instance.txt] lists those that have none yet; that list only gets shorter.
 
     The scene of all seven shapes (InstanceScene.v) is asked three times: by a ray from outside, by one that starts on the
     sphere, and by shadow rays. tests/proofs/instances.sh compares what is stated here with what durero trace prints. *)

@@ -1,6 +1,6 @@
 (** * InstancesRounding: instances of the theorems about what is rounded once
 
-    It goes on from InstancesNumbers.v, and tests/proofs/audit.sh reads it in the same way.
+    It goes on from Instances.v, and tests/proofs/audit.sh reads it in the same way.
 
     silver, tie == (1 + √2)/3, which is 0.804…, and 1 + √(2^-106), which is as near to 1 as to the next binary64
     near n      == a double-double of which n is within 2^-59;  printed t x y z == the binary64s of these integers *)
