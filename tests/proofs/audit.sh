@@ -7,8 +7,7 @@
 #     reachable    Main.v or an Instances*.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
 #     statements   each theorem of Main.v says what statements.md says, and so does each definition that it reaches
-#     instances    each theorem of Main.v with premises has an instance in Instances*.v, which has none and rests on it; those
-#                  of without_instance.txt have none yet
+#     instances    each theorem of Main.v with premises has an instance in Instances*.v, which has none and rests on it
 #     kernel       coqchk, which shares no code with the tactics, accepts Main.v, Instances*.v and all below them
 #     all          each of these
 #     daily        each but kernel, which takes minutes
@@ -218,22 +217,17 @@ premises() {  # NAMES: the file of names; each that has a premise
   awk '$1 == "of" { name = $2 } $1 == "premise" && !seen[name]++ { print name }' "$tmp/premises"
 }
 
-# How many theorems are without an instance at most: the number only falls.
-without=0
 audit_instances() {
   files=$(printf '%s\n' "$proofs"/Instance*.v)
   theorems >"$tmp/theorems"
   premises "$tmp/theorems" >"$tmp/asked" || return 1
   sentences $files | sed -n 's/^.*\/\(Instance[A-Za-z]*\)\.v:[0-9]*:\(Theorem\|Lemma\|Definition\|Fixpoint\) \([A-Za-z0-9_]*\).*/\1.\3/p' >"$tmp/there"
   grep '\.instance_of_' "$tmp/there" >"$tmp/instances" || true
-  touch "$tmp/none"; [ ! -f "$proofs/without_instance.txt" ] || cp "$proofs/without_instance.txt" "$tmp/none"
-  sed 's/.*\.instance_of_//' "$tmp/instances" | sort >"$tmp/with"
-  # Each theorem with premises is in one of the two lists, and nothing else is.
-  { cat "$tmp/with" "$tmp/none"; } | sort >"$tmp/listed"
+  # Each theorem with premises has one instance, and nothing else has any.
   sed 's/.*\.//' "$tmp/asked" | sort >"$tmp/needed"
-  diff "$tmp/needed" "$tmp/listed" | sed -n 's/^< \(.*\)/\1: a theorem with premises and no instance/p
+  sed 's/.*\.instance_of_//' "$tmp/instances" | sort >"$tmp/with"
+  diff "$tmp/needed" "$tmp/with" | sed -n 's/^< \(.*\)/\1: a theorem with premises and no instance/p
     s/^> \(.*\)/\1: twice, or no theorem with premises/p' >"$tmp/wrong"
-  [ "$(wc -l <"$tmp/none")" -le "$without" ] || echo "without_instance.txt: $without at most" >>"$tmp/wrong"
   # An instance has no premise and rests on its theorem; what it rests on besides, `kernel` sees.
   premises "$tmp/instances" | sed 's/$/: an instance with a premise/' >>"$tmp/wrong"
   { echo "From Durero Require $(of_instances)."
