@@ -3,9 +3,10 @@
     The terms of Formas.v, of numbers: each operation is exact here, and a rounding is computed as binary64 does. A term is
     computed from inside, and what a let names once: a proof is as long as the computation.
 
-    D n e    == the number n*2^e;  float_of n e == it, rounded to binary64;  parts x == the integers of a finite x
-    exact    == what needs no rounding;  added, sign_of == of a sum, the integer, and the sign of a difference
-    computes == the tactic: it proves t = ?r, for a term t of numbers, booleans or records of both, and finds r *)
+    D n e         == the number n*2^e;  float_of n e == it, rounded to binary64;  parts x == the integers of a finite x
+    exact         == what needs no rounding;  added, sign_of == of a sum, the integer, and the sign of a difference
+    less, at_most == a comparison of reals, by one that is computed
+    computes      == the tactic: it proves t = ?r, for a term t of numbers, booleans or records of both, and finds r *)
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Rounding Vectors.
@@ -134,6 +135,11 @@ Proof.
     + now apply eq_IZR in E.
     + pose proof (bpow_gt_0 radix2 (Z.min e f)); lra.
 Qed.
+
+Lemma less x y : Rlt_bool x y = true -> x < y.
+Proof. intros H; destruct (Rlt_bool_spec x y); [assumption | discriminate]. Qed.
+Lemma at_most x y : Rle_bool x y = true -> x <= y.
+Proof. intros H; destruct (Rle_bool_spec x y); [assumption | discriminate]. Qed.
 
 (** ** A term, from inside
 

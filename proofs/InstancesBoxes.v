@@ -6,7 +6,7 @@
     crosses i n == the crossing of the plane at n/2 across the axis i, by the ray from (-8, 1, 0.5) along (4, 0.5, -0.5) *)
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
-From Durero Require Slab Beams Acceleration Moments Crossings Leaves Limits Exacto InstanceSearch InstancesRunning MainModels Main.
+From Durero Require Slab Beams Acceleration Moments Crossings Leaves Exacto InstanceSearch InstancesRunning MainModels Main.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Instance prec53 : Prec_gt_0 53 := eq_refl.

@@ -1,10 +1,10 @@
 (** * InstancesNewton: instances of the theorems about Newton's step
 
-    It goes on from InstancesRounding.v, and tests/proofs/audit.sh reads it in the same way. *)
+    It goes on from Instances.v, and tests/proofs/audit.sh reads it in the same way. *)
 From Coq Require Import ZArith Reals List Bool Lra.
 From Flocq Require Import Core.
 From Durero Require Import Rounding Vectors Exacto InstanceScene InstanceSearch InstanceDyadic.
-From Durero Require Twofold Formas Newton Puntos Tipos Steps Triage Whole Main Instances InstancesRounding.
+From Durero Require Twofold Formas Newton Puntos Tipos Steps Triage Whole Main Instances.
 Local Open Scope R_scope.
 
 (** ** A step from 3/2 towards the root √2 of t² - 2: the root and the slope are known within 1/8, the value 1/4 within 2^-80 *)
@@ -19,7 +19,7 @@ Definition at_start : Formas.known Formas.Pairs.twofold := Formas.Known (Formas.
 Lemma they_are_binary64 : Newton.binary64s start slope leading at_start.
 Proof.
   constructor; unfold start, slope, leading, at_start; projected; repeat split; try (now apply exact_format);
-    apply InstancesRounding.at_most; computes.
+    apply at_most; computes.
 Qed.
 Lemma the_root_of_two : 1 * sqrt 2 * sqrt 2 + 2 * 0 * sqrt 2 + -2 = 0.
 Proof. pose proof (sqrt_sqrt 2 ltac:(lra)); lra. Qed.
@@ -32,10 +32,10 @@ Qed.
 Lemma the_slope_is_near : Rabs (1 * sqrt 2 + 0 - D 3 (-1)) <= eighth.
 Proof. replace (1 * sqrt 2 + 0) with (sqrt 2) by ring; exact the_root_is_near. Qed.
 Lemma the_leading_is_near : Rabs (1 - D 1 0) <= D 0 0.
-Proof. apply InstancesRounding.at_most; computes. Qed.
+Proof. apply at_most; computes. Qed.
 Lemma the_value_is_near :
   Rabs (1 * D 3 (-1) * D 3 (-1) + 2 * 0 * D 3 (-1) + -2 - Twofold.whole (Formas.Pairs.Twofold (D 1 (-2)) (D 0 0))) <= D 1 (-80).
-Proof. unfold Twofold.whole; projected; apply InstancesRounding.at_most; computes. Qed.
+Proof. unfold Twofold.whole; projected; apply at_most; computes. Qed.
 Lemma the_slope_is_known : Formas.Pairs.known_slope (Formas.Pairs.newton start slope leading at_start) = true.
 Proof.
   cbv beta delta [Formas.Pairs.newton start slope leading at_start]; projected.

@@ -40,13 +40,12 @@ Notation cylinder y := (Formas.cilindro (from y) along_x speed origin (IZR 1) al
 Lemma speed_is : speed = D (2 ^ 52) (-52).
 Proof. cbv beta delta [Formas.speed_of along_x]; projected; computes. Qed.
 
-Lemma less x y : Rlt_bool x y = true -> x < y.
-Proof. intros H; destruct (Rlt_bool_spec x y); [assumption | discriminate]. Qed.
 Ltac as_computed f := eassert (f = _) as -> by (rewrite speed_is;
   cbv beta delta [Formas.esfera Formas.cilindro from along_x along_z origin]; projected; computes).
 Ltac has_both f := as_computed f; unfold Decision.has_roots; match goal with |- context [Decision.total ?q] =>
   eassert (Decision.total q = _) as -> by (refine (of_call (Formas.stable_sum q) _ _ _ _ _);
-    [cbv beta delta [Decision.root_of_D Formas.root_of_discriminant] | cbv beta delta [Formas.stable_sum]]; projected; computes) end; projected; computes.
+    [cbv beta delta [Decision.root_of_D Formas.root_of_discriminant] | cbv beta delta [Formas.stable_sum]]; projected; computes) end;
+  projected; computes.
 Lemma four_passes : Formas.F (sphere 4) < - Formas.B_error (sphere 4).
 Proof. as_computed (sphere 4); projected; apply less; computes. Qed.
 Lemma zero_meets : Formas.B_error (sphere 0) < Formas.F (sphere 0).

@@ -7,7 +7,7 @@
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Flocq Require Import Core BinarySingleNaN.
 From Durero Require Import Toolkit Especificacion Rounding Vectors Exacto InstanceScene InstanceSearch InstanceDyadic.
-From Durero Require Quick Exactly Limits Flotante Twofold Formas Once Levels Triage Whole Chain ExactoEscena Main MainModels Instances.
+From Durero Require Quick Exactly Twofold Formas Once Levels Puntos Tipos Triage Whole Chain Main MainModels Instances.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
 
@@ -70,8 +70,6 @@ Notation near n := (Formas.Pairs.Twofold (D n 0) (D 1 (-60))).
 Lemma at_two : Formas.Pairs.round_point p v (near 2) (D 1 (-59)) =
   Formas.Pairs.Once_point (D (2 ^ 52) (-51)) (D (- 2 ^ 52) (-52)) (D (2 ^ 52) (-51)) (D (-3 * 2 ^ 51) (-52)) true.
 Proof. cbv beta delta [Formas.Pairs.round_point]; reals; computes. Qed.
-Lemma at_most x y : Rle_bool x y = true -> x <= y.
-Proof. intros H; destruct (Rle_bool_spec x y); [assumption | discriminate]. Qed.
 Lemma is_near n : Rabs (IZR n - Twofold.whole (near n)) <= D 1 (-59).
 Proof.
   unfold Twofold.whole; projected; rewrite <- integer; replace (IZR n - (IZR n + D 1 (-60))) with (- D 1 (-60)) by ring.
@@ -87,8 +85,8 @@ Lemma is_stored (t x y z : Z * Z) c :
 Proof. rewrite !andb_true_iff; intros [[[T X] Y] Z0]; repeat split; now apply exact_float. Qed.
 Definition instance_of_what_is_certain_is_rounded_right := Main.what_is_certain_is_rounded_right p v (near 2) (D 1 (-59)) 2
   (printed (2 ^ 52, -51) (- 2 ^ 52, -52) (2 ^ 52, -51) (-3 * 2 ^ 51, -52))%Z
-  (small_vec_is_ordinary (v3 (-6) 2 1) eq_refl) (small_vec_is_ordinary (v3 2 1 (-2)) eq_refl) (a_pair 2 0 1 (-60) eq_refl) (exact_format 1 (-59) eq_refl)
-  error_is_not_least (is_near 2) (f_equal _ at_two) (eq_ind_r (Once.stores _) 
+  (small_vec_is_ordinary (v3 (-6) 2 1) eq_refl) (small_vec_is_ordinary (v3 2 1 (-2)) eq_refl)
+  (a_pair 2 0 1 (-60) eq_refl) (exact_format 1 (-59) eq_refl) error_is_not_least (is_near 2) (f_equal _ at_two) (eq_ind_r (Once.stores _) 
   (is_stored (2 ^ 52, -51) (- 2 ^ 52, -52) (2 ^ 52, -51) (-3 * 2 ^ 51, -52) true eq_refl)%Z at_two).
 
 (** On the plane x = 40 of the seven shapes, by the ray of Instances.v, near 12: all points of the plane have that x. *)
