@@ -84,7 +84,7 @@ class Measurement {
   /// Less what it errs by as it is cut to a leading part, which keeps its sign. Precondition: the sign of B is certain,
   /// as margin is measured by it.
   template <class T>
-  Dyadic error_of_margin(const steps::Quadratic<T>& f) const {
+  Dyadic error_of_margin(const steps::BoundedQuadratic<T>& f) const {
     const Exact_Vector p(rayo_.p().xyz()), v(rayo_.v().xyz());
     const Dyadic cut = std::is_same_v<T, double> ? 0 : shifted(magnitude(Dyadic(f.margin)), -53);
     if constexpr (requires { margin(shape_, p, v); })
@@ -95,7 +95,7 @@ class Measurement {
 
   /// A root, and the advance at it.
   template <class T>
-  void parameter(std::string_view step, const steps::Quadratic<T>& f, const steps::Root<T>& computed,
+  void parameter(std::string_view step, const steps::BoundedQuadratic<T>& f, const steps::Root<T>& computed,
                  const Fraction& t) {
     note(step, "root", t.ratio(exact(computed.t), computed.error));
     if (!f.bounded) return;

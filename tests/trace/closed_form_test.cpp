@@ -69,7 +69,7 @@ void measure_quotient(Random& random, const std::string& step, Worst_Ratios& wor
 /// D = F·H, where both are off by B_error.
 template <class T>
 void measure_root(Random& random, const std::string& step, Worst_Ratios& worst) {
-  steps::Quadratic<T> f;
+  steps::BoundedQuadratic<T> f;
   f.F = any<T>(random);
   f.H = any<T>(random);
   if (steps::leading(f.F) < 0) f.F = -f.F;
@@ -88,10 +88,10 @@ void measure_root(Random& random, const std::string& step, Worst_Ratios& worst) 
 
 template <class T>
 void measure_sum(Random& random, const std::string& step, Worst_Ratios& worst) {
-  steps::Quadratic<T> f;
+  steps::BoundedQuadratic<T> f;
   f.B = any<T>(random);
   const T S = any<T>(random);
-  const steps::Known<T> root_of_D{steps::leading(S) < 0 ? T(-S) : S, std::abs(any_error(random, 1))};
+  const steps::Approximation<T> root_of_D{steps::leading(S) < 0 ? T(-S) : S, std::abs(any_error(random, 1))};
   const double off = any_error(random, 1);
   f.B_error = std::abs(off);
   const auto sum = steps::stable_sum(f, root_of_D);
@@ -105,7 +105,7 @@ void measure_sum(Random& random, const std::string& step, Worst_Ratios& worst) {
 /// The ray starts on the element: the root −2B/A, and the slope −B there.
 template <class T>
 void measure_from_surface(Random& random, const std::string& step, Worst_Ratios& worst) {
-  steps::Quadratic<T> f;
+  steps::BoundedQuadratic<T> f;
   f.A = any<T>(random);
   f.B = any<T>(random);
   const double off_A = any_error(random, steps::leading(f.A)), off_B = any_error(random, steps::leading(f.B));
@@ -122,7 +122,7 @@ void measure_from_surface(Random& random, const std::string& step, Worst_Ratios&
 
 template <class T>
 void measure_advance(Random& random, const std::string& step, Worst_Ratios& worst) {
-  steps::Quadratic<T> f;
+  steps::BoundedQuadratic<T> f;
   f.s0 = any<T>(random);
   f.s1 = any<T>(random);
   f.speed = steps::magnitude(f.s1);

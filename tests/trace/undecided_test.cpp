@@ -26,7 +26,7 @@ struct Answer {
         f(steps::quadratic<T>(shape, traced)),
         verdict(steps::closed_form<T>(shape, traced, on, trace::no_limit).verdict) {}
   trace::Ray traced;
-  steps::Quadratic<T> f;
+  steps::BoundedQuadratic<T> f;
   Decision verdict;
 };
 

@@ -24,21 +24,21 @@ enum ProfileKey : std::size_t {
   greatest_coordinate,
   watertight
 };
-constexpr std::string_view keys[] = {"format",
-                                     "tipos",
-                                     "caps",
-                                     "measure",
-                                     "directions",
-                                     "inside",
-                                     "names_elements",
-                                     "thickness",
-                                     "least_t",
-                                     "greatest_t",
-                                     "least_size",
-                                     "greatest_size",
-                                     "greatest_coordinate",
-                                     "watertight"};
-constexpr std::size_t required = 7;
+constexpr std::string_view profile_keys[] = {"format",
+                                             "tipos",
+                                             "caps",
+                                             "measure",
+                                             "directions",
+                                             "inside",
+                                             "names_elements",
+                                             "thickness",
+                                             "least_t",
+                                             "greatest_t",
+                                             "least_size",
+                                             "greatest_size",
+                                             "greatest_coordinate",
+                                             "watertight"};
+constexpr std::size_t required_keys = 7;
 
 constexpr auto shape_words = [] {
   std::array<std::string_view, model::tipo_count> words{};
@@ -54,7 +54,7 @@ void read_bound(Reader& in, std::string_view what, double& bound) {
 }
 
 void read_member(Reader& in, ProfileKey key, Profile& profile) {
-  const std::string_view what = keys[key];
+  const std::string_view what = profile_keys[key];
   switch (key) {
     case format:
       profile.format = read_word<NumberFormat>(in, what, format_words);
@@ -101,9 +101,9 @@ Citation read_source_of_claim(Reader& in) {
     const std::size_t at = in.offset();
     const std::string_view value = in.string(source_keys[key]);
     if (value.empty()) in.fail(at, fmt::format("{} is empty", source_keys[key]), "expected some text");
-    if (key == 0 && std::ranges::find(keys, value) == std::end(keys))
+    if (key == 0 && std::ranges::find(profile_keys, value) == std::end(profile_keys))
       in.fail(at, fmt::format("claim is {}", text::shown(value)),
-              fmt::format("expected one of {}", fmt::join(keys, ", ")));
+              fmt::format("expected one of {}", fmt::join(profile_keys, ", ")));
     (key == 0 ? source.claim : key == 1 ? source.sentence : source.place) = value;
   });
   return source;
@@ -112,7 +112,7 @@ Citation read_source_of_claim(Reader& in) {
 }  // namespace
 
 void read_profile_members(Reader& in, Profile& profile) {
-  in.object("a profile", keys, required,
+  in.object("a profile", profile_keys, required_keys,
             [&](std::size_t key) { read_member(in, static_cast<ProfileKey>(key), profile); });
 }
 

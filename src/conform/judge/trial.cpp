@@ -13,20 +13,20 @@ namespace {
 using surface::Point;
 
 Dyadic dot(const Point<Dyadic>& a, const Point<Dyadic>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point<Dyadic> exact(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
+Point<Dyadic> dyadic_point(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
 Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
 
 /// The parameter length/|v|, rounded once; a quotient beyond the range of binary64 becomes the largest finite number.
 /// times_length() is the way back, t·|v|, rounded once.
 double over_length(double length, const glm::dvec3& v) {
-  const Dyadic squared = surface::squared_length(exact(v));
+  const Dyadic squared = surface::squared_length(dyadic_point(v));
   if (squared == Dyadic(1)) return length;
   const double t = number::round_to_binary64(number::DyadicSurd{.y = length, .delta = squared, .w = squared});
   constexpr double most = std::numeric_limits<double>::max();
   return std::clamp(t, -most, most);
 }
 double times_length(double t, const glm::dvec3& v) {
-  const Dyadic squared = surface::squared_length(exact(v));
+  const Dyadic squared = surface::squared_length(dyadic_point(v));
   if (squared == Dyadic(1) || !std::isfinite(t)) return t;
   return number::round_to_binary64(number::DyadicSurd{.y = t, .delta = squared});
 }
@@ -47,9 +47,9 @@ ClaimedPoint place_at(const model::Rayo& rayo, double t, int deviation) {
 
 /// The place of a claimed point. Its t is that of the foot of the perpendicular from the point to the ray's line.
 ClaimedPoint place_of(const model::Rayo& rayo, const glm::dvec3& punto) {
-  const Point<Dyadic> v = exact(rayo.v().xyz()), from_p = from(rayo.p().xyz(), exact(punto));
+  const Point<Dyadic> v = dyadic_point(rayo.v().xyz()), from_p = from(rayo.p().xyz(), dyadic_point(punto));
   const Dyadic way = std::max({absolute(from_p.x), absolute(from_p.y), absolute(from_p.z)});
-  return {{.x = dot(from_p, v), .w = dot(v, v)}, exact(punto), way, 4, std::nullopt};
+  return {{.x = dot(from_p, v), .w = dot(v, v)}, dyadic_point(punto), way, 4, std::nullopt};
 }
 
 /// The square of 4δ, with δ of the element at the place.
@@ -112,7 +112,7 @@ std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim)
 }
 
 bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
-  const Point<Dyadic> v = exact(trial.ray.rayo.v().xyz()), q = from(trial.ray.rayo.p().xyz(), place.punto);
+  const Point<Dyadic> v = dyadic_point(trial.ray.rayo.v().xyz()), q = from(trial.ray.rayo.p().xyz(), place.punto);
   const Dyadic beside = squared_deviation(trial, element, place), x = dot(q, v), vv = dot(v, v);
   const bool is_before = number::sign(x) < 0 && square(x) > beside * vv;
   return !is_before && dot(q, q) * vv - square(x) <= beside * vv;

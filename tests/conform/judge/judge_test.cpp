@@ -336,7 +336,7 @@ TEST_CASE("the exact answer of a mesh whose shared vertices moved together is ne
     for (std::uint64_t seed = 0; seed < fewer_when_sanitized(20); ++seed) {
       Case the_case = generate(family, seed, 20);
       // Some origins a few δ from a face, on either side.
-      Random random(seed);
+      conform::Random random(seed);
       const scene::Triangle& face = the_case.scene.shapes<scene::Triangle>()[0];
       const auto& [a, b, c] = face.vertices;
       const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
@@ -517,7 +517,7 @@ TEST_CASE("a verdict is the same where everything is a power of two larger") {
     return result;
   };
   std::map<Verdict, int> verdicts;
-  Random random(3);
+  conform::Random random(3);
   for (const char* name : {"generic", "disc", "edge", "tangent", "rim", "cap"}) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const Case of = generate(*find_family(name), seed, 20);
