@@ -171,23 +171,23 @@ sed -i 's/`src\/accel\/touch.cpp`, //' docs/adding-a-surface.md
 sees rooms "a room of surfaces that no page names"
 echo 'bool f(const scene::TruncatedCone& cone);' >>src/io/lines.cpp
 sees rooms "a new room of surfaces"
-sed -i 's/^| `src\/render\/coordinates.cpp`/| `src\/render\/bump.cpp`, `src\/render\/coordinates.cpp`/' docs/adding-a-surface.md
+sed -i 's/^| `src\/render\/texture\/coordinates.cpp`/| `src\/render\/texture\/bump.cpp`, `src\/render\/texture\/coordinates.cpp`/' docs/adding-a-surface.md
 sees rooms "a room that names no surface"
-echo 'namespace durero::render { namespace { struct Dyadic {}; } }' >>src/render/points.cpp
+echo 'namespace durero::render { namespace { struct Dyadic {}; } }' >>src/render/sample/points.cpp
 sees types "a type of a name that another layer has"
-printf 'namespace durero::io {\ntemplate <class T>\nclass Dyadic final : T {};\n}\n' >>include/durero/io/json.hpp
+printf 'namespace durero::io {\ntemplate <class T>\nclass Dyadic final : T {};\n}\n' >>include/durero/io/json/json.hpp
 sees types "a template of a name that another layer has"
-printf 'namespace durero::io {\nenum class [[nodiscard]] Dyadic : int { a };\n}\n' >>include/durero/io/json.hpp
+printf 'namespace durero::io {\nenum class [[nodiscard]] Dyadic : int { a };\n}\n' >>include/durero/io/json/json.hpp
 sees types "an enumeration of a name that another layer has"
-echo 'namespace durero::io { struct Cilindro {}; struct Tally {}; }' >>include/durero/io/json.hpp
+echo 'namespace durero::io { struct Cilindro {}; struct Tally {}; }' >>include/durero/io/json/json.hpp
 sees types "a type of a name that two other places have"
-echo 'namespace durero::io { class Told {}; }' >>src/io/json.cpp
+echo 'namespace durero::io { class Told {}; }' >>src/io/json/json.cpp
 sees types "a verb that names a type"
-echo 'namespace durero::io { template <class Take> void f(Take take); }' >>src/io/json.cpp
+echo 'namespace durero::io { template <class Take> void f(Take take); }' >>src/io/json/json.cpp
 sees types "a verb that names a parameter of a template"
 # What defines no second type is let be: a declaration, a specialisation, a nested type, a comment, a literal, a type of
 # the text's name.
-cat >>src/io/json.cpp <<'END'
+cat >>src/io/json/json.cpp <<'END'
 namespace durero::number { class Dyadic; }
 template <>
 struct std::hash<durero::number::Dyadic> {};
