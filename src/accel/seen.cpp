@@ -51,7 +51,7 @@ ApparentBall seen(const surface::Ball& ball, const glm::dvec3& from) {
           .far = distance + ball.radius + slack};
 }
 
-// Where the cone sees the ball, their angles add up to the angle of the centres at least. The sum is 180° at most,
+// The angles of a cone and of a ball that it sees add up to the angle of the centres at least. The sum is 180° at most,
 // where the cosine falls with the angle.
 bool may_be_seen(const ApparentBall& ball, const DirectionCone& cone) {
   if (ball.around) return true;

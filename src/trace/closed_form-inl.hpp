@@ -142,7 +142,7 @@ HWY_INLINE FirstRoot<T> first_of(const BoundedQuadratic<T>& f, Bound<T> limit) {
   if (!(size > 2 * q.error)) return {Decision::undecided};
 
   const bool A_known(abs(A) > 2 * f.A_error);
-  // Where A may be 0, this bounds |q/A| from below, which may exceed the element or the limit already.
+  // The bound `least` of |q/A| from below serves while A may be 0; it may exceed the element or the limit already.
   bool far_away = false;
   if (!A_known) {
     const Bound<T> least = 0.9999999 * (size - q.error) / (abs(A) + f.A_error);

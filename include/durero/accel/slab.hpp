@@ -6,8 +6,8 @@
 /// = 2⁻⁵³ of its result or, where it underflows, within 2⁻¹⁰⁷⁵. The ray enters the box at the latest of the near
 /// crossings and of 0, and leaves it at the earliest of the far ones and of the limit. Three roundings of each side and
 /// two of the comparison are less than 16u, hence `grow`; underflow adds less than the least normal number, `tiny`.
-/// Where v is 0 its inverse is an infinity, and a crossing is an infinity of the right sign, or NaN in the plane
-/// itself, which no comparison prefers.
+/// The inverse of a component of v that is 0 is an infinity. A crossing is then an infinity of the right sign, or NaN
+/// in the plane itself, which no comparison prefers.
 
 #include <cmath>
 #include <glm/vec3.hpp>

@@ -65,7 +65,7 @@ Truth for_all(const Solver& search, const Property& body, Frame& frame) {
     return here != Truth::no;
   });
   if (result != Truth::yes || some != Truth::open) return result;
-  // Where the ways cannot be enumerated, the existence of one that denies the body may still be decided.
+  // The existence of a way that denies the body may be decided although the ways cannot be enumerated.
   try {
     return !search.exists(frame, [&](Frame& inside) {
       const Necessary nothing_of_it(inside.context, false);

@@ -70,7 +70,7 @@ Truth evaluate(const Property& property, Frame& frame) {
 
 namespace {
 
-// Where ∃ y • x = e ∧ P holds and e does not depend on y, the equation x = e holds outside the ∃.
+// The equation x = e of ∃ y • x = e ∧ P holds outside the ∃ too, if e does not depend on y.
 void collect_outer(const Solver& search, std::vector<const Equation*>& equations) {
   std::vector<const Equation*> inside;
   std::vector<const Property*> declared;
