@@ -112,6 +112,15 @@ bool is_far(const ClaimContext& trial, const ClaimedPoint& place) {
   });
 }
 
+bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element) {
+  const Dyadic squared_way = square(place.way);
+  return trial.scene.visit(element, [&](const auto& shape) {
+    const Dyadic M = magnitude(shape, trial.ray.rayo, place.way);
+    const double apart = number::sign(M) == 0 ? 0 : distance(shape, place.punto, M);
+    return std::isfinite(apart) && square(Dyadic(apart) * M) * Dyadic(1e6) <= squared_size(shape, squared_way);
+  });
+}
+
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (!trial.has_hit()) return 0;
   const NumberFormat format = trial.profile.format;

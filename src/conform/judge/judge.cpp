@@ -18,6 +18,12 @@ namespace {
 using scene::ElementRef;
 using Elements = std::vector<ElementRef>;
 
+/// Whether the claim may name an element of the truth.
+bool names_truth(const ClaimContext& trial, const Claim& claim) {
+  const scene::ElementSet& first = trial.truth.hit.elementos;
+  return std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
+}
+
 /// Whether the claimed point lies so near the truth's that the hit is right; binary64 decides it. The points differ in
 /// each coordinate by at most 7ε·M, where M is the larger of |p| and |t!·v| only, and so no larger than the M of any
 /// element at its first crossing or behind. With the roundings of t!, of a length and here the claimed point is within
@@ -25,9 +31,7 @@ using Elements = std::vector<ElementRef>;
 /// every element, and so no zone ends 2δ/|v| before the claim. A product that underflows is off by less than the share
 /// of δ for subnormals.
 bool is_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  const scene::ElementSet& first = trial.truth.hit.elementos;
-  if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
-    return false;
+  if (!trial.has_hit() || !names_truth(trial, claim)) return false;
   const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
   const double t = trial.truth.hit.t, M = std::max(largest(p), t * largest(v));
   const double apart =
@@ -102,45 +106,6 @@ std::vector<Zone> passed_by(const ClaimContext& trial, const ClaimedPoint& place
   return zones;
 }
 
-/// The verdict on a place that may lie on `element`, which the claim may name, but lies behind at least one zone.
-Verdict of_passed(const ClaimContext& trial, const ClaimedPoint& place, ElementRef element,
-                  const std::vector<Zone>& passed) {
-  const bool is_later = std::any_of(passed.begin(), passed.end(),
-                                    [&](const Zone& zone) { return trial.body(zone.element) == trial.body(element); });
-  if (!is_later) return Verdict::wrong_element;
-  return is_far(trial, place) ? Verdict::far_root : Verdict::off;
-}
-
-/// The verdict on a place that lies on no element which the claim may name.
-Verdict of_beside(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place, bool is_on_another) {
-  if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
-  if (is_on_another) return Verdict::wrong_element;
-  if (is_far(trial, place)) return Verdict::misplaced;
-  const scene::ElementSet& first = trial.truth.hit.elementos;
-  const bool is_of_first =
-      std::any_of(first.begin(), first.end(), [&](ElementRef element) { return trial.names(claim, element); });
-  return is_of_first ? Verdict::off : Verdict::wrong_element;
-}
-
-/// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
-/// where the place may lie on an element that the claim may name and no zone certainly ends before it.
-Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
-  Elements at;
-  trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);
-  });
-  if (at.empty()) return of_beside(trial, claim, place, may_be_of_any(trial, place));
-  const std::vector<Zone> all = walls(trial, rounded_up(place.t));
-  std::optional<Verdict> off;
-  for (const ElementRef element : at) {
-    const std::vector<Zone> passed = passed_by(trial, place, element, all);
-    if (passed.empty()) return Verdict::right;
-    off = of_passed(trial, place, element, passed);
-  }
-  return *off;
-}
-
 /// Whether the ray of some data may meet the element with no zone of another body certainly before.
 bool may_be_first(const ClaimContext& trial, ElementRef element, const std::vector<Zone>& zones) {
   const model::Rayo& rayo = trial.ray.rayo;
@@ -151,18 +116,55 @@ bool may_be_first(const ClaimContext& trial, ElementRef element, const std::vect
          });
 }
 
+/// Whether a place near the truth's point is a little off what the claim may name: an element of the truth, or one that
+/// is first for some data and passes there.
+bool is_a_little_off(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
+  if (is_far(trial, place)) return false;
+  if (names_truth(trial, claim)) return true;
+  const std::vector<Zone> all = walls(trial, trace::no_limit);
+  return trial.scene.any_of([&](ElementRef element, const auto&) {
+    return trial.names(claim, element) && is_near_surface(trial, place, element) && may_be_first(trial, element, all);
+  });
+}
+
+/// The verdict on a hit whose place is not right. `at` has the elements that the claim may name and the place may lie
+/// on; at least one of the zones is before each. Several elements may be first: a hit that names one of them, near the
+/// truth's point, is off and not of a wrong element, whatever other element passes there.
+Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place, const Elements& at,
+                       const std::vector<Zone>& zones) {
+  if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
+  if (is_a_little_off(trial, claim, place)) return Verdict::off;
+  const auto is_first = [&](ElementRef element) { return may_be_first(trial, element, zones); };
+  if (std::any_of(at.begin(), at.end(), is_first)) return Verdict::far_root;
+  return is_far(trial, place) && at.empty() && !may_be_of_any(trial, place) ? Verdict::misplaced
+                                                                            : Verdict::wrong_element;
+}
+
+/// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
+/// where the place may lie on an element that the claim may name and no zone certainly ends before it.
+Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
+  if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
+  Elements at;
+  trial.scene.for_each([&](ElementRef element, const auto&) {
+    if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);
+  });
+  const std::vector<Zone> all = walls(trial, rounded_up(place.t));
+  const auto is_right = [&](ElementRef element) { return passed_by(trial, place, element, all).empty(); };
+  if (std::any_of(at.begin(), at.end(), is_right)) return Verdict::right;
+  return of_wrong_place(trial, claim, place, at, all);
+}
+
 /// The verdict on a hit without a place, which is right where an element that it may name is first for some data.
 Verdict of_element(const ClaimContext& trial, const Claim& claim) {
-  const scene::ElementSet& first = trial.truth.hit.elementos;
+  if (names_truth(trial, claim)) return Verdict::right;
   const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
-  if (std::any_of(first.begin(), first.end(), is_named)) return Verdict::right;
   const Elements around = trial.profile.inside == Inside::origin ? solids_around_origin(trial) : Elements{};
   if (std::any_of(around.begin(), around.end(), is_named)) return Verdict::right;
   const std::vector<Zone> all = walls(trial, trace::no_limit);
   const bool may_be = trial.scene.any_of(
       [&](ElementRef element, const auto&) { return is_named(element) && may_be_first(trial, element, all); });
   if (may_be) return Verdict::right;
-  return first.empty() ? Verdict::phantom : Verdict::wrong_element;
+  return trial.truth.hit.elementos.empty() ? Verdict::phantom : Verdict::wrong_element;
 }
 
 ClaimJudgement of_hit(const ClaimContext& trial, const Claim& claim) {

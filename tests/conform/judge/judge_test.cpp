@@ -186,6 +186,60 @@ TEST_CASE("another element before, or the name of another, is a wrong element") 
   CHECK(verdict_of(of, {.outcome = Outcome::hit, .t = 6}, profile) == Verdict::far_root);
 }
 
+TEST_CASE("in a tie both elements are right, and a point a little off either is off, not of another element") {
+  scene::Scene scene;
+  const scene::ElementRef cilindro = add(scene, scene::Cylinder{{0, 0, 0}, 1.25, {0, 0, 1}, 16});
+  const scene::ElementRef cono = add(scene, scene::Cone{{0, 0, 0}, 2, {0, 0, 1}, 0.625});
+  const scene::ElementRef behind = add(scene, scene::Plane{{0, 100, 0}, {0, 1, 0}});
+  const SuiteCase of = one_ray(std::move(scene), ray({0.75, -129, 224}, {0, 1, -1.75}));
+  REQUIRE(of.truths[0].hit.elementos.size() == 2);
+  Profile profile = wide_profile(NumberFormat::binary64);
+  profile.measure = Measure::point;
+  const auto at = [&](scene::ElementRef element, const glm::dvec3& punto) {
+    return verdict_of(of, {.outcome = Outcome::hit, .element = element, .punto = punto}, profile);
+  };
+  const glm::dvec3 right = of.truths[0].hit.punto;
+  for (const scene::ElementRef element : {cilindro, cono}) {
+    CHECK(at(element, right) == Verdict::exact);
+    for (const double off : {-1e-4, -1e-9, 1e-9, 1e-4})
+      CHECK(at(element, right + off * glm::dvec3(0, 1, -1.75)) == Verdict::off);
+    for (const double off : {-0.1, 0.1}) CHECK(is_gross(at(element, right + off * glm::dvec3(0, 1, -1.75))));
+  }
+  CHECK(at(cono, {0.75, -1.000000000003098, 5.43e-12}) == Verdict::off);
+  // A ray of moved data passes beside the rim, and meets the plane, but not here.
+  CHECK(at(behind, right) == Verdict::wrong_element);
+  CHECK(at(behind, right + 1e-9) == Verdict::wrong_element);
+}
+
+TEST_CASE("what is first for some data alone is no wrong element a little off, and what is first for none is") {
+  scene::Scene scene;
+  const scene::ElementRef near = add(scene, scene::Sphere{{0, 0, 5}, 1});
+  const scene::ElementRef parked = add(scene, scene::Sphere{{0, 0, 5 + 0x1p-50}, 1});
+  const scene::ElementRef later = add(scene, scene::Sphere{{0, 0, 5 + 0x1p-30}, 1});
+  const SuiteCase of = one_ray(std::move(scene), ray({0, 0, 0}, {0, 0, 1}));
+  const Profile profile = wide_profile(NumberFormat::binary64);
+  for (const scene::ElementRef element : {near, parked}) {
+    for (const double t : {4 - 0x1p-30, 4 + 0x1p-30}) CHECK(verdict_of(of, hit(t, element), profile) == Verdict::off);
+    CHECK(verdict_of(of, hit(6, element), profile) == Verdict::far_root);
+    CHECK(verdict_of(of, hit(5, element), profile) == Verdict::misplaced);
+  }
+  for (const double t : {4., 4 + 0x1p-30, 6 + 0x1p-30})
+    CHECK(verdict_of(of, hit(t, later), profile) == Verdict::wrong_element);
+}
+
+TEST_CASE("a claim that names no element is off near the truth, whatever it lies on") {
+  scene::Scene scene;
+  add(scene, scene::Sphere{{0, 0, 5}, 1});
+  add(scene, scene::Plane{{0, 0, 4 + 0x1p-20}, {0, 0, 1}});
+  const SuiteCase of = one_ray(std::move(scene), ray({0x1p-12, 0, 0}, {0, 0, 1}));
+  REQUIRE(of.truths[0].hit.elementos == scene::ElementSet{sphere});
+  const Profile profile = wide_profile(NumberFormat::binary64);
+  const double behind = 4 + 0x1p-20;  // on the plane, and a little behind the sphere
+  CHECK(verdict_of(of, {.outcome = Outcome::hit, .t = behind}, profile) == Verdict::off);
+  CHECK(verdict_of(of, hit(behind, sphere), profile) == Verdict::off);
+  CHECK(verdict_of(of, hit(behind, {model::Tipo::soy_plano, 0}), profile) == Verdict::wrong_element);
+}
+
 TEST_CASE("a distance may be a length, or a point alone, which must lie on the ray") {
   scene::Scene scene;
   add(scene, scene::Sphere{{0, 0, 5}, 1});
