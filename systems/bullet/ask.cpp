@@ -1,6 +1,6 @@
 // Asks Bullet: btCollisionWorld::rayTest from p to p + L·v, with L a power of two that reaches behind the whole scene.
 // Its fraction times L is t.
-#include "systems/ask.hpp"
+#include "../ask.hpp"
 
 #include <btBulletCollisionCommon.h>
 

@@ -1,6 +1,6 @@
 // Asks Embree 3 through rtcIntersect1, a geometry an element: `open` and `solid` are its own points, curves and
 // triangles, `user` a quadratic in binary64 in a user geometry, as its users write them.
-#include "systems/ask.hpp"
+#include "../ask.hpp"
 
 #include <embree3/rtcore.h>
 

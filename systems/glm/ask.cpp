@@ -1,7 +1,7 @@
 // Asks the functions of GLM_GTX_intersect, in binary32 or binary64. Their directions must be of unit length; of several
 // elements the one with the least distance is nearest, as whoever uses them writes it.
 #define GLM_ENABLE_EXPERIMENTAL
-#include "systems/ask.hpp"
+#include "../ask.hpp"
 
 #include <glm/glm.hpp>
 #include <glm/gtx/intersect.hpp>

@@ -1,7 +1,7 @@
 // Asks OpenCASCADE: `faces` are the faces of solids, by IntCurvesFace_ShapeIntersector; `quadric` is
 // IntAna_IntConicQuad, whose surfaces have no ends and whose cones have both nappes: the points between the ends are
 // chosen here, and the nearest of them.
-#include "systems/ask.hpp"
+#include "../ask.hpp"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>

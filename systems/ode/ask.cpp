@@ -1,5 +1,5 @@
 // Asks ODE: dCollide of a ray with each geometry, of which the least depth is nearest.
-#include "systems/ask.hpp"
+#include "../ask.hpp"
 
 #include <ode/ode.h>
 

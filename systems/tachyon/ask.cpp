@@ -1,7 +1,7 @@
 // Asks Tachyon: it makes pictures and says nothing of distances, so each ray is a picture of one pixel. The frustum has
 // no width, so that every ray of the camera is the view direction from its centre; each element has a colour of its
 // own, which the low shader shows as it is.
-#include "systems/ask.hpp"
+#include "../ask.hpp"
 
 #include <tachyon.h>
 

@@ -46,16 +46,24 @@ def ask(durero, name, amount):
         return share >= FLOORS[name]
 
 
+def set_up(durero, name):
+    """False where our own program for the system does not compile; None where what it needs could not be had."""
+    ended = subprocess.run([durero, "conform", "setup", name], stdout=sys.stdout, stderr=subprocess.PIPE, text=True)
+    print(ended.stderr, end="")
+    return False if "durero: c++ failed" in ended.stderr else None
+
+
 def main():
-    """Status 77, which is no pass, where a system could not be asked: none of it is set up, or its set-up failed."""
+    """Status 77, which is no pass, where a system could not be asked: none of it is set up, or what it needs is not to be had.
+
+    A program of systems/ that does not compile, or a system that is asked wrongly, is a failure."""
     durero, which = sys.argv[1:]
     amount = ["--rays", "128"] if which == "all" else ["--family", "generic", "--rays", "128"]
     asked = {}
     for name in FLOORS:
         asked[name] = ask(durero, name, amount)
         if asked[name] is None and which == "all":
-            subprocess.run([durero, "conform", "setup", name])
-            asked[name] = ask(durero, name, amount)
+            asked[name] = set_up(durero, name) is not False and ask(durero, name, amount)
     absent = [name for name, answer in asked.items() if answer is None]
     if absent:
         print("not asked: " + ", ".join(absent))
