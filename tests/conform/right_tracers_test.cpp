@@ -1,5 +1,6 @@
 // A population of right tracers against the judge: whatever they claim of themselves, however their data are moved
-// within what is allowed and wherever their limits lie, none of their answers is off.
+// within what is allowed and wherever their limits lie, none of their answers is off. None of these answers, a little
+// beside its place, is gross.
 #include "right_tracers.hpp"
 
 #include <fmt/core.h>
@@ -116,9 +117,40 @@ std::string shown(const RightTracer& tracer, const Claim& claim) {
 /// What was judged: how many rays, of each clause and value, and of each kind of data.
 struct Judged {
   std::size_t rays = 0, failures = 0, beyond = 0;
+  std::size_t nudged = 0, off = 0;  ///< answers a little beside their place, and how many of these are off
   std::map<std::string, std::map<std::string, std::size_t>> clauses{};
   std::map<Data, std::size_t> data{};
 };
+
+/// A lower bound of the size of an element, beside which the judge calls an error small.
+double size_of(const SuiteCase& of, scene::ElementRef element, double way) {
+  return of.the_case.scene.visit(element, [&]<class Shape>(const Shape& shape) {
+    if constexpr (requires { shape.altura; })
+      return shape.altura;
+    else if constexpr (requires { shape.radio; })
+      return shape.radio;
+    else if constexpr (requires { shape.vertices; })
+      return longest(shape.vertices[0] - shape.vertices[1]);
+    else
+      return way;
+  });
+}
+
+/// A right answer, beside its place by a small part of what is met, which is near the exact first hit; nothing where
+/// the answer has no number, or is no such.
+std::optional<Claim> nudged(Random& random, const RightTracer& tracer, const SuiteCase& of, std::size_t ray,
+                            Claim claim) {
+  const scene::Hit& truth = of.truths[ray].hit;
+  if (truth.resultado != model::Resultado::hit || !claim.t || !claim.element) return std::nullopt;
+  const double length = length_of(1, of.the_case.rays[ray].rayo.v().xyz());
+  const double unit = tracer.profile.measure == Measure::length ? 1 : 1 / length, way = truth.t * length;
+  double size = size_of(of, *claim.element, way);
+  for (const scene::ElementRef element : truth.elementos) size = std::min(size, size_of(of, element, way));
+  const bool is_near = std::abs(*claim.t / unit - way) < std::ldexp(size, -12);
+  *claim.t += random.sign() * std::ldexp(size, -random.integer(12, 44)) * unit;
+  const bool is_possible = std::isfinite(size / unit) && std::isfinite(way) && *claim.t > 0 && std::isfinite(*claim.t);
+  return is_near && is_possible ? std::optional(claim) : std::nullopt;
+}
 
 /// One ray for one tracer of that seed. `beyond` are rays that end otherwise by their limits.
 void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64_t seed) {
@@ -136,11 +168,20 @@ void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64
   ++judged.data[tracer.data];
   judged.beyond += unlimited != claim;
   for (const auto& [clause, value] : clauses(tracer.profile)) ++judged.clauses[clause][value];
-  if (verdict == Verdict::exact || verdict == Verdict::right || judged.failures > 20) return;
-  ++judged.failures;
-  FAIL_CHECK(of.name() << " ray " << ray << ", tracer " << seed << ": " << name(verdict) << "\n"
-                       << text(of.the_case.rays[ray]) << "\ntruth " << text(of.truths[ray].hit) << "\n"
-                       << shown(tracer, *claim));
+  const auto fail = [&](Verdict is, const Claim& with) {
+    if (judged.failures > 20) return;
+    ++judged.failures;
+    FAIL_CHECK(of.name() << " ray " << ray << ", tracer " << seed << ": " << name(is) << "\n"
+                         << text(of.the_case.rays[ray]) << "\ntruth " << text(of.truths[ray].hit) << "\n"
+                         << shown(tracer, with));
+  };
+  if (verdict != Verdict::exact && verdict != Verdict::right) fail(verdict, *claim);
+  const std::optional<Claim> beside = random.chance(1, 4) ? nudged(random, tracer, of, ray, *claim) : std::nullopt;
+  if (!beside) return;
+  ++judged.nudged;
+  const Verdict of_beside = judge(of, ray, *beside, tracer.profile).verdict;
+  judged.off += of_beside == Verdict::off;
+  if (is_gross(of_beside)) fail(of_beside, *beside);
 }
 
 /// Of each family some cases of either format, open and with solids; of each ray some tracers.
@@ -180,12 +221,15 @@ void check_members(const Judged& judged, std::size_t least) {
   CHECK(count("inside") == inside_words.size());
   CHECK(judged.data.size() == data_words.size());
   CHECK(judged.beyond > judged.rays / 50);
+  CHECK(judged.nudged > judged.rays / 50);
+  CHECK(judged.off > judged.nudged / 4);
   CHECK(judged.failures == 0);
 }
 
 }  // namespace
 
-TEST_CASE("no answer of a right tracer is off, whatever it claims and wherever its limits lie") {
+TEST_CASE(
+    "no answer of a right tracer is off, nor gross a little beside, whatever it claims and wherever its limits lie") {
   const Judged judged = judge_population(1, 4, fewer_when_sanitized(5));
   INFO(judged.rays << " rays, " << judged.beyond << " end otherwise by their limits");
   CHECK(judged.rays > fewer_when_sanitized(20'000));
