@@ -28,6 +28,7 @@ while read -r package; do cp "$package" "$fresh/"; done <"$work/packages"
 cp "$root/demo/still-life.json" "$root/demo/rays.txt" "$fresh/"
 
 inside apt-get install -y --no-install-recommends $(cd "$fresh" && ls ./durero_*.deb)
+inside test -f /usr/share/doc/durero/formats/scene.md
 inside durero check still-life.json
 inside durero trace still-life.json rays.txt
 inside durero render still-life.json -o picture.png --samples 9
