@@ -1,5 +1,5 @@
 #pragma once
-/// The construction of a hierarchy from the root downwards, by surface area.
+/// The construction of a hierarchy from the root downwards, by the surface area heuristic.
 
 #include <span>
 

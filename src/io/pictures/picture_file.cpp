@@ -4,8 +4,8 @@
 #include <png.h>
 
 #include <array>
-#include <cmath>
 
+#include "durero/scene/srgb.hpp"
 #include "jpeg.hpp"
 
 namespace durero::io {
@@ -100,10 +100,7 @@ TexelImage picture_of_jpeg(std::string_view bytes, TransferFunction curve) {
 
 }  // namespace
 
-double linear_light(std::uint8_t srgb) noexcept {
-  const double x = srgb / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
+double linear_light(std::uint8_t srgb) noexcept { return scene::linear_of_srgb(srgb / 255.0); }
 
 TexelImage picture_of(std::string_view bytes, TransferFunction curve) {
   if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return picture_of_png(bytes, curve);

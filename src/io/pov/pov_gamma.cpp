@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "durero/scene/srgb.hpp"
+
 namespace durero::io {
 namespace {
 
@@ -46,10 +48,9 @@ class ColorLinearizer {
 
 }  // namespace
 
-/// Of bytes of sRGB: the inverse of the curve of IEC 61966-2-1.
 double PovGamma::light(double number) const {
   if (power) return *power == 1 ? number : std::pow(number, *power);
-  return number <= 0.04045 ? number / 12.92 : std::pow((number + 0.055) / 1.055, 2.4);
+  return scene::linear_of_srgb(number);
 }
 
 PovGamma default_gamma(std::optional<double> version) {

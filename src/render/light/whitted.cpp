@@ -39,8 +39,8 @@ scene::ElementRef front(const scene::Scene& scene, const scene::ElementSet& elem
                            [&](auto a, auto b) { return scene.name(a) < scene.name(b); });
 }
 
-/// The factor of S in the local model: the share of a light from that unit direction that is sent towards the ray. A
-/// relief sees no light that the surface has its back to.
+/// The factor of S in the local model: the share of a light from that unit direction that is sent towards the ray, by
+/// Lambert's law (k_d) and Phong's highlight (k_s, e). A relief sees no light that the surface has its back to.
 glm::dvec3 sent(const PathVertex& at, const glm::dvec3& l, double cosine) {
   const Look& m = at.look;
   if (!(glm::dot(l, at.normal) > 0)) cosine = 0;

@@ -8,6 +8,7 @@
 #include "durero/render/light/whitted.hpp"
 #include "durero/render/output/image.hpp"
 #include "durero/render/render.hpp"
+#include "durero/scene/srgb.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -43,7 +44,7 @@ scene::Scene room() {
 
 int apart(const glm::dvec3& a, const glm::dvec3& b) {
   int most = 0;
-  for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(render::srgb_byte(a[i]) - render::srgb_byte(b[i])));
+  for (int i = 0; i < 3; ++i) most = std::max(most, std::abs(scene::srgb_byte(a[i]) - scene::srgb_byte(b[i])));
   return most;
 }
 

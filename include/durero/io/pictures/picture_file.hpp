@@ -19,8 +19,7 @@ class PictureError : public std::runtime_error {
 /// The most texels of a picture: as many as 8192 by 4096.
 inline constexpr std::size_t most_texels = std::size_t{1} << 25U;
 
-/// The linear light of a byte on the sRGB curve (IEC 61966-2-1), x = byte/255: x/12.92 up to 0.04045, and
-/// ((x + 0.055)/1.055)^2.4 above.
+/// The linear light of a byte on the curve of sRGB: scene::linear_of_srgb of byte/255.
 double linear_light(std::uint8_t srgb) noexcept;
 
 /// The picture in the bytes of a PNG or JPEG file, by its first bytes. Of 8 bits its values are read by the curve:

@@ -11,17 +11,12 @@
 
 namespace durero::render {
 
-/// The byte of a component of a linear colour: its value on the sRGB curve (IEC 61966-2-1), which is 12.92·c up to
-/// 0.0031308 and 1.055·c^(1/2.4) − 0.055 above, scaled to 0 … 255 and rounded to the nearest, halves up. A component
-/// below 0, and NaN (the product of a black material and an infinite light), is 0; a component above 1 is 255.
-std::uint8_t srgb_byte(double linear) noexcept;
-
 /// A picture, black at first.
 struct Image {
   /// A black image of that size.
   explicit Image(scene::Resolution size) : resolution(size), rgb(std::size_t(size.width) * size.height * 3) {}
 
-  /// Sets pixel (x, y), (0, 0) upper left, to a linear colour: each component becomes its srgb_byte.
+  /// Sets pixel (x, y), (0, 0) upper left, to a linear colour: each component becomes its scene::srgb_byte.
   void set(std::uint32_t x, std::uint32_t y, const glm::dvec3& color);
 
   scene::Resolution resolution;   ///< in pixels

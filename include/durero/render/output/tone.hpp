@@ -19,7 +19,7 @@ enum class Tone {
 /// Their names, in the order of Tone.
 inline constexpr std::array<std::string_view, 3> tone_names{"clamp", "max", "reinhard"};
 
-/// The picture in that tone, each component its srgb_byte.
+/// The picture in that tone, each component its scene::srgb_byte.
 Image toned(const Picture& picture, Tone tone);
 
 }  // namespace durero::render
