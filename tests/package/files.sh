@@ -21,7 +21,7 @@ for list in debian/*.docs debian/*.examples; do
 done
 # The pages lie together where they are installed: a page that one of docs/ points to, in docs/, is taken too.
 taken=$(while read -r path; do ls -d $path; done <debian/durero.docs)
-grep -noE '\]\([^)#:]+' docs/*.md | sed -E 's/:([0-9]+):\]\(/ \1 /' | while read -r page line link; do
+grep -noE '\]\([^)#:]+' docs/[a-z]*.md | sed -E 's/:([0-9]+):\]\(/ \1 /' | while read -r page line link; do
   case $link in ../* | http*) continue ;; esac
   printf '%s\n' "$taken" | grep -qxF -e "docs/$link" -e "docs/${link%%/*}" || echo "$page:$line: debian/durero.docs does not take docs/$link"
 done | { ! grep .; }

@@ -1,6 +1,6 @@
 #pragma once
-/// The errors of a hit, for the report. Of these only is_far() and is_near_surface() take part in a verdict: they tell a
-/// gross error of a wrong hit from a small one.
+/// The errors of a hit, for the report. Of these only is_far() and is_near_surface() take part in a verdict: they tell
+/// a gross error of a wrong hit from a small one.
 
 #include "conform/judge/trial.hpp"
 
