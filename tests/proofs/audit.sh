@@ -7,7 +7,8 @@
 #     reachable    Main.v or an Instances*.v depends on every file, so that none is proved beside the point
 #     assumptions  each theorem of Main.v rests on the axioms that assumptions.txt says, and those are of classical reals
 #     statements   each theorem of Main.v says what statements.md says, and so does each definition that it reaches
-#     instances    each theorem of Main.v with premises has an instance in Instances*.v, which has none and rests on it
+#     instances    each theorem of Main.v with premises has an instance in Instances*.v, which has none and rests on it,
+#                  and on those axioms
 #     kernel       coqchk, which shares no code with the tactics, accepts Main.v, Instances*.v and all below them
 #     all          each of these
 #     daily        each but kernel, which takes minutes
@@ -132,24 +133,40 @@ ask() {
   (cd "$build" && coqc -q -Q . Durero "$tmp/asked.v")
 }
 
-# One line a theorem of Main.v: its name and the axioms that it rests on, sorted.
-assumptions() {
-  theorems | sed "s|.*|Redirect \"$tmp/&\" Print Assumptions &.|" >"$tmp/questions"
+# The files of instances, Instances*.v, as modules.
+of_instances() { (cd "$proofs" && printf '%s\n' Instances*.v) | sed 's/\.v$//' | tr '\n' ' '; }
+
+# axioms_of NAMES: of each name in that file one line, FILE.NAME and the axioms that it rests on, sorted.
+axioms_of() {
+  { echo "From Durero Require $(of_instances)."
+    sed "s|.*|Redirect \"$tmp/&\" Print Assumptions Durero.&.|" "$1"; } >"$tmp/questions"
   ask "$tmp/questions" >&2 || return 1
-  for theorem in $(theorems); do  # an axiom begins its line; its type is indented, or follows a colon
+  while read -r name; do  # an axiom begins its line; its type is indented, or follows a colon
     found=$(sed -n 's/^Closed under the global context$/none/; /^Axioms:$/d; s/ *:.*//; /^[^ ]/p' \
-      "$tmp/$theorem.out" | sort -u | tr '\n' ' ')
-    [ -n "$found" ] || { echo "Main.v: no assumptions found of $theorem" >&2; return 1; }
-    echo "${theorem#*.}: ${found% }"
-  done
+      "$tmp/$name.out" | sort -u | tr '\n' ' ')
+    [ -n "$found" ] || { echo "Main.v: no assumptions found of $name" >&2; return 1; }
+    echo "$name: ${found% }"
+  done <"$1"
+}
+
+# One line a theorem of Main.v: its name and the axioms that it rests on.
+assumptions() {
+  theorems >"$tmp/all"
+  axioms_of "$tmp/all" | sed 's/^[^.]*\.//'
+}
+
+# Of lines of axioms_of: FILE.NAME: AXIOM where that is no axiom of the classical reals. Coq prints the last two parts of a
+# name; `kernel` has the full ones.
+other_axioms() {
+  printf '%s\n' "$allowed" none | sed 's/.*\.\([^.]*\.[^.]*\)$/\1/' >"$tmp/allowed"
+  awk 'FNR == NR { allowed[$0] = 1; next } { for (i = 2; i <= NF; ++i) if (!($i in allowed)) print $1, $i }' "$tmp/allowed" "$1"
 }
 
 audit_assumptions() {
   assumptions >"$tmp/now"
   [ -s "$tmp/now" ] || { echo "Main.v states no theorem"; return 1; }
-  cut -d: -f2- "$tmp/now" | tr ' ' '\n' | grep -v '^$' | sort -u | grep -vxF 'none' >"$tmp/axioms" || true
-  printf '%s\n' "$allowed" | sed 's/.*\.\([^.]*\.[^.]*\)$/\1/' >"$tmp/allowed"  # as Coq prints them; `kernel` has the full ones
-  if grep -vxFf "$tmp/allowed" "$tmp/axioms"; then echo 'these are not axioms of the classical reals'; return 1; fi
+  other_axioms "$tmp/now" >"$tmp/others"
+  if [ -s "$tmp/others" ]; then cat "$tmp/others"; echo 'these are not axioms of the classical reals'; return 1; fi
   diff -u "$proofs/assumptions.txt" "$tmp/now" || { echo 'assumptions.txt does not say what Main.v rests on'; return 1; }
 }
 
@@ -201,9 +218,6 @@ audit_statements() {
   }
 }
 
-# The files of instances, Instances*.v, as modules.
-of_instances() { (cd "$proofs" && printf '%s\n' Instances*.v) | sed 's/\.v$//' | tr '\n' ' '; }
-
 # What has a premise: after a theorem's name, one line for each. A binder of which the type is a proposition is one, also
 # behind a variable or a name for a term.
 heads='Ltac heads := lazymatch goal with
@@ -228,8 +242,10 @@ audit_instances() {
   sed 's/.*\.instance_of_//' "$tmp/instances" | sort >"$tmp/with"
   diff "$tmp/needed" "$tmp/with" | sed -n 's/^< \(.*\)/\1: a theorem with premises and no instance/p
     s/^> \(.*\)/\1: twice, or no theorem with premises/p' >"$tmp/wrong"
-  # An instance has no premise and rests on its theorem; what it rests on besides, `kernel` sees.
+  # An instance has no premise, and rests on its theorem and on no other axioms than a theorem may.
   premises "$tmp/instances" | sed 's/$/: an instance with a premise/' >>"$tmp/wrong"
+  axioms_of "$tmp/instances" >"$tmp/axioms" || return 1
+  other_axioms "$tmp/axioms" | sed 's/$/: an instance rests on no such axiom/' >>"$tmp/wrong"
   { echo "From Durero Require $(of_instances)."
     sed "s|.*|Redirect \"$tmp/body.&\" Print Durero.&.|" "$tmp/there"; } >"$tmp/questions"
   ask "$tmp/questions" >"$tmp/log" 2>&1 || { cat "$tmp/log"; return 1; }

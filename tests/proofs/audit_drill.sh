@@ -224,6 +224,9 @@ rebuilt instances "an instance with a premise in another file" 'InstancesMore.in
 printf 'From Durero Require Main.\nVariable choice : False.\n' >"$proofs/InstancesMore.v"
 rebuilt kernel "what another file of instances assumes" 'Durero.InstancesMore.choice'
 small
+sed -i 's/^Definition instance_of_doubled.*/Variable zero : 0 = 0.\nDefinition instance_of_doubled := Main.doubled 0 zero./' "$proofs/Instances.v"
+rebuilt instances "an instance that rests on what its file assumes" '^Instances.instance_of_doubled: Instances.zero: an instance rests'
+small
 sed -i 's/^Definition instance_of_doubled.*/Theorem instance_of_doubled : 0 = 0.\nProof. reflexivity. Qed./' "$proofs/Instances.v"
 rebuilt instances "an instance that does not rest on its theorem" 'instance_of_doubled: does not rest on Main.doubled'
 small
