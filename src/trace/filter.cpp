@@ -1,14 +1,10 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/filter.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
+#include "lanes/for_each_target.hpp"
 //
-#include <hwy/highway.h>
-
 #include <cmath>
 #include <limits>
 
 #include "durero/trace/filter.hpp"
-#include "trace/optimised.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {

@@ -1,10 +1,8 @@
 // The triage in lanes: of packets, and of rays in columns.
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/packet.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
+#include "lanes/for_each_target.hpp"
 //
 #include "trace/closed_form-inl.hpp"
-#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,10 +1,8 @@
 // The parameter and the point of a hit, rounded once. The triage knows a root to some forty bits; one step of Newton's
 // improves it to some ninety, which nearly always decide the rounding.
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/rounding.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
+#include "lanes/for_each_target.hpp"
 //
-#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 #include "trace/rounding-inl.hpp"
 #include "trace/shapes-inl.hpp"

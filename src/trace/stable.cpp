@@ -1,9 +1,7 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trace/stable.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
+#include "lanes/for_each_target.hpp"
 //
 #include "trace/closed_form-inl.hpp"
-#include "trace/optimised.hpp"
 #include "trace/steps.hpp"
 
 HWY_BEFORE_NAMESPACE();

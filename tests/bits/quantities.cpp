@@ -1,9 +1,8 @@
 // Prints a digest of the bits of what the closed forms compute of random rays, for each shape: the quadratic with its
 // errors, the root of the discriminant, the stable sum and both quotients. Those in lanes, under every instruction set
 // of the machine, must be those of one number at a time; else the status is 1. levels.sh compares such programs.
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bits/quantities.cpp"  // as seen from tests/
-#include <hwy/foreach_target.h>
+#include "lanes/for_each_target.hpp"
 //
 #include <bit>
 #include <cmath>
@@ -11,7 +10,6 @@
 #include <vector>
 
 #include "trace/closed_form-inl.hpp"
-#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 
 #ifndef DURERO_BITS_QUANTITIES

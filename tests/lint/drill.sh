@@ -54,7 +54,7 @@ layers src/engine/engine.cpp: engine including an internal header of trace
 layers include/durero/trace/analytic.hpp: a public header including an internal one
   $a #include "trace/steps.hpp"
 optimised src/trace/stable.cpp: lanes compiled without optimisation
-  /"trace\/optimised.hpp"/d
+  s/"lanes\/for_each_target.hpp"/<hwy\/foreach_target.h>/
 optimised CMakeLists.txt: lanes not optimised in Debug
   s/ src\/trace\/rounding.cpp//
 narrow include/durero/scene/groups.hpp: a header that hands operations on and reads them all

@@ -1,11 +1,9 @@
 // The uncertified closed forms in lanes, and the batch over them.
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "plain/plain_batch.cpp"  // as seen from tests/
-#include <hwy/foreach_target.h>
+#include "lanes/for_each_target.hpp"
 //
 #include "durero/trace/candidates.hpp"
 #include "plain/plain.hpp"
-#include "trace/optimised.hpp"
 #include "trace/packet_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

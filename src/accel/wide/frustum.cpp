@@ -1,12 +1,10 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/wide/frustum.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
-//
-#include "accel/wide/wide_lanes-inl.hpp"
+#include "lanes/for_each_target.hpp"
 //
 #include <algorithm>
 #include <cmath>
 
+#include "accel/wide/wide_lanes-inl.hpp"
 #include "durero/accel/wide/frustum.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,12 +1,10 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/wide/packet_eights.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
-//
-#include "accel/wide/wide_lanes-inl.hpp"
+#include "lanes/for_each_target.hpp"
 //
 #include <algorithm>
 #include <bit>
 
+#include "accel/wide/wide_lanes-inl.hpp"
 #include "durero/accel/wide/packet_eights.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,11 +1,9 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/wide/single_ray_traversal.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
-//
-#include "accel/wide/wide_lanes-inl.hpp"
+#include "lanes/for_each_target.hpp"
 //
 #include <bit>
 
+#include "accel/wide/wide_lanes-inl.hpp"
 #include "durero/accel/wide/single_ray_traversal.hpp"
 
 HWY_BEFORE_NAMESPACE();

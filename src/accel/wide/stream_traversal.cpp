@@ -1,12 +1,10 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/wide/stream_traversal.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
-//
-#include "accel/wide/wide_lanes-inl.hpp"
+#include "lanes/for_each_target.hpp"
 //
 #include <bit>
 #include <cmath>
 
+#include "accel/wide/wide_lanes-inl.hpp"
 #include "durero/accel/wide/stream_traversal.hpp"
 
 HWY_BEFORE_NAMESPACE();

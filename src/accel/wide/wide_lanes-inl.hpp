@@ -7,10 +7,6 @@
 #define DURERO_ACCEL_WIDE_LANES_INL_HPP_
 #endif
 
-#if defined(__GNUC__) && !defined(__clang__) && !defined(__OPTIMIZE__)
-#error "GCC without optimisation gives wrong numbers in lanes; compile this source with -Og at least"
-#endif  // as src/trace/optimised.hpp says
-
 #include <hwy/highway.h>
 
 #include <array>

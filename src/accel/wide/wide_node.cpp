@@ -1,11 +1,9 @@
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/wide/wide_node.cpp"  // as seen from src/
-#include <hwy/foreach_target.h>
-//
-#include "accel/wide/wide_lanes-inl.hpp"
+#include "lanes/for_each_target.hpp"
 //
 #include <bit>
 
+#include "accel/wide/wide_lanes-inl.hpp"
 #include "durero/accel/wide/wide_node.hpp"
 
 HWY_BEFORE_NAMESPACE();
