@@ -29,24 +29,26 @@ inline void add_threads(CLI::App& command, std::size_t& threads) {
       ->check(whole_number(1, 1024));
 }
 
-void add_check(CLI::App& app, int& status);
-void add_edit(CLI::App& app, int& status);
-void add_trace(CLI::App& app, int& status);
-void add_render(CLI::App& app, int& status);
-void add_environment(CLI::App& app, int& status);
-void add_stats(CLI::App& app, int& status);
-void add_voxelise(CLI::App& app, int& status);
-void add_engines(CLI::App& app, int& status);
+/// The commands of the program, one a line, by the alphabet; ./x reads their names here.
 void add_agree(CLI::App& app, int& status);
+void add_check(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
 void add_conform(CLI::App& app, int& status);
-void add_import(CLI::App& app, int& status);
+void add_edit(CLI::App& app, int& status);
+void add_engines(CLI::App& app, int& status);
+void add_environment(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
+void add_help(CLI::App& app, int& status);
+void add_import(CLI::App& app, int& status);
+void add_man(CLI::App& app, int& status);
+void add_render(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);
+void add_stats(CLI::App& app, int& status);
+void add_trace(CLI::App& app, int& status);
+void add_version(CLI::App& app, int& status);
+void add_voxelise(CLI::App& app, int& status);
+
 void add_spec_export(CLI::App& spec, int& status);   ///< of spec: export
 void add_spec_convert(CLI::App& spec, int& status);  ///< of spec: convert
-void add_version(CLI::App& app, int& status);
-void add_help(CLI::App& app, int& status);
-void add_man(CLI::App& app, int& status);
-void add_completion(CLI::App& app, int& status);
 
 }  // namespace durero::cli

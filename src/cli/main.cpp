@@ -42,24 +42,19 @@ int answer(const CLI::App& app, const CLI::Success& asked) {
   return status;
 }
 
+/// Adds the commands in the groups and the order that help shows them in.
 void add_commands(CLI::App& app, int& status) {
   using namespace durero::cli;
-  for (const auto add : {add_check, add_edit, add_import, add_export}) add(app, status);
-  for (const auto add : {add_trace, add_render, add_environment, add_engines, add_stats, add_voxelise, add_agree})
-    add(app, status);
-  for (const auto add : {add_conform, add_spec}) add(app, status);
-  for (const auto add : {add_help, add_version, add_man, add_completion}) add(app, status);
-}
-
-/// The groups that help shows commands in.
-void group_commands(CLI::App& app) {
-  const auto group = [&](const char* title, std::initializer_list<const char*> names) {
-    for (const char* name : names) app.get_subcommand(name)->group(title);
+  const auto group = [&](const char* title, std::initializer_list<void (*)(CLI::App&, int&)> commands) {
+    for (const auto add : commands) {
+      add(app, status);
+      app.get_subcommands([](CLI::App*) { return true; }).back()->group(title);
+    }
   };
-  group("Scenes", {"check", "edit", "import", "export"});
-  group("Rays and pictures", {"trace", "render", "environment", "engines", "stats", "voxelise", "agree"});
-  group("Other programs, and the specification", {"conform", "spec"});
-  group("This program", {"help", "version", "man", "completion"});
+  group("Scenes", {add_check, add_edit, add_import, add_export});
+  group("Rays and pictures", {add_trace, add_render, add_environment, add_engines, add_stats, add_voxelise, add_agree});
+  group("Other programs, and the specification", {add_conform, add_spec});
+  group("This program", {add_help, add_version, add_man, add_completion});
 }
 
 /// A flag is given or not: `--json=no` is no way to say so.
@@ -93,7 +88,6 @@ int main(int argc, char* argv[]) {
   app.footer(durero::cli::exit_status("yes, or done", "the answer is no", "the call or the input is bad") +
              durero::cli::examples({"check demo/still-life.json", "trace demo/still-life.json demo/rays.txt",
                                     "render demo/still-life.json -o still-life.png", "trace --help"}));
-  group_commands(app);
   let_flags_have_no_values(app);
   durero::number::throw_when_numbers_outgrow_memory();
   try {

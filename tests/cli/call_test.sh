@@ -3,7 +3,7 @@
 sample >scene.json
 
 run 0 --help
-for command in check edit trace render stats voxelise import export version man completion help; do has out "  $command "; done
+has out '  check '
 empty err
 run 0 edit --help
 has out --script

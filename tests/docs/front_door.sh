@@ -5,9 +5,10 @@ set -eu
 durero=$1 root=$2
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
-mkdir "$tmp/tree" "$tmp/bin" "$tmp/temporary"
+mkdir -p "$tmp/tree/src/cli" "$tmp/bin" "$tmp/temporary"
 export TMPDIR="$tmp/temporary"  # of ./x
 cp "$root/x" "$tmp/tree/x"
+cp "$root/src/cli/commands.hpp" "$tmp/tree/src/cli/commands.hpp"  # where it reads the commands of the program
 cd "$tmp"
 bad=0 checks=0
 fail() { echo "./x $called: $1"; sed 's/^/  /' said complaint; bad=$((bad + 1)); }
@@ -29,9 +30,10 @@ for word in help --help -h ''; do
   x 0 $word
   for command in demo test bench lint build package reference spec-pdf; do says said "./x $command "; done
 done
-"$durero" --help | sed -n 's/^  \([a-z][a-z]*\)  .*/\1/p' >commands
+"$durero" --help | sed -n '/^  help /d; s/^  \([a-z][a-z]*\)  .*/\1/p' | sort >commands
 [ -s commands ] || fail "the program has no commands"
-while read -r command; do says said "$command"; done <commands
+tr '\n' ' ' <said | sed 's/.*a command of the built program: \([^;]*\);.*/\1/' | tr -s ', ' '\n' | sort >told
+cmp -s told commands || fail "other commands than the program's: $(diff told commands)"
 x 2 tset; says complaint 'expected test'; one_line
 x 2 tarce scene.json; says complaint 'expected trace'; one_line
 x 2 frobnicate; says complaint 'expected one of demo gallery test'; one_line
