@@ -128,11 +128,6 @@ void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& rea
   if (read.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
 }
 
-std::uint64_t read_whole(Reader& in, std::string_view what) {
-  return static_cast<std::uint64_t>(
-      io::json::whole_number(in, what, 0, io::json::most_whole, "a whole number up to 2^53"));
-}
-
 void read_exactly(Reader& in, std::string_view what, std::string_view expected) {
   const std::size_t at = in.offset();
   const std::string_view value = in.string(what);

@@ -34,9 +34,6 @@ Enumeration read_word(io::json::Reader& in, std::string_view what, const std::ar
   return static_cast<Enumeration>(place - words.begin());
 }
 
-/// Reads a whole number up to 2^53, as JSON holds them exactly.
-std::uint64_t read_whole(io::json::Reader& in, std::string_view what);
-
 /// Reads a string that must be `expected`, such as the name of a system.
 void read_exactly(io::json::Reader& in, std::string_view what, std::string_view expected);
 

@@ -10,6 +10,7 @@
 #include "durero/conform/families/suite_file.hpp"
 #include "durero/conform/format_versions.hpp"
 #include "durero/io/json/json_writer.hpp"
+#include "durero/io/json/whole_number.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {
@@ -88,14 +89,14 @@ void read_member(Reader& in, CampaignKey key, Campaign& read, CampaignPlaces& pl
       read.system = read_text(in, what);
       return;
     case seed:
-      read.seed = read_whole(in, what);
+      read.seed = io::json::whole_number(in, what);
       return;
     case rays_of_a_shard:
-      read.rays_of_a_shard = read_whole(in, what);
+      read.rays_of_a_shard = io::json::whole_number(in, what);
       return;
     case shards:
       places.shards = at;
-      read.shards = read_whole(in, what);
+      read.shards = io::json::whole_number(in, what);
       return;
     case profile:
       places.profile = at;

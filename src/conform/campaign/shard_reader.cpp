@@ -9,6 +9,7 @@
 #include "conform/campaign/trimmed.hpp"
 #include "durero/conform/campaign/shard.hpp"
 #include "durero/conform/format_versions.hpp"
+#include "durero/io/json/whole_number.hpp"
 
 namespace durero::conform {
 namespace {
@@ -79,7 +80,7 @@ class ShardsReader {
   /// A number that is less than `limit`.
   std::uint64_t read_below(std::string_view what, std::uint64_t limit) {
     const std::size_t at = in_.offset();
-    const std::uint64_t number = read_whole(in_, what);
+    const std::uint64_t number = io::json::whole_number(in_, what);
     if (number >= limit)
       in_.fail(at, fmt::format("{} is {}", what, number), fmt::format("expected less than {}", limit));
     return number;
@@ -116,7 +117,7 @@ class ShardsReader {
   std::vector<std::uint64_t> read_counts(std::size_t most) {
     const std::size_t at = in_.offset();
     std::vector<std::uint64_t> counts;
-    in_.array("counts", [&] { counts.push_back(read_whole(in_, "a count")); });
+    in_.array("counts", [&] { counts.push_back(io::json::whole_number(in_, "a count")); });
     if (counts.size() > most)
       in_.fail(at, fmt::format("{} counts", counts.size()), fmt::format("expected {} at most", most));
     return counts;
@@ -181,13 +182,13 @@ class ShardsReader {
           kind.second = read_verdict();
           return;
         case number:
-          failed.number = read_whole(in_, "case");
+          failed.number = io::json::whole_number(in_, "case");
           return;
         case ray:
           failed.ray = read_below("ray", rays_of_a_case);
           return;
         case elements:
-          failed.elements = read_whole(in_, "elements");
+          failed.elements = io::json::whole_number(in_, "elements");
           return;
         case backward:
           failed.backward = read_backward();

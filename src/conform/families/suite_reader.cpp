@@ -51,10 +51,10 @@ SuiteOptions read_options(const io::Source& source) {
       case version:  // read before all others
         return in.skip();
       case seed:
-        options.seed = read_whole(in, "seed");
+        options.seed = io::json::whole_number(in, "seed");
         return;
       case rays:
-        options.rays = read_whole(in, "rays");
+        options.rays = io::json::whole_number(in, "rays");
         return;
       case numbers:
         options.numbers = read_word<NumberFormat>(in, "numbers", format_words);

@@ -9,6 +9,7 @@
 #include "conform/report/report_parts.hpp"
 #include "durero/conform/format_versions.hpp"
 #include "durero/io/json/json.hpp"
+#include "durero/io/json/whole_number.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::conform {
@@ -19,7 +20,8 @@ using io::json::Reader;
 void read_counts(Reader& in, VerdictCounts& counts) {
   std::array<std::string_view, verdict_count> keys;
   for (const Verdict verdict : verdicts) keys[static_cast<std::size_t>(verdict)] = name(verdict);
-  in.object("verdicts", keys, keys.size(), [&](std::size_t key) { counts[key] = read_whole(in, keys[key]); });
+  in.object("verdicts", keys, keys.size(),
+            [&](std::size_t key) { counts[key] = io::json::whole_number(in, keys[key]); });
 }
 
 /// Calls member(name) for the members that are among the names, and passes the others.
@@ -42,9 +44,9 @@ Summary::OfFamily read_family(Reader& in) {
 
 void read_suite(Reader& in, Summary& read) {
   some_members(in, "suite", {"version", "seed", "rays", "numbers"}, [&](std::string_view key) {
-    if (key == "version") read.suite_version = read_whole(in, key);
-    if (key == "seed") read.seed = read_whole(in, key);
-    if (key == "rays") read.rays = read_whole(in, key);
+    if (key == "version") read.suite_version = io::json::whole_number(in, key);
+    if (key == "seed") read.seed = io::json::whole_number(in, key);
+    if (key == "rays") read.rays = io::json::whole_number(in, key);
     if (key == "numbers") read.numbers = in.string(key);
   });
 }

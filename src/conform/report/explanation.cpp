@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "conform/report/report_parts.hpp"
 #include "durero/conform/ask/question.hpp"
 #include "durero/number/decimal.hpp"
 #include "durero/surface/exact.hpp"
@@ -35,16 +36,11 @@ std::string point_text(const model::Rayo& rayo, const Surd& t) {
   return text;
 }
 
-std::string names(const scene::Scene& scene, const scene::ElementSet& elements) {
-  std::string text;
-  for (const scene::ElementRef e : elements) text.append(text.empty() ? "" : ", ").append(scene.name(e).name());
-  return text;
-}
-
 std::string answer_text(const scene::Scene& scene, const scene::Hit& hit) {
   if (hit.resultado == model::Resultado::miss) return "a miss";
-  if (hit.resultado == model::Resultado::no_minimum) return names(scene, hit.elementos) + ", without a nearest point";
-  return fmt::format("{} at t = {}", names(scene, hit.elementos), hit.t);
+  if (hit.resultado == model::Resultado::no_minimum)
+    return element_names(hit.elementos, scene) + ", without a nearest point";
+  return fmt::format("{} at t = {}", element_names(hit.elementos, scene), hit.t);
 }
 
 }  // namespace
@@ -69,7 +65,7 @@ std::string explanation(const SuiteCase& of, std::size_t ray) {
                                  of.family->parameter.name, of.parameter);
   const std::array<std::size_t, 1> only{ray};
   text += question_text(of, Caps::open, only);
-  if (!query.en.empty()) text += fmt::format("it starts on {}\n", names(of.the_case.scene, query.en));
+  if (!query.en.empty()) text += fmt::format("it starts on {}\n", element_names(query.en, of.the_case.scene));
   return text + exact_answer(of, ray);
 }
 

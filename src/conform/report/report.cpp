@@ -18,26 +18,26 @@ std::string point_text(const glm::dvec3& p) {
   return fmt::format("({}, {}, {})", io::number_text(p.x), io::number_text(p.y), io::number_text(p.z));
 }
 
-std::string element_names(const scene::Hit& hit, const scene::Scene& scene) {
-  std::string names;
-  for (const scene::ElementRef e : hit.elementos) names.append(names.empty() ? "" : ", ").append(scene.name(e).name());
-  return names;
-}
-
 std::string hit_words(const scene::Hit& hit, const scene::Scene& scene) {
   switch (hit.resultado) {
     case model::Resultado::miss:
       return "a miss";
     case model::Resultado::no_minimum:
-      return fmt::format("in the surface of {} from the start: no nearest point", element_names(hit, scene));
+      return fmt::format("in the surface of {} from the start: no nearest point", element_names(hit.elementos, scene));
     case model::Resultado::hit:
-      return fmt::format("{} at t = {}, point {}", element_names(hit, scene), io::number_text(hit.t),
+      return fmt::format("{} at t = {}, point {}", element_names(hit.elementos, scene), io::number_text(hit.t),
                          point_text(hit.punto));
   }
   contract::unreachable();
 }
 
 }  // namespace
+
+std::string element_names(const scene::ElementSet& elements, const scene::Scene& scene) {
+  std::string names;
+  for (const scene::ElementRef e : elements) names.append(names.empty() ? "" : ", ").append(scene.name(e).name());
+  return names;
+}
 
 std::vector<const FamilyTally*> failures_first(const Tally& tally) {
   std::vector<const FamilyTally*> all;

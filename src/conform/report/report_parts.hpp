@@ -15,6 +15,9 @@ inline constexpr Verdict verdicts[verdict_count] = {Verdict::exact,    Verdict::
                                                     Verdict::far_root, Verdict::misplaced, Verdict::non_finite,
                                                     Verdict::crashed,  Verdict::hung,      Verdict::skipped};
 
+/// The names of the elements, with commas between them.
+std::string element_names(const scene::ElementSet& elements, const scene::Scene& scene);
+
 /// The words of types in files, with commas between them.
 std::string type_words(std::span<const model::Tipo> tipos);
 

@@ -21,5 +21,9 @@ std::int64_t whole_number(Reader& in, std::string_view what, std::int64_t least,
   return static_cast<std::int64_t>(value);
 }
 
+std::uint64_t whole_number(Reader& in, std::string_view what) {
+  return static_cast<std::uint64_t>(whole_number(in, what, 0, most_whole, "a whole number up to 2^53"));
+}
+
 }  // namespace json
 }  // namespace durero::io

@@ -45,3 +45,16 @@ TEST_CASE("A whole number of a file is read, or refused at its place") {
   CHECK(error_at("^9007199254740994", 0, json::most_whole) == "n is 9007199254740994; expected one that fits");
   CHECK(error_at("^\"7\"", 0, 7) == "n is a string; expected a number");
 }
+
+TEST_CASE("A whole number without a range of its own is one from 0 to the most") {
+  const auto read_counted = [](const Source& source) {
+    const json::Document document(source);
+    json::Reader in(document);
+    return json::whole_number(in, "n");
+  };
+  CHECK(read_counted(Source("f", "0")) == 0);
+  CHECK(read_counted(Source("f", "9007199254740992")) == std::uint64_t{1} << 53U);
+  CHECK(test::error_at_mark("^-1", read_counted) == "n is -1; expected a whole number up to 2^53");
+  CHECK(test::error_at_mark("^9007199254740994", read_counted) ==
+        "n is 9007199254740994; expected a whole number up to 2^53");
+}

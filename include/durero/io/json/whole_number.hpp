@@ -21,6 +21,8 @@ inline constexpr std::int64_t most_whole = std::int64_t{1} << 53U;
 /// InputError. Precondition: −most_whole ≤ least ≤ most ≤ most_whole.
 std::int64_t whole_number(Reader& in, std::string_view what, std::int64_t least, std::int64_t most,
                           const std::string& expected);
+/// Reads a whole number from 0 to most_whole.
+std::uint64_t whole_number(Reader& in, std::string_view what);
 
 }  // namespace json
 }  // namespace durero::io
