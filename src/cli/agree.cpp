@@ -17,6 +17,7 @@
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/sampled.hpp"
+#include "durero/written/engine.hpp"
 #include "engines.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"

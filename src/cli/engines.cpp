@@ -5,16 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/engine/prepared.hpp"
-#include "durero/io/json/groups_file.hpp"
-#include "durero/io/json/scene_file.hpp"
-#include "durero/io/pictures/picture_file.hpp"
-#include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "numbers.hpp"
 
@@ -121,34 +116,6 @@ void add_with(CLI::App& command, std::string& file) {
       command.add_option("--with", file, "A Z text that says what the elements are: each is puntos_TIPO");
   for (const char* other : {"--engine", "--hierarchy"})
     if (auto* const named = command.get_option_no_throw(other)) option->excludes(named);
-}
-
-SceneTracer asked_of(const std::string& file, std::string_view engine, std::string_view hierarchy,
-                     const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures) {
-  SceneTracer asked;
-  const io::Source source = io::read_source(file);
-  if (io::begins_as_rays(source))
-    source.fail(0, "rays stand here", "expected a scene (JSON), which is named before the rays");
-  const auto read_pictures = [&](scene::Scene& scene) {
-    if (pictures == Pictures::read) io::read_pictures(source, scene.stage());
-  };
-  if (!with.empty()) {
-    asked.written_ = written::read(source, written::Text(with));
-    read_pictures(asked.written_->scene);
-    if (resolution) asked.written_->scene.stage().resolution = resolution;
-    return asked;
-  }
-  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(source));
-  read_pictures(input->scene);
-  if (resolution) input->scene.stage().resolution = resolution;
-  asked.row_ = engine::find(engine);
-  asked.ready_ = engine::prepared(*asked.row_, hierarchy, *input);
-  asked.input_ = std::move(input);
-  return asked;
-}
-
-void SceneTracer::require_origins(std::string_view why) const {
-  if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
 }
 
 std::string without_origins(const engine::EngineRow& engine, std::string_view why) {

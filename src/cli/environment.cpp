@@ -14,6 +14,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/render/light/environment_map.hpp"
 #include "engines.hpp"
+#include "scene_tracer.hpp"
 
 namespace durero::cli {
 namespace {
@@ -65,10 +66,10 @@ int run(const EnvironmentOptions& options) {
   std::vector<std::unique_ptr<io::OutputFile>> files;
   for (const std::string& name : names_of_pictures(options.out, kind))
     files.push_back(std::make_unique<io::OutputFile>(name));
-  const SceneTracer asked = asked_of(options.scene, options.engine, "automatic", "", {}, Pictures::read);
-  asked.require_origins("shadow rays start on elements");
-  const render::PathLimits limits{options.max_depth.value_or(render::depth_of(asked.scene().stage()))};
-  const auto pictures = render::environment_map(asked.scene(), asked.engine(), kind, options.width,
+  const SceneTracer tracer(options.scene, options.engine, "automatic", "", {}, Pictures::read);
+  tracer.require_origins("shadow rays start on elements");
+  const render::PathLimits limits{options.max_depth.value_or(render::depth_of(tracer.scene().stage()))};
+  const auto pictures = render::environment_map(tracer.scene(), tracer.engine(), kind, options.width,
                                                 point_in(options.from).value_or(glm::dvec3(0)), limits);
   for (std::size_t i = 0; i < files.size(); ++i) files[i]->write(render::encode_png(pictures[i]));
   for (const auto& file : files) file->commit();

@@ -17,6 +17,7 @@
 #include "interrupted.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
+#include "scene_tracer.hpp"
 
 namespace durero::cli {
 namespace {
@@ -26,7 +27,7 @@ struct Stopped {};
 
 /// A drawing: a picture to be rendered, and its file.
 class Drawing {
-  const scene::Scene& scene() const { return asked_.scene(); }
+  const scene::Scene& scene() const { return tracer_.scene(); }
 
   /// Calls draw(), and adds the name of the scene or the crop to its errors.
   template <class Draw>
@@ -46,8 +47,8 @@ class Drawing {
   explicit Drawing(const RenderOptions& options)
       : options_(options),
         frame_(frame_of(options)),
-        asked_(asked_of(options.scene, options.engine, options.hierarchy, options.with, frame_.size, Pictures::read)) {
-    asked_.require_origins("shadow rays start on elements");
+        tracer_(options.scene, options.engine, options.hierarchy, options.with, frame_.size, Pictures::read) {
+    tracer_.require_origins("shadow rays start on elements");
   }
 
   int draw(io::OutputFile& out) const {
@@ -55,7 +56,7 @@ class Drawing {
     std::optional<Progress> progress(std::in_place, options_.quiet, "render");
     const render::Picture picture = in_words([&] {
       const auto show = [&](double share) { progress->set_share(share); };
-      return render::render(scene(), asked_.engine(), show, frame_, &reach);
+      return render::render(scene(), tracer_.engine(), show, frame_, &reach);
     });
     const std::string bytes = encoded(picture, channels());
     progress.reset();
@@ -69,7 +70,7 @@ class Drawing {
   int preview() const {
     const std::atomic<bool>& stop = interrupted();
     const std::uint32_t most = options_.samples.value_or(render::Refined::most_passes);
-    const auto refined = in_words([&] { return std::make_unique<render::Refined>(scene(), asked_.engine(), frame_); });
+    const auto refined = in_words([&] { return std::make_unique<render::Refined>(scene(), tracer_.engine(), frame_); });
     const std::optional<render::Channels> seen = channels();
     while (!stop && refined->passes() < most) {
       if (!pass(*refined, stop)) break;
@@ -99,7 +100,7 @@ class Drawing {
   std::optional<render::Channels> channels() const {
     if (!options_.aov) return std::nullopt;
     return in_words([&] {
-      return render::Channels{render::seen(scene(), asked_.engine(), frame_), render::numbered(scene())};
+      return render::Channels{render::seen(scene(), tracer_.engine(), frame_), render::numbered(scene())};
     });
   }
 
@@ -126,7 +127,7 @@ class Drawing {
 
   const RenderOptions& options_;
   render::RenderSettings frame_;
-  SceneTracer asked_;
+  SceneTracer tracer_;
 };
 
 int run(const RenderOptions& options) {

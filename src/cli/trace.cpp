@@ -12,6 +12,7 @@
 #include "durero/io/rays/rays_file.hpp"
 #include "engines.hpp"
 #include "progress.hpp"
+#include "scene_tracer.hpp"
 
 namespace durero::cli {
 namespace {
@@ -32,8 +33,8 @@ void set_share(Progress& progress, const io::Input& input, std::optional<std::ui
 int run(const TraceOptions& options) {
   const ThreadLimit limit(options.threads);
   io::HitWriter out(options.out);
-  const SceneTracer asked = asked_of(options.scene, options.engine, options.hierarchy, options.with);
-  const scene::Scene& scene = asked.scene();
+  const SceneTracer tracer(options.scene, options.engine, options.hierarchy, options.with);
+  const scene::Scene& scene = tracer.scene();
   io::Input input(options.rays);
   const auto size = input.left();
   const bool is_in_the_way = options.out == "-" && ::isatty(STDOUT_FILENO) == 1;  // of the hits
@@ -42,8 +43,8 @@ int run(const TraceOptions& options) {
   std::vector<io::Ray> rays;
   while (reader.next(rays)) {
     if (std::ranges::any_of(rays, [](const scene::Query& ray) { return !ray.en.empty(); }))
-      asked.require_origins(options.rays + " has rays that start on elements");
-    out.write(engine::first_hits(asked.engine(), rays), scene);
+      tracer.require_origins(options.rays + " has rays that start on elements");
+    out.write(engine::first_hits(tracer.engine(), rays), scene);
     progress.add(rays.size());
     set_share(progress, input, size);
   }

@@ -1,0 +1,42 @@
+#include "scene_tracer.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "durero/engine/prepared.hpp"
+#include "durero/io/json/groups_file.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/pictures/picture_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
+#include "durero/io/source.hpp"
+#include "engines.hpp"
+
+namespace durero::cli {
+
+SceneTracer::SceneTracer(const std::string& file, std::string_view engine, std::string_view hierarchy,
+                         const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures) {
+  const io::Source source = io::read_source(file);
+  if (io::begins_as_rays(source))
+    source.fail(0, "rays stand here", "expected a scene (JSON), which is named before the rays");
+  const auto read_pictures = [&](scene::Scene& scene) {
+    if (pictures == Pictures::read) io::read_pictures(source, scene.stage());
+  };
+  if (!with.empty()) {
+    written_ = written::read(source, written::Text(with));
+    read_pictures(written_->scene);
+    if (resolution) written_->scene.stage().resolution = resolution;
+    return;
+  }
+  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(source));
+  read_pictures(input->scene);
+  if (resolution) input->scene.stage().resolution = resolution;
+  row_ = engine::find(engine);
+  ready_ = engine::prepared(*row_, hierarchy, *input);
+  input_ = std::move(input);
+}
+
+void SceneTracer::require_origins(std::string_view why) const {
+  if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
+}
+
+}  // namespace durero::cli
