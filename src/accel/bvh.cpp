@@ -5,8 +5,8 @@
 #include <unordered_map>
 
 #include "accel/finite_box.hpp"
+#include "accel/insertion.hpp"
 #include "accel/top_down.hpp"
-#include "durero/accel/insertion.hpp"
 
 namespace durero::accel {
 Bvh::Bvh(const scene::Scene& scene, Build build, unsigned most_children)

@@ -1,6 +1,6 @@
 // The incremental construction: what it costs is known exactly, and how far from the best hierarchies it is by trying
 // all of those, where elements are few.
-#include "durero/accel/insertion.hpp"
+#include "accel/insertion.hpp"
 
 #include <algorithm>
 #include <bit>

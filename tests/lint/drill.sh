@@ -38,7 +38,7 @@ lets_be() {
 }
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush commits rooms types glossary; do
+  versions reference optimised narrow flush commits rooms types glossary private; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -153,6 +153,12 @@ types src/io/json/json.cpp: a verb that names a type
   $a namespace durero::io { class Told {}; }
 types src/io/json/json.cpp: a verb that names a parameter of a template
   $a namespace durero::io { template <class Take> void f(Take take); }
+private src/accel/bvh.cpp: a public header of one source
+  s/"accel\/insertion.hpp"/"durero\/accel\/insertion.hpp"/
+private src/accel/bvh.cpp: a header of the list that another source includes
+  $a #include "durero/accel/names.hpp"
+private src/accel/names.cpp: a header of the list that nothing includes
+  /"durero\/accel\/names.hpp"/d
 glossary docs/glossary.md: a page that says what no header says
   0,/^| `Dyadic` | /s//| `Dyadic` | Not /
 glossary include/durero/number/dyadic.hpp: a type without a sentence
