@@ -2,6 +2,7 @@
 // each in one JSON line.
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <variant>
@@ -10,6 +11,7 @@
 #include "description.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/io/file_name.hpp"
+#include "durero/io/json/edited_scene.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/operations_file.hpp"
 #include "durero/io/lines.hpp"
@@ -32,7 +34,7 @@ struct EditOptions {
 };
 
 // The script's operations, then those of --op, numbered as lines after the script's last.
-std::vector<io::ScriptStep> read_script(const EditOptions& options, const written::Edited& edited) {
+std::vector<io::ScriptStep> read_script(const EditOptions& options, const io::EditedScene& edited) {
   const scene::Stage& stage = edited.of().scene.stage();
   std::vector<io::ScriptStep> steps;
   std::size_t lines = 0;
@@ -60,7 +62,7 @@ void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before
 }
 
 /// Carries out a step, which the text of spec/ judges; it does not speak of groups.
-io::EditAnswer carry_out(written::Edited& edited, const io::ScriptStep& step, const oracle::spec::Judge& judge) {
+io::EditAnswer carry_out(io::EditedScene& edited, const io::ScriptStep& step, const oracle::spec::Judge& judge) {
   const auto* const edit = std::get_if<scene::Edit>(&step.edit);
   if (edit == nullptr) return edited.apply_total(step);
   const model::Escena before = scene::retrieve(edited.of().scene);
@@ -69,10 +71,10 @@ io::EditAnswer carry_out(written::Edited& edited, const io::ScriptStep& step, co
   return told;
 }
 
-written::Edited read(const EditOptions& options) {
+std::unique_ptr<io::EditedScene> read(const EditOptions& options) {
   const io::Source source = io::read_source(options.scene);
-  if (options.with.empty()) return written::Edited(io::read_grouped_scene(source));
-  return {source, std::make_shared<const written::Text>(options.with)};
+  if (options.with.empty()) return std::make_unique<io::EditedScene>(io::read_grouped_scene(source));
+  return std::make_unique<written::Edited>(source, std::make_shared<const written::Text>(options.with));
 }
 
 int edit(const EditOptions& options) {
@@ -82,22 +84,22 @@ int edit(const EditOptions& options) {
     io::require_ending(options.out, io::json_endings, "a scene");
     out.emplace(options.out);
   }
-  written::Edited edited = read(options);
-  const std::vector<io::ScriptStep> script = read_script(options, edited);
+  const std::unique_ptr<io::EditedScene> edited = read(options);
+  const std::vector<io::ScriptStep> script = read_script(options, *edited);
   std::optional<oracle::spec::Judge> judge;
   if (options.by_spec) judge.emplace();
   int status = 0;
   std::string answers;
   Progress progress(options.quiet, "edit", "operations", script.size());
   for (const io::ScriptStep& step : script) {
-    const io::EditAnswer answer = judge ? carry_out(edited, step, *judge) : edited.apply_total(step);
+    const io::EditAnswer answer = judge ? carry_out(*edited, step, *judge) : edited->apply_total(step);
     answers.append(io::answer_text(step.line, answer)).append("\n");
     if (!answer.ok()) status = 1;
     progress.add();
   }
   if (out) {
-    io::rename_pictures(edited.stage(), options.scene, options.out);
-    out->write(edited.scene_text());
+    io::rename_pictures(edited->stage(), options.scene, options.out);
+    out->write(edited->scene_text());
     out->commit();
   }
   io::print(answers);

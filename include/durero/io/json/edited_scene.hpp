@@ -1,0 +1,64 @@
+#pragma once
+/// A scene that operations edit, with its groups. The answers tell of a group that an element has left.
+
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "durero/io/json/operations_file.hpp"
+#include "durero/scene/grouped_scene.hpp"
+
+namespace durero::io {
+
+/// An edited scene of the program's own shapes.
+class EditedScene {
+ public:
+  explicit EditedScene(scene::GroupedScene scene = {}) : of_(std::move(scene)) {}  ///< begins with that scene
+  virtual ~EditedScene() = default;
+
+  /// The scene and its groups. Elements of types of a Z text stand in it as spheres, under their names.
+  const scene::GroupedScene& of() const noexcept { return of_; }
+  /// The types that a Z text declares: none, where there is no text.
+  virtual std::span<const WrittenType> types() const { return {}; }
+
+  /// @{ The total edits: where a predicate does not hold they change nothing, and answer so.
+  virtual EditAnswer apply_total(const scene::Edit& edit) { return edit_answer(of_.apply_total(edit)); }
+  EditAnswer apply_total(const scene::GroupEdit& edit) { return edit_answer(of_.apply_total(edit)); }
+  /// Adds all discs of a closing, or none: `closed`, or `closed_but_for_rounding` where they are not lids().exact.
+  EditAnswer apply_total(const scene::Closing& in);
+  /// Precondition: there are types.
+  virtual EditAnswer apply_total(const WrittenEdit& edit);
+  /// Applies a step; the answer tells of groups, too.
+  EditAnswer apply_total(const ScriptStep& step);
+  /// @}
+
+  /// Applies an edit of the program's own shapes. Returns its answer with the clause that it breaks, and the answer of
+  /// apply_total(ScriptStep). Precondition: there is no text.
+  std::pair<model::Answer, EditAnswer> apply_own(const scene::Edit& edit);
+
+  /// The stage of the scene, of which no text speaks.
+  scene::Stage& stage() noexcept { return of_.scene.stage(); }
+
+  /// The canonical text of its scene file.
+  virtual std::string scene_text() const;
+
+ protected:
+  EditedScene(const EditedScene&) = default;
+  EditedScene(EditedScene&&) = default;
+  EditedScene& operator=(const EditedScene&) = default;
+  EditedScene& operator=(EditedScene&&) = default;
+
+  scene::GroupedScene of_;  ///< as edited so far
+
+ private:
+  /// The group that the element is no more in after an edit, or none: it left `was_in`, or is back without its group.
+  std::string left_group(const std::string& name, std::string was_in);
+
+  std::map<std::string, std::string> left_{};  // the group of each removed element
+};
+
+/// The removal of the element of that name, whatever its type.
+scene::Edit removal_of(const std::string& name);
+
+}  // namespace durero::io

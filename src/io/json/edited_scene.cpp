@@ -1,0 +1,81 @@
+#include "durero/io/json/edited_scene.hpp"
+
+#include "durero/contract/contract.hpp"
+#include "durero/io/json/groups_file.hpp"
+
+namespace durero::io {
+namespace {
+
+/// @{ The element that an edit concerns; null where it concerns none.
+const std::string* element_of(const scene::Edit& edit) { return &scene::name_of(edit.operation).name(); }
+const std::string* element_of(const WrittenEdit& edit) {
+  const auto* const in = std::get_if<WrittenAddition>(&edit);
+  return in == nullptr ? &std::get<WrittenRemoval>(edit).e : &in->element.id;
+}
+const std::string* element_of(const scene::GroupEdit&) { return nullptr; }
+const std::string* element_of(const scene::Closing&) { return nullptr; }
+/// @}
+
+}  // namespace
+
+scene::Edit removal_of(const std::string& name) { return {model::Eliminar_Elemento{model::Elemento{name}}, {}}; }
+
+EditAnswer EditedScene::apply_total(const WrittenEdit&) { contract::unreachable(); }
+
+EditAnswer EditedScene::apply_total(const ScriptStep& step) {
+  return std::visit(
+      [&](const auto& edit) {
+        const std::string* const name = element_of(edit);
+        if (name == nullptr) return apply_total(edit);
+        std::string was_in(of_.groups.of_element(*name));
+        EditAnswer answer = apply_total(edit);
+        if (answer.ok()) answer.left_group = left_group(*name, std::move(was_in));
+        return answer;
+      },
+      step.edit);
+}
+
+std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const scene::Edit& edit) {
+  const std::string& name = *element_of(edit);
+  std::string was_in(of_.groups.of_element(name));
+  const model::Answer answer = of_.apply_total(edit);
+  std::pair told(answer, edit_answer(answer));
+  if (answer.ok()) told.second.left_group = left_group(name, std::move(was_in));
+  return told;
+}
+
+std::string EditedScene::left_group(const std::string& name, std::string was_in) {
+  if (!of_.scene.find(name)) {
+    if (!was_in.empty()) left_.insert_or_assign(name, was_in);
+    return was_in;
+  }
+  const auto left = left_.extract(name);
+  return left.empty() || !of_.groups.table().contains(left.mapped()) ? "" : left.mapped();
+}
+
+EditAnswer EditedScene::apply_total(const scene::Closing& in) {
+  const scene::Lids lids = scene::lids(of_.scene, in);
+  if (lids.violated != nullptr) return edit_answer(scene::Outcome{"not_closed", lids.violated});
+  std::size_t added = 0;
+  const auto undo = [&] {
+    while (added > 0) of_.apply_total(removal_of(scene::name_of(lids.additions[--added].operation).name()));
+  };
+  try {
+    for (const scene::Edit& lid : lids.additions) {
+      EditAnswer answer = apply_total(lid);
+      if (!answer.ok()) {
+        undo();
+        return answer;
+      }
+      ++added;
+    }
+  } catch (...) {
+    undo();
+    throw;
+  }
+  return {lids.exact ? "closed" : "closed_but_for_rounding"};
+}
+
+std::string EditedScene::scene_text() const { return io::scene_text(of_.scene, of_.groups); }
+
+}  // namespace durero::io
