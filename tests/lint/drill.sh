@@ -38,7 +38,7 @@ lets_be() {
 }
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush commits rooms types glossary private; do
+  versions reference optimised narrow flush commits rooms types glossary private systems; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -69,6 +69,8 @@ independence src/oracle/sampled.cpp: an oracle that knows the equation of a surf
   $a #include "durero/surface/equation.hpp"
 independence tests/conform/reference.hpp: the tests' reference asking what it is held against
   $a #include "durero/surface/exact.hpp"
+systems systems/ode/ask.cpp: a program of systems/ that includes by a path of the sources
+  s/"..\/ask.hpp"/"systems\/ask.hpp"/
 house src/oracle/sampled.cpp: an unfinished place
   $a // T\x4fDO
 house README.md: a path of one machine
