@@ -1,25 +1,17 @@
 #include "triangulation.hpp"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "constraints.hpp"
+#include "delaunay.hpp"
 
 namespace durero::io {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_2;
-using Number = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;  // of a vertex of the polygon
-using Outside =
-    CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Number, Outside>,
-                                               CGAL::No_constraint_intersection_tag>;
+using Edge = PlanarEdges::Edge;
+using Point = PlanePoints::Number;
 
 /// The axes by how much the polygon faces them, most first: by the size of its normal there, the sum of the products
 /// over its edges (Newell). What rounding does to the sums changes the order at most, and with it which of the right
@@ -42,65 +34,83 @@ std::array<int, 3> axes_faced(std::span<const glm::dvec3> polygon) {
 }
 
 /// The polygon as it is seen along an axis.
-std::vector<Point> seen_along(int axis, std::span<const glm::dvec3> polygon) {
-  std::vector<Point> points;
+PlanePoints seen_along(int axis, std::span<const glm::dvec3> polygon) {
+  std::vector<glm::dvec2> points;
   points.reserve(polygon.size());
   for (const glm::dvec3& p : polygon) points.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3]);
-  return points;
+  return PlanePoints(std::move(points));
 }
 
-/// Marks the faces that are reached from outside without a step over an edge of the polygon.
-void mark_outside(Triangulation& triangulation) {
-  for (const auto face : triangulation.all_face_handles()) face->info() = false;
-  std::vector reached{triangulation.infinite_face()};
-  reached.front()->info() = true;
-  while (!reached.empty()) {
-    const auto face = reached.back();
-    reached.pop_back();
-    for (int i = 0; i < 3; ++i) {
-      const auto neighbor = face->neighbor(i);
-      if (neighbor->info() || face->is_constrained(i)) continue;
-      neighbor->info() = true;
-      reached.push_back(neighbor);
+/// The triangles of a polygon that is seen as a simple one; nothing of another.
+class PolygonCut {
+ public:
+  explicit PolygonCut(const PlanePoints& points) : points_(points), count_(static_cast<Point>(points.size())) {}
+
+  std::optional<std::vector<CornerNumbers>> triangles() const {
+    std::vector<Point> by_place(count_);
+    std::iota(by_place.begin(), by_place.end(), Point{0});
+    std::ranges::sort(by_place, [&](Point a, Point b) { return points_.is_before(a, b); });
+    if (std::ranges::adjacent_find(by_place, [&](Point a, Point b) { return points_.are_one(a, b); }) != by_place.end())
+      return std::nullopt;
+    PlanarEdges edges = delaunay_edges(points_, by_place);
+    for (Point i = 0; i < count_; ++i)
+      if (!constrain(edges, points_, i, following(i))) return std::nullopt;
+    return inner_triangles(edges, by_place.front());
+  }
+
+ private:
+  Point following(Point i) const { return i + 1 == count_ ? 0 : i + 1; }
+  Point preceding(Point i) const { return i == 0 ? count_ - 1 : i - 1; }
+
+  /// The first point is a corner of the hull, where the polygon turns as it goes round. From inside no fixed edge is
+  /// met but the polygon's.
+  std::vector<CornerNumbers> inner_triangles(const PlanarEdges& edges, Point first) const {
+    const bool clockwise = points_.turn(preceding(first), first, following(first)) < 0;
+    std::vector<CornerNumbers> triangles;
+    std::vector<bool> reached(edges.count());  // the face to the left
+    std::vector<Edge> inner{edge_inside(edges, first, clockwise ? preceding(first) : following(first))};
+    while (!inner.empty()) {
+      const Edge e = inner.back();
+      inner.pop_back();
+      if (reached[e]) continue;
+      triangles.push_back(corners_of(edges, e, clockwise));
+      for (const Edge side : {e, edges.next(e), edges.previous(e)}) {
+        reached[side] = true;
+        if (!edges.is_fixed(side)) inner.push_back(PlanarEdges::twin(side));
+      }
     }
+    std::ranges::sort(triangles);
+    return triangles;
   }
-}
 
-/// The corners of a face, which go counter-clockwise, in the polygon's direction and the least of them first.
-CornerNumbers corners_of(const Triangulation::Face_handle& face, bool clockwise) {
-  CornerNumbers corners{};
-  for (int i = 0; i < 3; ++i) corners[static_cast<std::size_t>(i)] = face->vertex(i)->info();
-  if (clockwise) std::swap(corners[1], corners[2]);
-  std::ranges::rotate(corners, std::ranges::min_element(corners));
-  return corners;
-}
-
-/// Precondition: the polygon is simple.
-std::vector<CornerNumbers> cut(const std::vector<Point>& polygon) {
-  Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> vertices;
-  for (const Point& point : polygon) {
-    vertices.push_back(triangulation.insert(point));
-    vertices.back()->info() = static_cast<std::uint32_t>(vertices.size() - 1);
+  /// The edge between two neighbours, in the direction that has the polygon to its left.
+  static Edge edge_inside(const PlanarEdges& edges, Point from, Point to) {
+    Edge e = edges.leaving(from);
+    while (edges.target(e) != to) e = edges.after(e);
+    return e;
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    triangulation.insert_constraint(vertices[i], vertices[(i + 1) % vertices.size()]);
-  mark_outside(triangulation);
-  const bool clockwise = CGAL::orientation_2(polygon.begin(), polygon.end(), Kernel()) == CGAL::CLOCKWISE;
-  std::vector<CornerNumbers> triangles;
-  for (const auto face : triangulation.finite_face_handles())
-    if (!face->info()) triangles.push_back(corners_of(face, clockwise));
-  std::ranges::sort(triangles);
-  return triangles;
-}
+
+  /// The corners of the face to the left, in the polygon's direction and the least of them first.
+  static CornerNumbers corners_of(const PlanarEdges& edges, Edge e, bool clockwise) {
+    CornerNumbers corners{edges.origin(e), edges.target(e), edges.apex(e)};
+    if (clockwise) std::swap(corners[1], corners[2]);
+    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    return corners;
+  }
+
+  const PlanePoints& points_;
+  Point count_;
+};
 
 }  // namespace
 
-std::optional<std::vector<CornerNumbers>> triangulated(std::span<const glm::dvec3> polygon) {
+std::optional<std::vector<CornerNumbers>> triangulated(std::span<const glm::dvec3> polygon, std::uint64_t* decisions) {
   if (polygon.size() == 3) return std::vector{CornerNumbers{0, 1, 2}};
   for (const int axis : axes_faced(polygon)) {
-    const std::vector<Point> points = seen_along(axis, polygon);
-    if (CGAL::is_simple_2(points.begin(), points.end(), Kernel())) return cut(points);
+    const PlanePoints points = seen_along(axis, polygon);
+    auto triangles = PolygonCut(points).triangles();
+    if (decisions != nullptr) *decisions += points.decisions();
+    if (triangles) return triangles;
   }
   return std::nullopt;
 }

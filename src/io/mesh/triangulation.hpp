@@ -18,6 +18,7 @@ using CornerNumbers = std::array<std::uint32_t, 3>;
 /// there: so no three vertices of a triangle lie on one line, in space neither, and a polygon that is not exactly flat
 /// is cut all the same. Nothing where its edges touch or cross along every axis: it encloses no area then, or more than
 /// one. A triangle is itself.
-std::optional<std::vector<CornerNumbers>> triangulated(std::span<const glm::dvec3> polygon);
+std::optional<std::vector<CornerNumbers>> triangulated(std::span<const glm::dvec3> polygon,
+                                                       std::uint64_t* decisions = nullptr);
 
 }  // namespace durero::io

@@ -1,7 +1,9 @@
 #include "io/mesh/triangulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -80,6 +82,49 @@ bool meet(Cell a, Cell b, Cell c, Cell d) {
           side(c, d, a) * side(c, d, b) != 0);
 }
 
+// The sign of the determinant of four lifted points: positive where d lies within the circle of a, b and c, which go
+// counter-clockwise. Exact for small numbers.
+std::int64_t circle_determinant(Cell a, Cell b, Cell c, Cell d) {
+  const auto lifted = [&](Cell p) { return (p.x - d.x) * (p.x - d.x) + (p.y - d.y) * (p.y - d.y); };
+  const auto minor = [&](Cell p, Cell q) { return (p.x - d.x) * (q.y - d.y) - (p.y - d.y) * (q.x - d.x); };
+  return lifted(a) * minor(b, c) + lifted(b) * minor(c, a) + lifted(c) * minor(a, b);
+}
+
+// Whether of two triangles with an edge in common that is none of the polygon's neither has the other's corner within
+// its circle, nor, where the four corners lie on one circle, is the last of them, by x and then by y, on that edge.
+bool keeps_delaunay(const std::vector<Cell>& polygon, const std::vector<CornerNumbers>& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> across;  // of each directed edge the third corner
+  for (const auto& [a, b, c] : triangles) across[{a, b}] = c, across[{b, c}] = a, across[{c, a}] = b;
+  return std::ranges::all_of(across, [&](const auto& triangle) {
+    const auto [edge, c] = triangle;
+    const auto [a, b] = edge;
+    const auto other = across.find({b, a});
+    if (other == across.end()) return true;
+    const Cell p = polygon[a], q = polygon[b], r = polygon[c], s = polygon[other->second];
+    const std::int64_t within = circle_determinant(p, q, r, s) * side(p, q, r);
+    const auto place = [](Cell cell) { return std::pair(cell.x, cell.y); };
+    return within < 0 || (within == 0 && std::max(place(p), place(q)) < std::max(place(r), place(s)));
+  });
+}
+
+// The triangles by the places of their corners, in no order.
+std::set<std::set<std::pair<std::int64_t, std::int64_t>>> places_of(const std::vector<Cell>& polygon,
+                                                                    const std::vector<CornerNumbers>& triangles) {
+  std::set<std::set<std::pair<std::int64_t, std::int64_t>>> places;
+  for (const CornerNumbers& corners : triangles) {
+    std::set<std::pair<std::int64_t, std::int64_t>> triangle;
+    for (const std::uint32_t corner : corners) triangle.insert({polygon[corner].x, polygon[corner].y});
+    places.insert(triangle);
+  }
+  return places;
+}
+
+Polygon on_floor(const std::vector<Cell>& cells) {
+  Polygon polygon;
+  for (const Cell& cell : cells) polygon.emplace_back(cell.x, cell.y, 0);
+  return polygon;
+}
+
 // Whether no two edges have a point in common but for neighbours, which have the vertex between them: by its
 // definition.
 bool is_simple(const std::vector<Cell>& p) {
@@ -111,6 +156,38 @@ TEST_CASE("A polygon whose edges touch or cross is not cut") {
   CHECK_FALSE(is_cut({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}}));             // an edge back over the last
   CHECK_FALSE(is_cut({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 0, 0}, {0, 4, 0}}));  // a vertex on an edge
   CHECK_FALSE(is_cut({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}));             // on one line
+  CHECK_FALSE(is_cut({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}));             // on one point
+  CHECK_FALSE(is_cut({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {2, 5, 0}, {2, 2, 0}, {0, 2, 0}}));  // a spike
+  const Polygon square{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
+  Polygon holed = square;  // a hole, and the way to it and back
+  for (const glm::dvec3& p : Polygon{{0, 0, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}})
+    holed.push_back(p);
+  CHECK_FALSE(is_cut(holed));
+  Polygon touched = square;  // a notch up to the edge across
+  for (const glm::dvec3& p : Polygon{{0, 6, 0}, {9, 5, 0}, {0, 4, 0}}) touched.push_back(p);
+  CHECK_FALSE(is_cut(touched));
+  // The edge from the first vertex goes between two others before it meets one.
+  CHECK_FALSE(is_cut(on_floor({{0, 0}, {6, 0}, {6, -5}, {4, 0}, {2, -1}, {2, -5}, {-3, -5}, {-3, 4}, {2, 1}})));
+}
+
+TEST_CASE("Vertices between others on a line are corners of triangles too") {
+  Polygon dense;
+  for (int i = 0; i < 4; ++i) dense.emplace_back(i, 0, 0);
+  for (int i = 0; i < 4; ++i) dense.emplace_back(4, i, 0);
+  for (int i = 0; i < 4; ++i) dense.emplace_back(4 - i, 4, 0);
+  for (int i = 0; i < 4; ++i) dense.emplace_back(0, 4 - i, 0);
+  CHECK(covers_once_along_some_axis(dense));
+  const Polygon triangle{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 3, 0}};
+  CHECK(io::triangulated(triangle) == std::vector<CornerNumbers>{{0, 1, 4}, {1, 2, 4}, {2, 3, 4}});
+}
+
+TEST_CASE("On one circle the last vertex, by x and then by y, is cut off") {
+  const Polygon square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  CHECK(io::triangulated(square) == std::vector<CornerNumbers>{{0, 1, 3}, {1, 2, 3}});
+  const std::vector<Cell> circle{{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, -3}, {0, -5}, {3, -4}};
+  const auto triangles = io::triangulated(on_floor(circle));
+  REQUIRE(triangles.has_value());
+  CHECK(keeps_delaunay(circle, *triangles));
 }
 
 TEST_CASE("Coordinates of any size are cut exactly") {
@@ -151,6 +228,7 @@ TEST_CASE("A polygon in a plane is cut if and only if it is simple") {
       polygon.push_back(origin + static_cast<double>(cell.x) * across + static_cast<double>(cell.y) * up);
     RC_ASSERT(covers_once_along_some_axis(polygon) == is_simple(cells));
     RC_ASSERT(io::triangulated(polygon).has_value() == is_simple(cells));
+    if (const auto triangles = io::triangulated(on_floor(cells))) RC_ASSERT(keeps_delaunay(cells, *triangles));
     ++(is_simple(cells) ? simple : others);
   });
   if (!test::sanitized) CHECK((simple > 0 && others > 0));
@@ -167,4 +245,76 @@ TEST_CASE("A polygon that is not flat is cut all the same, along the axis that i
     RC_ASSERT(triangles.has_value());
     RC_ASSERT(covers_once(2, polygon, *triangles));
   });
+}
+
+TEST_CASE("A polygon of many vertices has the triangles of Delaunay, wherever it begins and whichever way it goes") {
+  test::property("vertices put between two others while the polygon stays simple", [] {
+    const auto below = [](int end) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, end)); };
+    std::vector<Cell> cells{{0, 0}, {12, 0}, {0, 12}};
+    for (int tries = 4 + below(40); tries-- > 0;) {
+      std::vector<Cell> more = cells;
+      const Cell cell{below(13), below(13)};
+      more.insert(more.begin() + below(static_cast<int>(cells.size())) + 1, cell);
+      if (is_simple(more)) cells = more;
+    }
+    RC_PRE(cells.size() > 3);
+    const auto triangles = io::triangulated(on_floor(cells));
+    RC_ASSERT(triangles.has_value());
+    RC_ASSERT(covers_once(2, on_floor(cells), *triangles));
+    RC_ASSERT(keeps_delaunay(cells, *triangles));
+    std::vector<Cell> others = cells;
+    std::ranges::rotate(others, others.begin() + below(static_cast<int>(cells.size())));
+    if (below(2) == 0) std::ranges::reverse(others);
+    const auto again = io::triangulated(on_floor(others));
+    RC_ASSERT(again.has_value());
+    RC_ASSERT(places_of(others, *again) == places_of(cells, *triangles));
+  });
+}
+
+TEST_CASE("A polygon of n vertices takes some n log n decisions") {
+  const auto comb = [](int n) {
+    Polygon polygon{{-1, -1, 0}};
+    for (int i = 0; i + 1 < n; ++i) polygon.emplace_back(i, i % 2 == 0 ? 0 : n, 0);
+    return polygon;
+  };
+  const auto flat_comb = [](int n) {
+    Polygon polygon;
+    for (int i = 0; i < n / 2; ++i) polygon.emplace_back(i, i % 2, 0);
+    for (int i = n / 2; i-- > 0;) polygon.emplace_back(i, i % 2 == 0 ? 1.5 : 2, 0);
+    return polygon;
+  };
+  const auto circle = [](int n) {
+    Polygon polygon;
+    for (int i = 0; i < n; ++i) polygon.emplace_back(std::cos(i * 6.28 / n), std::sin(i * 6.28 / n), 0);
+    return polygon;
+  };
+  const auto star = [](int n) {
+    Polygon polygon;
+    for (int i = 0; i < n; ++i) {
+      const double r = 1 + i * 37 % 101 / 101.0, angle = i * 6.28 / n;
+      polygon.emplace_back(r * std::cos(angle), r * std::sin(angle), 0);
+    }
+    return polygon;
+  };
+  const auto spiral = [](int n) {
+    Polygon polygon, back;
+    for (int i = 0; i < n / 2; ++i) {
+      const double r = 3 * i + 4, x = i % 4 < 2 ? r : -r, y = (i + 1) % 4 < 2 ? r : -r;
+      polygon.emplace_back(x, y, 0);
+      back.emplace_back(x - (x > 0 ? 1 : -1), y - (y > 0 ? 1 : -1), 0);
+    }
+    polygon.insert(polygon.end(), back.rbegin(), back.rend());
+    return polygon;
+  };
+  const std::vector<std::function<Polygon(int)>> families{comb, flat_comb, circle, star, spiral};
+  for (std::size_t family = 0; family < families.size(); ++family) {
+    for (const int n : {100, 1000, test::sanitized ? 2000 : 10000}) {
+      INFO("family " << family << ", " << n << " vertices");
+      std::uint64_t decisions = 0;
+      const auto triangles = io::triangulated(families[family](n), &decisions);
+      REQUIRE(triangles.has_value());
+      CHECK(triangles->size() == static_cast<std::size_t>(n) - 2);
+      CHECK(static_cast<double>(decisions) < 10 * n * std::log2(n));
+    }
+  }
 }
