@@ -30,6 +30,10 @@ std::optional<double> read_finite(std::string_view text) {
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
+std::optional<double> read_decimal(std::string_view text) {
+  return text.find_first_of("xX") == text.npos ? read_finite(text) : std::nullopt;
+}
+
 void append_number(std::string& out, double value) { fmt::format_to(std::back_inserter(out), "{}", value); }
 
 std::string number_text(double value) { return fmt::format("{}", value); }

@@ -85,3 +85,10 @@ TEST_CASE("What is no number is none") {
     CHECK_FALSE(read_number(text).has_value());
   }
 }
+
+TEST_CASE("A decimal number is finite and not in hexadecimal") {
+  CHECK(io::read_decimal("-1.5e3") == -1500);
+  CHECK(io::read_decimal("+.5") == 0.5);
+  for (const char* const text : {"0x1p3", "-0X1", "1e999", "inf", "nan", "", "1x", "1,5", " 1"})
+    CHECK_FALSE(io::read_decimal(text).has_value());
+}

@@ -16,15 +16,15 @@
 namespace durero::io {
 namespace {
 
-/// Looks at each line beside the library, which takes a line that it does not understand for a shorter one: every
-/// number that stands there must be the library's.
+/// Reads a mesh line by line. A face may name a vertex that stands below it.
 class ObjLines {
  public:
   /// The lines are of the joined text.
-  ObjLines(const Source& source, std::string_view joined, const PolygonSoup& soup)
-      : source_(source), joined_(joined), soup_(soup) {}
+  ObjLines(const Source& source, std::string_view joined)
+      : source_(source), joined_(joined), vertex_count_(obj_vertex_count(joined)) {}
 
-  /// @{ The groups of the faces, and how textures lie on them, after read().
+  /// @{ The mesh, the groups of its faces, and how textures lie on them, after read().
+  const PolygonSoup& soup() const { return soup_; }
   const FaceGroups& groups() const { return groups_; }
   const FaceTextures& textures() const { return textures_; }
   /// @}
@@ -36,7 +36,8 @@ class ObjLines {
       WordCursor in(source_, joined_, *line);
       if (!in.done()) read_statement(in);
     }
-    if (!soup_.whole) source_.fail(soup_.end, "no mesh", "expected vertices (v) and faces (f)");
+    if (soup_.vertices.empty() || soup_.faces.empty())
+      source_.fail(source_.text().size(), "no mesh", "expected vertices (v) and faces (f)");
     if (late_ && late_->number >= static_cast<std::int64_t>(textures_.uv.size())) fail_texture(*late_);
     return losses();
   }
@@ -50,7 +51,7 @@ class ObjLines {
     if (row == nullptr) fail_unknown(in, at, statement);
     switch (row->kind) {
       case ObjKind::vertex:
-        return read_vertex(in, at);
+        return read_vertex(in);
       case ObjKind::face:
         return read_face(in, at);
       case ObjKind::normal:
@@ -77,16 +78,16 @@ class ObjLines {
   }
 
   // x y z, and perhaps a weight or a colour or both.
-  void read_vertex(WordCursor& in, std::size_t line_at) {
+  void read_vertex(WordCursor& in) {
+    glm::dvec3& vertex = soup_.vertices.emplace_back();
     for (int i = 0; i < 3; ++i) {
       const std::size_t at = in.offset();
       const std::string_view digits = in.word("#");
-      const auto value = read_finite(digits);
-      const bool agreed = value && (vertices_ >= soup_.vertices.size() || soup_.vertices[vertices_][i] == *value);
-      if (!agreed) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a finite decimal number");
+      const auto value = read_decimal(digits);
+      if (!value) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a finite decimal number");
+      vertex[i] = *value;
       in.skip_blanks();
     }
-    if (vertices_++ >= soup_.vertices.size()) in.fail(line_at, "v of no decimal numbers", "expected x y z");
     if (in.done()) return;
     ++weighted_;
     for (int more = 0; !in.done(); ++more) {
@@ -132,37 +133,43 @@ class ObjLines {
   }
 
   void read_face(WordCursor& in, std::size_t at) {
-    const Face& face = faces_ < soup_.faces.size() ? soup_.faces[faces_] : none_;
-    Face textures;
-    std::size_t corners = 0;
-    for (; !in.done(); ++corners) {
+    Face face, textures;
+    while (!in.done()) {
       const std::size_t corner_at = in.offset();
       const std::string_view word = in.word("#");
       const auto corner = corner_of(word);
-      if (!corner || corners >= face.size() || face[corners] != corner->vertex)
+      if (!corner)
         in.fail(corner_at, fmt::format("{} in f", text::shown(word)),
                 "expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0");
       check_vertex(in, corner_at, word, corner->vertex);
+      face.push_back(corner->vertex);
       if (corner->texture) {
         check_texture({corner_at, word, *corner->texture});
         textures.push_back(*corner->texture);
       }
+      check_comment(in, at);
       in.skip_blanks();
     }
-    if (corners < 3) in.fail(at, fmt::format("a face of {} vertices", corners), "expected 3 or more");
-    if (corners != face.size())
-      in.fail(at, "f with numbers in a comment or too long", "expected spaces before a comment");
-    ++faces_;
+    if (face.size() < 3) in.fail(at, fmt::format("a face of {} vertices", face.size()), "expected 3 or more");
     groups_.of_face.push_back(group_);
-    if (textures.size() != corners) textures.clear();
+    if (textures.size() != face.size()) textures.clear();
     textures_.of_face.push_back(std::move(textures));
+    soup_.faces.push_back(std::move(face));
+  }
+
+  /// Fails where a comment begins behind a corner without a blank, and a corner seems to follow in it. Others stand
+  /// there as they may.
+  static void check_comment(WordCursor in, std::size_t face_at) {
+    if (!in.at('#')) return;
+    in.word("");
+    in.skip_blanks();
+    if (!in.done() && read_number(in.word("/")))
+      in.fail(face_at, "f with numbers in a comment", "expected spaces before a comment");
   }
 
   void check_vertex(const WordCursor& in, std::size_t at, std::string_view corner, std::int64_t vertex) const {
-    const std::size_t count = soup_.vertices.size();
-    if (vertex < 0 || static_cast<std::size_t>(vertex) >= count) {
-      in.fail(at, fmt::format("{} names no vertex", text::shown(corner)), expected_number(count, "v"));
-    }
+    if (vertex < 0 || static_cast<std::size_t>(vertex) >= vertex_count_)
+      in.fail(at, fmt::format("{} names no vertex", text::shown(corner)), expected_number(vertex_count_, "v"));
   }
 
   static std::string expected_number(std::size_t count, std::string_view statement) {
@@ -205,7 +212,7 @@ class ObjLines {
       const auto from_0 = [&](std::size_t above) {
         return number > 0 ? number - 1 : static_cast<std::int64_t>(above) + number;
       };
-      if (part == 0) corner.vertex = from_0(vertices_);
+      if (part == 0) corner.vertex = from_0(soup_.vertices.size());
       if (part == 1 && !left_out) corner.texture = from_0(textures_.uv.size());
       if (length == word.size()) return corner;
       word.remove_prefix(length + 1);
@@ -239,9 +246,8 @@ class ObjLines {
 
   const Source& source_;
   const std::string_view joined_;
-  const PolygonSoup& soup_;
-  const Face none_;
-  std::size_t vertices_ = 0, faces_ = 0;  // passed
+  const std::size_t vertex_count_;  // of the whole text
+  PolygonSoup soup_;
   std::size_t normals_ = 0, weighted_ = 0, materials_ = 0, others_ = 0;
   std::size_t no_names_ = 0, further_names_ = 0;  // of groups
   FaceTextures textures_;
@@ -254,10 +260,9 @@ class ObjLines {
 
 Imported read_obj(const Source& source) {
   const std::string joined = obj_joined(source.text());
-  const PolygonSoup soup = obj_soup(obj_meshes(joined));
-  ObjLines lines(source, joined, soup);
+  ObjLines lines(source, joined);
   std::vector<std::string> lost = lines.read();
-  return mesh_scene(source, soup, std::move(lost), lines.groups(), lines.textures());
+  return mesh_scene(source, lines.soup(), std::move(lost), lines.groups(), lines.textures());
 }
 
 }  // namespace durero::io

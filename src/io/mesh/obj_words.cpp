@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "durero/io/lines.hpp"
-#include "polygon_soup.hpp"
 
 namespace durero::io {
 namespace {
 
-constexpr std::string_view obj_blanks = " \t\v\f";
+constexpr std::string_view obj_blanks = " \t\v\f", obj_word_ends = " \t\v\f#";
 
 /// Whether a comment begins in the line: a # at the beginning of a word.
 bool has_comment(std::string_view line) {
@@ -36,20 +35,16 @@ std::string obj_joined(std::string_view text) {
   return joined;
 }
 
-std::string obj_meshes(std::string_view joined) {
-  std::string plain;
-  plain.reserve(joined.size());
-  append_plain(plain, joined);
-  for (std::size_t begin = 0, end = 0; begin < plain.size(); begin = end + 1) {
-    end = std::min(plain.find('\n', begin), plain.size());
-    const std::size_t word = std::min(plain.find_first_not_of(' ', begin), end);
-    const std::size_t behind = std::min(plain.find(' ', word), end);
-    const ObjWord* const row = obj_word(std::string_view(plain).substr(word, behind - word));
-    const bool is_mesh = row != nullptr && (row->kind == ObjKind::vertex || row->kind == ObjKind::face);
-    const std::size_t from = is_mesh ? word + 1 : begin, to = is_mesh ? behind : end;
-    std::fill(plain.begin() + static_cast<std::ptrdiff_t>(from), plain.begin() + static_cast<std::ptrdiff_t>(to), ' ');
+std::size_t obj_vertex_count(std::string_view joined) {
+  std::size_t count = 0;
+  Lines lines(joined);
+  while (const auto line = lines.next()) {
+    std::string_view bytes = joined.substr(line->begin, line->end - line->begin);
+    bytes.remove_prefix(std::min(bytes.find_first_not_of(obj_blanks), bytes.size()));
+    const ObjWord* const row = obj_word(bytes.substr(0, bytes.find_first_of(obj_word_ends)));
+    count += row != nullptr && row->kind == ObjKind::vertex ? 1 : 0;
   }
-  return plain;
+  return count;
 }
 
 }  // namespace durero::io

@@ -80,8 +80,7 @@ const ObjWord* obj_word(std::string_view word) noexcept;
 /// end. It is as long as before, so that every place stays where it is.
 std::string obj_joined(std::string_view text);
 
-/// What the library is given of such a text, byte for byte: its vertices and faces, with line ends and blanks as
-/// append_plain writes them, and nothing else.
-std::string obj_meshes(std::string_view joined);
+/// How many vertices such a text has: a face may name one that stands below it.
+std::size_t obj_vertex_count(std::string_view joined);
 
 }  // namespace durero::io

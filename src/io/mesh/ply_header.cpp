@@ -45,7 +45,9 @@ class HeaderReader {
     end_line();
     next_line();
     word(ply_first_statement, "expected format");
-    header_.is_text = word(ply_encodings, "expected " + one_of_words(ply_encodings)) == "ascii";
+    const std::string_view encoding = word(ply_encodings, "expected " + one_of_words(ply_encodings));
+    header_.is_text = encoding == "ascii";
+    header_.is_little = encoding == "binary_little_endian";
     word(ply_versions, "expected 1.0");
     end_line();
     while (read_statement()) {
@@ -53,8 +55,8 @@ class HeaderReader {
     header_.vertex = element_named(ply_vertices);
     header_.face = element_named(ply_faces);
     for (const PlyElement& element : header_.elements) check_repetition(element);
-    check_vertex(header_.elements[header_.vertex]);
-    check_face(header_.elements[header_.face]);
+    find_axes(header_.elements[header_.vertex]);
+    find_corners(header_.elements[header_.face]);
     return std::move(header_);
   }
 
@@ -94,7 +96,9 @@ class HeaderReader {
       property.counted_by = word(ply_counts, fmt::format("expected {}, which count a list", one_of_words(ply_counts)));
       property.type = type_of(ply_types);
     }
+    const std::size_t at = line_->offset();
     property.name = word();
+    if (property.name.empty()) source_.fail(at, line_->here(), "expected the name of a property");
     end_line();
     header_.elements.back().properties.push_back(property);
   }
@@ -131,23 +135,27 @@ class HeaderReader {
                    "expected some");
   }
 
-  void check_vertex(const PlyElement& vertex) const {
-    for (const std::string_view axis : ply_axes) {
+  void find_axes(const PlyElement& vertex) {
+    for (std::size_t i = 0; i < header_.axes.size(); ++i) {
+      const std::string_view axis = ply_axes[i];
       const auto p = std::ranges::find(vertex.properties, axis, &PlyProperty::name);
       if (p == vertex.properties.end() || !p->counted_by.empty() || !among(p->type, ply_coordinates)) {
         source_.fail(vertex.at, fmt::format("a vertex without a coordinate {}", axis),
                      "expected x, y and z, each " + one_of_words(ply_coordinates));
       }
+      header_.axes[i] = static_cast<std::size_t>(p - vertex.properties.begin());
     }
   }
 
-  void check_face(const PlyElement& face) const {
+  void find_corners(const PlyElement& face) {
     const auto is_list_of_vertices = [](const PlyProperty& p) {
       return among(p.name, ply_lists) && !p.counted_by.empty() && among(p.type, ply_numbers);
     };
     if (std::ranges::count_if(face.properties, is_list_of_vertices) != 1)
       source_.fail(face.at, "a face without a list of vertices",
                    fmt::format("expected {}, a list of {}", one_of_words(ply_lists), one_of_words(ply_numbers)));
+    const auto list = std::ranges::find_if(face.properties, is_list_of_vertices);
+    header_.corners = static_cast<std::size_t>(list - face.properties.begin());
   }
 
   void next_line() {

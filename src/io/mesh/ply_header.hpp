@@ -1,6 +1,7 @@
 #pragma once
 /// What a PLY file says of itself: its elements and their properties.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -24,9 +25,12 @@ struct PlyElement {
 
 struct PlyHeader {
   bool is_text = false;
+  bool is_little = false;  ///< whether the least byte of a number comes first, where it is no text
   std::vector<PlyElement> elements;
-  std::size_t vertex = 0, face = 0;  ///< which of the elements they are
-  std::size_t end = 0;               ///< where the data begin
+  std::size_t vertex = 0, face = 0;   ///< which of the elements they are
+  std::array<std::size_t, 3> axes{};  ///< which properties of vertex are x, y and z
+  std::size_t corners = 0;            ///< which property of face is the list of its vertices
+  std::size_t end = 0;                ///< where the data begin
 };
 
 /// Reads the header of a mesh: one with the elements vertex (float or double x, y, z) and face (a list vertex_indices

@@ -215,6 +215,15 @@ TEST_CASE("A line of OBJ goes on behind a backslash at its end, and a corner nee
   }
 }
 
+TEST_CASE("A face of OBJ may name vertices below it, and its line may end in a comment") {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\n\tv 0 1 0#3\n";
+  const std::string wanted = io::scene_text(import_text(vertices + "f 1 2 3\n").scene);
+  CHECK(io::scene_text(import_text("f 1 2 3\n" + vertices).scene) == wanted);
+  CHECK(io::scene_text(import_text(vertices + "f 1 2 3#c\n").scene) == wanted);
+  CHECK(io::scene_text(import_text(vertices + "f 1 2 3 #c 1\n").scene) == wanted);
+  CHECK(io::scene_text(import_text(vertices + "vt 0\nf 1/" + std::string(300, '0') + "1 2 3\n").scene) == wanted);
+}
+
 TEST_CASE("A malformed OBJ file is an error with its place") {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
                     statements =
@@ -230,7 +239,8 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
       {"v 0 ^0x 0", "\"0x\" in v; expected a finite decimal number"},
       {vertices + "v 0 0 ^3abc\nf 1 2 3", "\"3abc\" in v; expected a finite decimal number"},
       {vertices + "v 0 0 ^0x1p3\nf 1 2 3", "\"0x1p3\" in v; expected a finite decimal number"},
-      {vertices + "^v 0x1p3 0 0\nf 1 2 3", "v of no decimal numbers; expected x y z"},
+      {vertices + "v ^0x1p3 0 0\nf 1 2 3", "\"0x1p3\" in v; expected a finite decimal number"},
+      {vertices + "v 0 0^", "\"\" in v; expected a finite decimal number"},
       {vertices + "v 0 0 ^1e999\nf 1 2 3", "\"1e999\" in v; expected a finite decimal number"},
       {vertices + "v 0 0 ^nan\nf 1 2 3", "\"nan\" in v; expected a finite decimal number"},
       {vertices + "v 0 0 0 1 1 1 ^x\nf 1 2 3", "\"x\" in v; expected a number"},
@@ -264,9 +274,11 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
        "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
       {vertices + "f 1 2 3\nv 1 \\\n1 \\\n^x", "\"x\" in v; expected a finite decimal number"},
       {vertices + "# \\\n^face", "unknown statement \"face\"; expected one of " + statements},
-      {vertices + "f 1/" + std::string(300, '0') + "1 ^2 3",
-       "\"2\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
-      {vertices + "^f 1 2 3#c 1", "f with numbers in a comment or too long; expected spaces before a comment"},
+      {vertices + "^f 1 2 3#c 1", "f with numbers in a comment; expected spaces before a comment"},
+      {vertices + "^f 1 2 3#4 2//1 1", "f with numbers in a comment; expected spaces before a comment"},
+      {vertices + "f 1 2 ^2147483648",
+       "\"2147483648\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^5\n\tv\t0 0 0", "\"5\" names no vertex; expected 1 to 4, or a distance back to one above"},
       {vertices + "f 1 2 3\n^face 1 2 3", "unknown statement \"face\"; expected one of " + statements},
       {vertices + "f 1 2 3\n^usemtll red", "unknown statement \"usemtll\"; expected usemtl"},
       {vertices + "f 1 2 3\n^call other.obj", "unknown statement \"call\"; expected one of " + statements},

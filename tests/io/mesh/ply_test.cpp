@@ -148,6 +148,8 @@ TEST_CASE("A malformed header of PLY is an error with its place") {
        "unknown type \"real\"; expected one of list, char, int8, uchar, uint8, short, int16, ushort, uint16, int, "
        "int32, uint, uint32, "
        "float, float32, double, float64"},
+      {head + "element vertex 1\nproperty double^\n", "the line ends; expected the name of a property"},
+      {head + "element vertex 1\nproperty list uchar int ^\n", "the line ends; expected the name of a property"},
       {head + vertex + "element face 1\nproperty list ^int int vertex_indices\n",
        "\"int\" stands here; expected one of uchar, uint8, ushort, uint16, which count a list"},
       {head + vertex + "^" + vertex + face + end, "a second element vertex; expected one"},
@@ -186,6 +188,16 @@ TEST_CASE("Malformed data of PLY are an error with their place, in a binary file
       {vertices + "3 0 1 2\n^2 0 1\n", "face 1 has 2 vertices; expected 3 or more"},
       {vertices + "3 0 1 2\n^3 0 1 3\n", "face 1 names vertex 3; expected one of 3, counted from 0"},
       {vertices + "^3 0 1 -1\n3 0 1 2\n", "face 0 names vertex -1; expected one of 3, counted from 0"},
+      {vertices + "^65536 0 1 2\n3 0 1 2\n", "\"65536\" after 3 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {vertices + "^256 0 1 2\n3 0 1 2\n", "\"256\" after 3 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {vertices + "^-1 0 1 2\n3 0 1 2\n", "\"-1\" after 3 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {vertices + "3 0 1 ^2147483648\n3 0 1 2\n",
+       "\"2147483648\" after 3 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {vertices + "3 0 1 ^99999999999999999999\n3 0 1 2\n",
+       "\"99999999999999999999\" after 3 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {head + "0 1 ^0x1\n", "\"0x1\" after 1 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {head + "0 1 ^0-1\n", "\"0-1\" after 1 vertices and 0 faces; expected 3 vertices and 2 faces"},
+      {head + "^0,5 1 0\n", "\"0,5\" after 1 vertices and 0 faces; expected 3 vertices and 2 faces"},
       {vertices + "3 0 1 2\n3 0 1 2\n \n^7\n", "data behind the last element; expected as many as the header tells of"},
   };
   for (const auto& [text, expected] : cases) {
@@ -193,19 +205,44 @@ TEST_CASE("Malformed data of PLY are an error with their place, in a binary file
     CHECK(error_at(text) == expected);
   }
   const auto error = [](const std::string& text) { return test::error_of(text, reading); };
-  // The library asserts that colours are of one type, and cannot go on.
-  CHECK(error("ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\nproperty double z\n"
-              "property uchar red\nproperty int green\nproperty uchar g\nproperty uchar b\nelement face 1\n"
-              "property list uchar int vertex_indices\nend_header\n0 0 0 1 1 1 7\n3 0 0 0\n") ==
-        "f:14:13: \"7\" after 0 vertices and 0 faces; expected 1 vertices and 1 faces");
   const std::string whole = binary(true, {{0, 1, 2}, {2, 1, 0}});
   CHECK(error(whole.substr(0, whole.size() - 1)) ==
         "f:7:1: the data end after 3 vertices and 1 faces; expected 3 vertices and 2 faces");
   CHECK(error(whole + " ") == "f:7:1: data behind the last element; expected as many as the header tells of");
   CHECK(error(binary(false, {{0, 1, 7}})) == "f:7:1: face 0 names vertex 7; expected one of 3, counted from 0");
+  CHECK(error(binary(false, {{0, 1, -1}})) == "f:7:1: face 0 names vertex -1; expected one of 3, counted from 0");
   CHECK(error(binary(false, {{0, 1}})) == "f:7:1: face 0 has 2 vertices; expected 3 or more");
   CHECK(error(binary(true, {{0, 1, 2}}, std::numeric_limits<double>::infinity())) ==
         "f:3:1: vertex 2 is (0, 0, inf); expected finite numbers");
+}
+
+TEST_CASE("Every property of PLY is passed by its type, and a face may stand before its vertices") {
+  const std::string wanted = io::scene_text(import_text("ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\n"
+                                                        "property double y\nproperty double z\nelement face 1\n"
+                                                        "property list uchar int vertex_index\nend_header\n"
+                                                        "0 0 1\n1 0 2\n0 1 3\n3 2 1 0\n")
+                                                .scene);
+  const std::string properties =
+      "element faces 1\nproperty list uint8 double weights\nproperty list ushort uint vertex_indices\n"
+      "property char c\nelement vertices 3\nproperty double z\nproperty int8 i1\nproperty uint8 u1\n"
+      "property float64 x\nproperty int16 i2\nproperty uint16 u2\nproperty double y\nproperty int32 i4\n"
+      "property uint32 u4\nproperty float32 f4\nproperty list uchar short vertex_index\nend_header\n";
+  const io::Imported text = import_text("ply\nformat ascii 1.0\n" + properties +
+                                        "2 0.5 -1e300 3 2 +1 0 -128\n"
+                                        "1 -128 255 0 -32768 65535 0 -2147483648 4294967295 -1e38 0\n"
+                                        "2 127 0 1 32767 0 0 2147483647 0 1e-50 1 -7\n"
+                                        "3 0\n0 0 0 0 1 0 0\n1. 2\t1 2\n");
+  CHECK(io::scene_text(text.scene) == wanted);
+  for (const bool little : {true, false}) {
+    const auto b = [&](auto number) { return bytes(number, little); };
+    std::string data = b(std::uint8_t{2}) + b(0.5) + b(-1e300) + b(std::uint16_t{3}) + b(2U) + b(1U) + b(0U) + "c";
+    for (const auto& [x, y, z] : {std::array{0.0, 0.0, 1.0}, {1.0, 0.0, 2.0}, {0.0, 1.0, 3.0}})
+      data += b(z) + "iu" + b(x) + b(std::int16_t{-1}) + b(std::uint16_t{1}) + b(y) + b(-1) + b(1U) + b(1.0F) +
+              b(std::uint8_t{1}) + b(std::int16_t{-7});
+    CHECK(io::scene_text(import_text(fmt::format("ply\nformat binary_{}_endian 1.0\n", little ? "little" : "big") +
+                                     properties + data)
+                             .scene) == wanted);
+  }
 }
 
 TEST_CASE("No damage to PLY does worse than an error") {
