@@ -1,5 +1,4 @@
 // durero version [--json]: what this program is made of.
-#include <CGAL/version.h>
 #include <OpenEXRConfig.h>
 #include <flint/flint.h>
 #include <fmt/core.h>
@@ -78,7 +77,6 @@ Pairs libraries() {
           {"libjpeg-turbo", of_parts(LIBJPEG_TURBO_VERSION_NUMBER, 1'000'000, 1000, 1000)},
           {"RapidJSON", RAPIDJSON_VERSION_STRING},
           {"CLI11", CLI11_VERSION},
-          {"CGAL", CGAL_VERSION_STR},
           {"FLINT", FLINT_VERSION}};
 }
 

@@ -111,8 +111,8 @@ packages x: a package whose licence nobody names
   s/^build_packages="/&libhdf5-dev /
 packages debian/control: a package that the build needs and Debian's does not install
   s/ libgmp-dev,//
-packages src/io/mesh/polygon_soup.cpp: a header of CGAL whose licence nobody names
-  s/^#include <CGAL\/Simple_cartesian.h>/#include <CGAL\/Nef_polyhedron_3.h>/
+packages src/io/mesh/obj_reader.cpp: a header under the GPL
+  0,/^#include </s/^#include </#include <CGAL\/Polygon_2_algorithms.h>\n&/
 versions debian/changelog: a Debian package of another version
   s/^durero (0\./durero (9./
 versions CITATION.cff: a citation of another version

@@ -5,7 +5,7 @@
 
 namespace durero::io {
 
-/// Reads the vertices (`v`) and faces (`f`) of an OBJ mesh by a library: a face is a triangle, or a polygon that is cut
+/// Reads the vertices (`v`) and faces (`f`) of an OBJ mesh: a face is a triangle, or a polygon that is cut
 /// into triangles; where each of its corners names a texture coordinate (`vt`), so do their vertices. They are named
 /// FILE:1, FILE:2, … in the order of the file, FILE being its name without folders. The first name of `g` or `o` is a
 /// group of the triangles that follow, up to the next `g` or `o`. Triangles whose vertices lie on one line and polygons

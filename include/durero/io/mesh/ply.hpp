@@ -5,7 +5,7 @@
 
 namespace durero::io {
 
-/// Reads the elements `vertex` and `face` of a PLY mesh by a library; names and losses are those of read_obj. A
+/// Reads the elements `vertex` and `face` of a PLY mesh; names and losses are those of read_obj. A
 /// coordinate of type float is the nearest binary32 to what is written. Throws InputError; in a binary file its place
 /// is the line of the header that tells of the element.
 Imported read_ply(const Source& source);
