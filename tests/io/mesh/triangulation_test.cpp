@@ -271,7 +271,7 @@ TEST_CASE("A polygon of many vertices has the triangles of Delaunay, wherever it
   });
 }
 
-TEST_CASE("A polygon of n vertices takes some n log n decisions") {
+TEST_CASE("Combs, circles, stars and spirals of n vertices take some n log n decisions") {
   const auto comb = [](int n) {
     Polygon polygon{{-1, -1, 0}};
     for (int i = 0; i + 1 < n; ++i) polygon.emplace_back(i, i % 2 == 0 ? 0 : n, 0);
