@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "durero/text/spanish.hpp"
 #include "durero/text/utf8.hpp"
 
 namespace durero::text {
@@ -38,6 +39,8 @@ std::size_t apart(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& list) {
+  const auto same = std::ranges::find(list, word, english_of);
+  if (same != list.end() && !word.empty()) return *same;
   std::optional<std::string> best;
   std::size_t least = 0;
   const std::size_t length = characters(word).size();

@@ -36,6 +36,15 @@ TEST_CASE("The nearest word is near, the least apart, and the first of several")
   CHECK(nearest("any", {}) == std::nullopt);
 }
 
+TEST_CASE("An English word is nearest to the name that it is the English of") {
+  CHECK(nearest("radius", {"centro", "radio"}) == "radio");
+  CHECK(nearest("sphere", {"cono", "esfera"}) == "esfera");
+  CHECK(nearest("Add_Cone", {"Agregar_Elemento", "Agregar_Cono"}) == "Agregar_Cono");
+  CHECK(nearest("height", {"centro", "radio"}) == std::nullopt);
+  CHECK(nearest("", {"trace"}) == std::nullopt);
+  CHECK(expected_of("center", {"centro", "centre"}) == "centro");
+}
+
 TEST_CASE("What is expected is the near word, or all") {
   CHECK(expected_of("exakt", {"sampled", "exact"}) == "exact");
   CHECK(expected_of("quick", {"sampled", "exact"}) == "one of sampled, exact");
