@@ -1,6 +1,7 @@
 #!/bin/sh
 # label_index.sh: where each label of the Z text stands, one place a line:
 #   LABEL<tab>KIND<tab>FILE:LINE[<tab>NAME]    KIND one of text, clause, function, test, theorem
+# and of each type of model, under its name in place of a label, KIND type.
 # Run at the root. A clause is a quoted label in model; a function names the definition that it carries out; a theorem
 # names, in the comment before it, the labels that it discharges. What spec/tablas.tex says of the program's own state is
 # no clause: the functions of scene and surface that carry it out name it.
@@ -18,6 +19,8 @@ places() { # places KIND: `FILE:LINE:LABEL` to index lines
     while IFS= read -r place; do
       grep -qE "% ${place##*:}\$" spec/tablas.tex && printf '%s\n' "$place"
     done | places function
+  grep -nHE "^(struct|class|enum class) [A-Za-z_]+( .*\{.*)?$" -r include/durero/model |
+    sed -E 's/^([^:]+:[0-9]+):(struct|class|enum class) ([A-Za-z_]+).*/\3	type	\1/'
   find tests -name '*.cpp' -exec grep -onHE "\b$label\b" {} + | places test
   find proofs -name '*.v' ! -name Especificacion.v | sort | while read -r file; do
     awk -v file="$file" '

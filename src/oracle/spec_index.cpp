@@ -52,6 +52,23 @@ std::string declaration_text(const zed::Specification& specification, const std:
   return {};
 }
 
+/// Says whether the text has the word, and not as a part of another.
+bool has_word(std::string_view text, std::string_view word) {
+  const auto goes_on = [](char c) {
+    return c == '_' || c == '?' || c == '!' || ('0' <= c && c <= '9') || ('A' <= c && c <= 'Z') ||
+           ('a' <= c && c <= 'z');
+  };
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !goes_on(text[at - 1])) && (end == text.size() || !goes_on(text[end]))) return true;
+  }
+  return false;
+}
+
+bool has_variable(const zed::Paragraph& paragraph, const std::string& name) {
+  return !zed::names_of(paragraph).empty() && has_word(zed::to_unicode(paragraph), name);
+}
+
 /// ΔS and ΞS, which no paragraph declares: what they stand for, then S.
 std::string change_text(const zed::Specification& specification, const std::string& name, const LabelIndex& index) {
   constexpr std::string_view delta = "Δ", xi = "Ξ";
@@ -86,6 +103,14 @@ std::string LabelIndex::theorem(const std::string& label) const {
   return found == last ? std::string() : found->second.name;
 }
 
+std::string LabelIndex::carried_out(const std::string& label_or_name) const {
+  const auto [first, last] = entries_.equal_range(label_or_name);
+  const auto found = std::find_if(first, last, [](const auto& entry) {
+    return entry.second.kind == "clause" || entry.second.kind == "function" || entry.second.kind == "type";
+  });
+  return found == last ? std::string() : found->second.place;
+}
+
 std::string LabelIndex::places(const std::string& label) const {
   std::string said = label + "\n";
   const auto [first, last] = entries_.equal_range(label);
@@ -103,6 +128,24 @@ std::string shown(const zed::Specification& specification, const std::string& na
   const std::string unicode = in_unicode(specification, name);
   const std::string said = declaration_text(specification, unicode, index);
   return said.empty() ? change_text(specification, unicode, index) : said;
+}
+
+std::optional<NameLocation> name_location(const zed::Specification& specification, const std::string& name,
+                                          const LabelIndex& index) {
+  for (const auto& has : {zed::is_named, zed::has_component, has_variable}) {
+    for (const zed::Section& section : specification.sections) {
+      for (const zed::Paragraph& paragraph : section.paragraphs) {
+        if (!has(paragraph, name)) continue;
+        const std::vector<zed::Name> names = zed::names_of(paragraph);
+        const std::string first = names.empty() ? std::string() : names.front().text();
+        NameLocation place{fmt::format("{}:{}", section.file, paragraph.place.line), first, index.carried_out(first)};
+        for (const std::string& label : zed::labels_of(paragraph))
+          if (place.program.empty()) place.program = index.carried_out(label);
+        return place;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> names_and_labels(const zed::Specification& specification) {

@@ -40,5 +40,28 @@ TEST_CASE("a name is shown by what declares it, a label by its own places, ΔS b
   CHECK(in_unicode(text(), "\\nadie") == "\\nadie");
 }
 
+TEST_CASE("a name stands where it is declared, or is a component, or a variable") {
+  const auto declared = name_location(text(), "Escena", index);
+  REQUIRE(declared);
+  CHECK_THAT(declared->text, StartsWith("spec/escena.tex:"));
+  CHECK(declared->paragraph == "Escena");
+  CHECK(declared->program == "x.hpp:1");
+  const auto component = name_location(text(), "radio?", index);
+  REQUIRE(component);
+  CHECK_THAT(component->text, StartsWith("spec/operaciones.tex:"));
+  CHECK(component->paragraph == "Agregar_Esfera");
+  CHECK(component->program.empty());
+  const auto variable = name_location(text(), "otro", index);
+  REQUIRE(variable);
+  CHECK(variable->paragraph == "reduccion");
+  const auto value =
+      name_location(text(), "soy_esfera", LabelIndex("Tipo\ttype\ttipos.hpp:9\nTipo.inv.1\tclause\tx.hpp:1\n"));
+  REQUIRE(value);
+  CHECK(value->paragraph == "Tipo");
+  CHECK(value->program == "tipos.hpp:9");
+  CHECK(!name_location(text(), "oj", index));
+  CHECK(!name_location(text(), "nadie", index));
+}
+
 }  // namespace
 }  // namespace durero::oracle::spec
