@@ -18,6 +18,39 @@ run 0 help conform run
 same out command
 refused 'help: tarce: no such command; expected trace — did you mean it?' help tarce
 refused 'help: more: no such command; expected none below trace' help trace more
+# A name of the Z text is told of by itself and by its English, in any case.
+run 0 help radio?
+has out 'radio?: radius'
+has out '  text      spec/operaciones.tex:'
+has out '  program   include/durero/model/tipo/esfera.hpp:'
+for word in radio radius; do
+  run 0 help $word
+  has out 'radio?: radius'
+  grep -vE '^  ' out >$word
+done
+same radio radius
+run 0 help Sphere
+has out 'esfera: sphere'
+has out 'Agregar_Esfera'
+cp out sphere
+run 0 help esfera
+same out sphere
+run 0 help truncated cone
+has out 'tronco: truncated_cone'
+run 0 help TruncatedCone
+has out 'tronco: truncated_cone'
+run 0 help Escena
+has out 'spec/escena.tex:'
+has out 'include/durero/model/escena.hpp:'
+run 0 help ojo
+has out '  Ventana'
+run 0 help Point
+has out 'program   include/durero/model/tipos.hpp:'
+empty err
+run 0 help check  # the command, not what a name may mean
+has out '--format'
+refused 'help: raido: no such command and no such name of the text; expected radio — did you mean it?' help raido
+refused 'help: xyzzy: no such command; expected one of check, edit, ' help xyzzy
 run 0 --version
 lines out 1
 has out 'durero '
