@@ -9,6 +9,8 @@ mkdir -p "$tmp/tree/src/cli" "$tmp/bin" "$tmp/temporary"
 export TMPDIR="$tmp/temporary"  # of ./x
 cp "$root/x" "$tmp/tree/x"
 cp "$root/src/cli/commands.hpp" "$tmp/tree/src/cli/commands.hpp"  # where it reads the commands of the program
+mkdir -p "$tmp/tree/src/text"
+cp "$root/src/text/spanish.cpp" "$tmp/tree/src/text"
 cd "$tmp"
 bad=0 checks=0
 fail() { echo "./x $called: $1"; sed 's/^/  /' said complaint; bad=$((bad + 1)); }
@@ -57,6 +59,7 @@ done
 x 0 bench --vs -h; says said './x bench '
 x 0 help test; says said '--systems'
 x 2 help tset; says complaint 'expected test'; one_line
+x 2 help raido; says complaint 'there is no command "raido"'; one_line
 [ ! -e tree/build ] || fail "something was built"
 
 # Programs that write their arguments. No Debian: dpkg-query is absent. A stub takes the place of a link: written through
@@ -86,6 +89,11 @@ for words in 'render --help' 'help render'; do
   [ "$(tail -n 1 called)" = 'cmake --build --preset release --target durero' ] || fail "more was built than the program"
 done
 x 0 help conform run; says said 'durero conform run --help'
+for words in radio Sphere 't!' 'truncated cone'; do
+  # shellcheck disable=SC2086  # words are meant to split
+  x 0 help $words; says said "durero help $words"
+done
+x 2 help raido; says complaint 'there is no command "raido"'; one_line
 rm -r tree/build/release
 
 # What a test asks of packages and of ctest.
