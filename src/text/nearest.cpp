@@ -57,8 +57,10 @@ std::optional<std::string> nearest(std::string_view word, const std::vector<std:
 }
 
 std::string expected_of(std::string_view word, const std::vector<std::string>& list) {
-  if (const auto meant = nearest(word, list)) return *meant;
-  return fmt::format("one of {}", fmt::join(list, ", "));
+  if (const auto meant = nearest(word, list)) return with_english(*meant);
+  std::vector<std::string> shown;
+  for (const std::string& known : list) shown.push_back(with_english(known));
+  return fmt::format("one of {}", fmt::join(shown, ", "));
 }
 
 }  // namespace durero::text

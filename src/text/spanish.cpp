@@ -311,9 +311,12 @@ std::string_view english_of(std::string_view name) {
   return found == std::end(names) ? std::string_view() : found->english;
 }
 
-std::string with_english(std::string_view name) {
-  const std::string_view english = english_of(name);
-  return english.empty() || english == name ? std::string(name) : fmt::format("{} ({})", name, english);
+std::string english_beside(std::string_view name) {
+  const std::string_view word = name.substr(0, name.find_first_of("?!"));
+  const std::string_view own = english_of(name), english = own.empty() ? english_of(word) : own;
+  return english.empty() || english == word ? std::string() : fmt::format(" ({})", english);
 }
+
+std::string with_english(std::string_view name) { return std::string(name) + english_beside(name); }
 
 }  // namespace durero::text

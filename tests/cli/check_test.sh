@@ -30,18 +30,18 @@ cat >wrong.json <<'JSON'
 {"id":"b","tipo":"esfera","centro":[0,0,0],"radio":1},
 {"id":"b","tipo":"esfera","centro":[0,0,0],"radio":1}]}
 JSON
-error='durero: wrong.json:2:52: radio is 0; expected r > 0 (Rmas.inv.1)'
-refused 'wrong.json:2:52: radio is 0; expected r > 0 (Rmas.inv.1)' check wrong.json
+error='durero: wrong.json:2:52: radio (radius) is 0; expected r > 0 (Rmas.inv.1)'
+refused 'wrong.json:2:52: radio (radius) is 0; expected r > 0 (Rmas.inv.1)' check wrong.json
 run 2 check wrong.json --format json
 is err "$error"
 is out '{"format":"durero-check","version":1,"file":"wrong.json","ok":false,
 "findings":[
-{"label":"Rmas.inv.1","predicate":"r > 0","message":"radio is 0; expected r > 0 (Rmas.inv.1)","pointer":"/elementos/0/radio","line":2,"column":52},
-{"label":"Escena.inv.6","predicate":"dom mi_proporcion = de_que_tipo ∼ ⦇ { soy_cono, soy_tronco } ⦈","message":"key \"proporcion\" is missing in an element of tipo cono; expected it","pointer":"/elementos/1","line":3,"column":1},
-{"label":"Agregar_Elemento.pre.1","predicate":"e? ∉ elementos","message":"id is \"b\": elemento_ya_existe; expected e? ∉ elementos (Agregar_Elemento.pre.1)","pointer":"/elementos/3/id","line":5,"column":7}]}'
+{"label":"Rmas.inv.1","predicate":"r > 0","message":"radio (radius) is 0; expected r > 0 (Rmas.inv.1)","pointer":"/elementos/0/radio","line":2,"column":52},
+{"label":"Escena.inv.6","predicate":"dom mi_proporcion = de_que_tipo ∼ ⦇ { soy_cono, soy_tronco } ⦈","message":"key \"proporcion\" (proportion) is missing in an element of tipo cono (cone); expected it","pointer":"/elementos/1","line":3,"column":1},
+{"label":"Agregar_Elemento.pre.1","predicate":"e? ∉ elementos","message":"id is \"b\": elemento_ya_existe (element_already_exists); expected e? ∉ elementos (Agregar_Elemento.pre.1)","pointer":"/elementos/3/id","line":5,"column":7}]}'
 run 2 check wrong.json --format sarif
 is err "$error"
-has out '{"ruleId":"Escena.inv.6","level":"error","message":{"text":"key \"proporcion\" is missing'
+has out '{"ruleId":"Escena.inv.6","level":"error","message":{"text":"key \"proporcion\" (proportion) is missing'
 has out '"locations":[{"physicalLocation":{"artifactLocation":{"uri":"wrong.json"},"region":{"startLine":3,"startColumn":1}},"logicalLocations":[{"fullyQualifiedName":"/elementos/1"}]}]}'
 # No JSON: a finding without a pointer. No file: an error alone.
 echo '{"format":' >wrong.json

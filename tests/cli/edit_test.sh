@@ -67,7 +67,7 @@ has own.json s2
 # Malformed: one line with the place, no answer, and the file as it was.
 cp own.json before.json
 printf '%s\nAgregar_Esfera e?=s3 centro?=(0,0,5) radio?=uno\n' "$sphere" >bad
-refused 'bad:2:45: radio? is "uno"' edit scene.json --script bad -o own.json
+refused 'bad:2:45: radio? (radius) is "uno"' edit scene.json --script bad -o own.json
 same own.json before.json
 refused '--op:2:1: unknown operation "Mover"' edit scene.json --op "$sphere" --op 'Mover e=s1' -o new.json
 absent new.json

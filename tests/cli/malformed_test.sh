@@ -26,21 +26,21 @@ malformed '1:1: the text is empty'
 printf '%s\n"elementos":[\n%s' "$head" "$sphere" >bad.json
 malformed '3:54: the text ends'
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":"1"}]}' "$head" >bad.json
-malformed '2:65: radio is a string; expected a number'
+malformed '2:65: radio (radius) is a string; expected a number'
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0]}]}' "$head" >bad.json
-malformed '2:14: key "radio" is missing in an element of tipo esfera'
+malformed '2:14: key "radio" (radius) is missing in an element of tipo esfera (sphere)'
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radius":1}]}' "$head" >bad.json
 malformed '2:57: unknown key "radius" in an element'
 printf '%s\n"elementos":[\n%s,\n%s]}' "$head" "$sphere" "$sphere" >bad.json
-malformed '4:7: id is "a": elemento_ya_existe; expected e? ∉ elementos (Agregar_Elemento.pre.1)'
+malformed '4:7: id is "a": elemento_ya_existe (element_already_exists); expected e? ∉ elementos (Agregar_Elemento.pre.1)'
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,NaN,0],"radio":1}]}' "$head" >bad.json
 malformed '2:52: "N" stands here; expected a JSON value'
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,1e999,0],"radio":1}]}' "$head" >bad.json
-malformed '2:52: centro is "1e999", beyond binary64; expected a finite number'
+malformed '2:52: centro (center) is "1e999", beyond binary64; expected a finite number'
 printf '%s\n"elementos":[{"id":"a","tipo":"cono","centro":[0,0,0],"proporcion":1,"vector":[0,1,1],"altura":1}]}' "$head" >bad.json
 malformed '2:79: vector is (0, 1, 1); expected a unit vector, 1 − tolerancia_unidad ≤ '
 printf '%s\n"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":0}]}' "$head" >bad.json
-malformed '2:65: radio is 0; expected r > 0 (Rmas.inv.1)'
+malformed '2:65: radio (radius) is 0; expected r > 0 (Rmas.inv.1)'
 printf '%s\n"elementos":[{"id":"ñ","tipo":"esfera","centro":[0,0,0],"radio":-1}]}' "$head" >bad.json
 malformed '2:20: id is "ñ"; expected 1 to 128 of A-Z a-z 0-9 _ . : -'
 printf '%s\n"materials":{"ñ\377":{"color":[0,0,0]}},"elementos":[]}' "$head" >bad.json

@@ -41,7 +41,7 @@ for threads in 1 3; do
 done
 
 # Without the text there is no such type, and with it an element has the attributes of its type, which satisfy it.
-refused "$surfaces/torus.json:9:21: tipo is \"toro\"; expected one of esfera," trace "$surfaces/torus.json" rays.txt
+refused "$surfaces/torus.json:9:21: tipo (type) is \"toro\"; expected one of esfera (sphere)," trace "$surfaces/torus.json" rays.txt
 toro() { printf '{"format":"durero-scene","version":1,"elementos":[\n{"id":"t","tipo":"toro",%s}]}\n' "$1" >bad.json; }
 bad() {
   toro "$1"
@@ -52,7 +52,7 @@ bad() {
 }
 bad '"centro":[0,0,0],"mayor":2' '2:1: key "menor" is missing in an element of tipo toro; '
 bad '"centro":[0,0,0],"mayor":2,"menor":1,"radio":1' '2:62: unknown key "radio" in an element of tipo toro; '
-bad '"centro":[0,0],"mayor":2,"menor":1' '2:34: centro has 2 items; '
+bad '"centro":[0,0],"mayor":2,"menor":1' '2:34: centro (center) has 2 items; '
 bad '"centro":[0,0,0],"mayor":2,"menor":-1' '2:60: t is not in the domain of puntos_toro; expected menor ∈ Rmas'
 bad '"centro":[0,0,0],"mayor":2,"menor":3' '2:1: t is not in the domain of puntos_toro; expected menor < mayor'
 
@@ -63,7 +63,7 @@ has out 'torus.json: 3 elementos: 1 esfera, 0 cilindro, 0 cono, 0 tronco, 1 plan
 has out 'Escena.inv.1 ok'
 run 0 check "$surfaces/torus.json" --with "$surfaces/torus.tex" --format json
 has out '"triangulo":0,"toro":1}'
-refused "$surfaces/torus.json:9:21: tipo is \"toro\"; " check "$surfaces/torus.json"
+refused "$surfaces/torus.json:9:21: tipo (type) is \"toro\"; " check "$surfaces/torus.json"
 
 # Edits: the text has the last word, and what is written is read again.
 small='Agregar_Toro e?=small centro?=(0,2,0) mayor?=1 menor?=0.25'

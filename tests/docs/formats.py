@@ -87,6 +87,7 @@ def listed(said):
     expected = said.split("; expected ", 1)[-1]
     expected = re.sub(r"^.*?\b(one|each) of ", "", expected)
     expected = re.split(r",? or \}|,? which | once$", expected)[0]
+    expected = re.sub(r" \([A-Za-z_]+\)", "", expected)  # the English beside a Spanish word
     return set(re.split(r", | or ", expected))
 
 

@@ -42,7 +42,8 @@ TEST_CASE("An English word is nearest to the name that it is the English of") {
   CHECK(nearest("Add_Cone", {"Agregar_Elemento", "Agregar_Cono"}) == "Agregar_Cono");
   CHECK(nearest("height", {"centro", "radio"}) == std::nullopt);
   CHECK(nearest("", {"trace"}) == std::nullopt);
-  CHECK(expected_of("center", {"centro", "centre"}) == "centro");
+  CHECK(expected_of("center", {"centro", "centre"}) == "centro (center)");
+  CHECK(expected_of("size", {"id", "centro", "radio"}) == "one of id, centro (center), radio (radius)");
 }
 
 TEST_CASE("What is expected is the near word, or all") {

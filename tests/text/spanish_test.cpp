@@ -6,6 +6,7 @@
 #include "support/catch.hpp"
 
 using namespace durero;
+using text::english_beside;
 using text::english_of;
 using text::spanish_names;
 using text::with_english;
@@ -22,7 +23,13 @@ TEST_CASE("A name has its English, and other words have none") {
 TEST_CASE("A message shows the English beside the name, once and where it differs") {
   CHECK(with_english("radio") == "radio (radius)");
   CHECK(with_english("radio?") == "radio? (radius)");
+  CHECK(with_english("elementos?") == "elementos? (elements)");
+  CHECK(with_english("t!") == "t! (parameter)");
   CHECK(with_english("vector") == "vector");
+  CHECK(with_english("vector?") == "vector?");
+  CHECK(with_english("an element") == "an element");
+  CHECK(english_beside("tipo") == " (type)");
+  CHECK(english_beside("material").empty());
   CHECK(with_english("material?") == "material?");
 }
 

@@ -154,8 +154,10 @@ TEST_CASE("A malformed operation on such a type is told at its place") {
     return std::string();
   };
   CHECK(error("Agregar_Toro e?=a centro?=(0,0,0) mayor?=2") == "script:1:1: Agregar_Toro lacks menor?; expected it");
-  CHECK(error("Agregar_Toro e?=a centro?=1 mayor?=2 menor?=1").starts_with("script:1:27: centro? is no triple; "));
-  CHECK(error("Agregar_Toro e?=a centro?=(0,0,0) mayor?=x menor?=1").starts_with("script:1:42: mayor? is \"x\"; "));
+  CHECK(error("Agregar_Toro e?=a centro?=1 mayor?=2 menor?=1")
+            .starts_with("script:1:27: centro? (center) is no triple; "));
+  CHECK(error("Agregar_Toro e?=a centro?=(0,0,0) mayor?=x menor?=1")
+            .starts_with("script:1:42: mayor? (greater) is \"x\"; "));
   CHECK(error("Agregar_Toro e?=a radio?=1").starts_with("script:1:19: unknown input \"radio\" of Agregar_Toro; "));
   CHECK(error("Eliminar_Toro e?=a mayor?=1").starts_with("script:1:20: unknown input \"mayor\" of Eliminar_Toro; "));
   CHECK(error("Agregar_Tora e?=a").find("; expected Agregar_Toro, or one of Agregar_Esfera, ") != std::string::npos);

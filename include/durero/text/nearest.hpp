@@ -12,11 +12,12 @@ namespace durero::text {
 /// the other (Damerau's distance, in which no place is changed twice).
 std::size_t apart(std::string_view a, std::string_view b);
 
-/// The word of the list whose English the given one is (spanish.hpp), or else that it is a slip of: the least apart, the
-/// first of several, where no more than a third of its characters, or one of three and more, are amiss.
+/// The word of the list whose English the given one is (spanish.hpp), or else that it is a slip of: the least apart,
+/// the first of several, where no more than a third of its characters, or one of three and more, are amiss.
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& list);
 
-/// What is expected where the word stands: the nearest word of the list, or else `one of` them all.
+/// What is expected where the word stands: the nearest word of the list, or else `one of` them all, each name of the Z
+/// text with its English.
 std::string expected_of(std::string_view word, const std::vector<std::string>& list);
 
 }  // namespace durero::text

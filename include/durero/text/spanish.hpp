@@ -21,7 +21,11 @@ std::span<const SpanishName> spanish_names();
 /// The English of a name; empty where the table lacks it.
 std::string_view english_of(std::string_view name);
 
-/// The name as a message shows it: `radio (radius)`; the name alone where its English is the same, or none is known.
+/// The English that a message puts behind a name: ` (radius)` of `radio`; empty where it is the same word, or none is
+/// known. Of an input that the table lacks, such as `elementos?`, it is that of the name without its mark.
+std::string english_beside(std::string_view name);
+
+/// The name as a message shows it: `radio (radius)`.
 std::string with_english(std::string_view name);
 
 }  // namespace durero::text

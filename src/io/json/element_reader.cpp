@@ -10,6 +10,7 @@
 #include "durero/scene/attributes.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/spanish.hpp"
 #include "field.hpp"
 #include "io/attribute_words.hpp"
 #include "wrap_fields.hpp"
@@ -64,7 +65,7 @@ Tipo read_tipo(json::Reader& in, std::span<const WrittenType> written) {
   });
   for (const WrittenType& type : written) words.push_back(type.word);
   if (!known) {
-    in.fail(at, fmt::format("tipo is {}", text::shown(name)),
+    in.fail(at, fmt::format("tipo (type) is {}", text::shown(name)),
             "expected " + text::expected_of(name, {words.begin(), words.end()}));
   }
   return *known;
@@ -106,6 +107,9 @@ const contract::clause* domain_of(std::string_view word) {
   return domain;
 }
 
+// An element of a tipo, as messages name it.
+std::string element_of(std::string_view tipo) { return "an element of tipo " + text::with_english(tipo); }
+
 // Each attribute is there if and only if the shape has it (Escena.inv.2 to Escena.inv.6, Escena.inv.9).
 template <class Shape>
 void check_attributes(const json::Reader& in, const Fields& f) {
@@ -113,11 +117,14 @@ void check_attributes(const json::Reader& in, const Fields& f) {
     const auto& attribute = f.attributes[i];
     if (attribute && !has_attribute<Shape>(attribute_words[i])) {
       in.fail(attribute->key_offset,
-              fmt::format("unknown key \"{}\" in an element of tipo {}", attribute_words[i], Shape::word),
+              fmt::format("unknown key \"{}\"{} in {}", attribute_words[i], text::english_beside(attribute_words[i]),
+                          element_of(Shape::word)),
               "expected the attributes of its tipo only", domain_of(attribute_words[i]));
     }
     if (!attribute && has_attribute<Shape>(attribute_words[i])) {
-      in.fail(f.at, fmt::format("key \"{}\" is missing in an element of tipo {}", attribute_words[i], Shape::word),
+      in.fail(f.at,
+              fmt::format("key \"{}\"{} is missing in {}", attribute_words[i], text::english_beside(attribute_words[i]),
+                          element_of(Shape::word)),
               "expected it", domain_of(attribute_words[i]));
     }
   }
@@ -128,7 +135,7 @@ template <class Shape>
 void check_wrap(const json::Reader& in, const Fields& f) {
   const auto refuse = [&](const auto& wrong, std::size_t key) {
     if (wrong)
-      in.fail(wrong->offset, fmt::format("unknown key \"{}\" in an element of tipo {}", keys[key], Shape::word),
+      in.fail(wrong->offset, fmt::format("unknown key \"{}\" in {}", keys[key], element_of(Shape::word)),
               "expected the attributes of its tipo only");
   };
   if constexpr (!std::is_same_v<Shape, scene::Triangle>) refuse(f.uv, uv), refuse(f.tangents, tangents);
@@ -167,14 +174,14 @@ struct Check {
   void operator()(std::type_identity<model::Punto>, const glm::dvec3&) const {}  // every triple is a Punto
   void operator()(std::type_identity<model::Vertices>, const scene::Corners& v) const {
     if (!model::Vertices::contains(scene::input_of<model::Terna>(v)))
-      in.fail(at, fmt::format("{} is three points on one line", word),
+      in.fail(at, fmt::format("{} is three points on one line", text::with_english(word)),
               fmt::format("expected the corners of a triangle ({})", model::Vertices_inv_1.label),
               &model::Vertices_inv_1);
   }
 
  private:
   void fail(const std::string& value, std::string_view kind, const contract::clause& clause) const {
-    in.fail(at, fmt::format("{} is {}", word, value),
+    in.fail(at, fmt::format("{} is {}", text::with_english(word), value),
             fmt::format("expected {}{} ({})", kind, clause.predicate, clause.label), &clause);
   }
 };
@@ -189,7 +196,7 @@ template <class Shape>
                                              std::get<typename Attribute::Stored>(read.value));
     });
   }
-  in.fail(f.id.offset, fmt::format("id is {}: {}", text::shown(f.id.value), model::name(answer.r)),
+  in.fail(f.id.offset, fmt::format("id is {}: {}", text::shown(f.id.value), text::with_english(model::name(answer.r))),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
 

@@ -9,6 +9,7 @@
 #include "durero/io/number_text.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/spanish.hpp"
 #include "durero/text/utf8.hpp"
 #include "json_stream.hpp"
 
@@ -147,7 +148,8 @@ double Reader::number(std::string_view what) {
   const std::string_view text = document_->number_text(token());
   const auto value = read_finite(text);
   if (!value) {
-    fail(offset(), fmt::format("{} is {}, beyond binary64", what, text::shown(text)), "expected a finite number");
+    fail(offset(), fmt::format("{} is {}, beyond binary64", text::with_english(what), text::shown(text)),
+         "expected a finite number");
   }
   ++next_;
   return *value;
@@ -195,11 +197,11 @@ bool Reader::boolean(std::string_view what) {
 }
 
 void Reader::require_less_than_three(std::string_view what, std::size_t count, const char* expected) const {
-  if (count == 3) fail(offset(), fmt::format("{} has a fourth item", what), expected);
+  if (count == 3) fail(offset(), fmt::format("{} has a fourth item", text::with_english(what)), expected);
 }
 
 void Reader::require_three(std::string_view what, std::size_t count, std::size_t at, const char* expected) const {
-  if (count != 3) fail(at, fmt::format("{} has {} items", what, count), expected);
+  if (count != 3) fail(at, fmt::format("{} has {} items", text::with_english(what), count), expected);
 }
 
 void Reader::open(TokenKind wanted, std::string_view what) {
@@ -210,7 +212,8 @@ void Reader::open(TokenKind wanted, std::string_view what) {
 void Reader::wrong_kind(std::string_view what, std::string_view expected) const {
   constexpr std::string_view names[] = {"null", "true or false", "a number", "a string", "a key", "an object",
                                         "}",    "an array",      "]",        "missing"};
-  fail(offset(), fmt::format("{} is {}", what, names[static_cast<int>(kind())]), fmt::format("expected {}", expected));
+  fail(offset(), fmt::format("{} is {}", text::with_english(what), names[static_cast<int>(kind())]),
+       fmt::format("expected {}", expected));
 }
 
 Key Reader::take_key() {
@@ -228,7 +231,8 @@ std::size_t Reader::known_key(std::string_view what, std::span<const std::string
          "expected " + text::expected_of(key.name, {keys.begin(), keys.end()}));
   }
   if ((seen >> i & 1U) != 0)
-    fail(key.offset, fmt::format("key {} stands twice", text::shown(key.name)), "expected it once");
+    fail(key.offset, fmt::format("key {}{} stands twice", text::shown(key.name), text::english_beside(key.name)),
+         "expected it once");
   seen |= std::uint64_t{1} << i;
   return i;
 }
@@ -236,7 +240,9 @@ std::size_t Reader::known_key(std::string_view what, std::span<const std::string
 void Reader::require(std::string_view what, std::span<const std::string_view> keys, std::size_t required,
                      std::uint64_t seen, std::size_t at) const {
   for (std::size_t i = 0; i < required; ++i) {
-    if ((seen >> i & 1U) == 0) fail(at, fmt::format("key \"{}\" is missing in {}", keys[i], what), "expected it");
+    if ((seen >> i & 1U) == 0)
+      fail(at, fmt::format("key \"{}\"{} is missing in {}", keys[i], text::english_beside(keys[i]), what),
+           "expected it");
   }
 }
 

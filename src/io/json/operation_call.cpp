@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "durero/io/json/json.hpp"
+#include "durero/text/spanish.hpp"
 #include "io/cursor.hpp"
 
 namespace durero::io {
@@ -58,7 +59,8 @@ CallInput read_input(WordCursor& in) {
     return input;
   }
   const std::string_view word = in.word("");
-  if (word.empty()) in.fail(input.value_offset, fmt::format("{} has no value", input.name), "expected one after =");
+  if (word.empty())
+    in.fail(input.value_offset, fmt::format("{} has no value", text::with_english(input.name)), "expected one after =");
   input.value = Word{std::string(word)};
   return input;
 }

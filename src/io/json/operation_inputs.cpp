@@ -9,8 +9,15 @@
 #include "durero/scene/shapes.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/spanish.hpp"
 
 namespace durero::io {
+namespace {
+
+/// The input as messages name it: `radio? (radius)`.
+std::string input_named(std::string_view name) { return text::with_english(fmt::format("{}?", name)); }
+
+}  // namespace
 
 Inputs::Inputs(const Source& source, const Call& call, const Signature& signature) : source_(source), call_(call) {
   for (const CallInput& input : call.inputs) check_known(input, signature);
@@ -25,7 +32,7 @@ void Inputs::check_known(const CallInput& input, const Signature& signature) con
                  "expected " + text::expected_of(input.name, {known.begin(), known.end()}));
   }
   if (find(input.name) != &input) {
-    source_.fail(input.name_offset, fmt::format("{}? stands twice", input.name), "expected it once");
+    source_.fail(input.name_offset, input_named(input.name) + " stands twice", "expected it once");
   }
 }
 
@@ -36,14 +43,16 @@ const CallInput* Inputs::find(std::string_view name) const {
 }
 
 void Inputs::require(std::string_view name) const {
-  if (!has(name)) source_.fail(call_.offset, fmt::format("{} lacks {}?", call_.schema, name), "expected it");
+  if (!has(name))
+    source_.fail(call_.offset, fmt::format("{} lacks {}", call_.schema, input_named(name)), "expected it");
 }
 
 model::Elemento Inputs::element() const { return model::Elemento{name("e")}; }
 
 void Inputs::check_name(std::string_view input, const std::string& name) const {
   if (!model::Elemento::is_name(name))
-    fail(input, fmt::format("{}? is {}", input, text::shown(name)), "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
+    fail(input, fmt::format("{} is {}", input_named(input), text::shown(name)),
+         "expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -");
 }
 
 const std::string& Inputs::name(std::string_view input) const {
@@ -60,13 +69,13 @@ std::vector<std::string> Inputs::names(std::string_view input) const {
   } else if (const auto* text = std::get_if<Word>(&written)) {
     for (const auto part : std::views::split(text->text, ',')) names.emplace_back(part.begin(), part.end());
   } else {
-    fail(input, fmt::format("{}? is no list of names", input), "expected a,b,… or, in JSON, [\"a\",\"b\",…]");
+    fail(input, input_named(input) + " is no list of names", "expected a,b,… or, in JSON, [\"a\",\"b\",…]");
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     check_name(input, names[i]);
     if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
         names.begin() + static_cast<std::ptrdiff_t>(i))
-      fail(input, fmt::format("{} stands twice in {}?", text::shown(names[i]), input), "expected it once");
+      fail(input, fmt::format("{} stands twice in {}", text::shown(names[i]), input_named(input)), "expected it once");
   }
   return names;
 }
@@ -79,7 +88,7 @@ model::Tipo Inputs::tipo() const {
     if (word("t") == names.back()) known = Shape::tipo;
   });
   if (!known) {
-    fail("t", fmt::format("t? is {}", text::shown(word("t"))),
+    fail("t", fmt::format("{} is {}", input_named("t"), text::shown(word("t"))),
          "expected " + text::expected_of(word("t"), {names.begin(), names.end()}));
   }
   return *known;
@@ -92,22 +101,23 @@ void Inputs::read(std::string_view name, double& value) const {
     return;
   }
   const auto* digits = std::get_if<Word>(&written);
-  if (digits == nullptr) fail(name, fmt::format("{}? is no number", name), "expected a finite number");
+  if (digits == nullptr) fail(name, input_named(name) + " is no number", "expected a finite number");
   const auto number = read_finite(digits->text);
-  if (!number) fail(name, fmt::format("{}? is {}", name, text::shown(digits->text)), "expected a finite number");
+  if (!number)
+    fail(name, fmt::format("{} is {}", input_named(name), text::shown(digits->text)), "expected a finite number");
   value = *number;
 }
 
 void Inputs::read(std::string_view name, glm::dvec3& value) const {
   const auto* triple = std::get_if<glm::dvec3>(&find(name)->value);
-  if (triple == nullptr) fail(name, fmt::format("{}? is no triple", name), "expected (x,y,z), or [x,y,z] in JSON");
+  if (triple == nullptr) fail(name, input_named(name) + " is no triple", "expected (x,y,z), or [x,y,z] in JSON");
   value = *triple;
 }
 
 void Inputs::read(std::string_view name, std::array<glm::dvec3, 3>& value) const {
   const auto* triples = std::get_if<std::array<glm::dvec3, 3>>(&find(name)->value);
   if (triples == nullptr) {
-    fail(name, fmt::format("{}? is no triple of points", name),
+    fail(name, input_named(name) + " is no triple of points",
          "expected ((x,y,z),(x,y,z),(x,y,z)), or [[x,y,z],[x,y,z],[x,y,z]] in JSON");
   }
   value = *triples;
@@ -117,7 +127,7 @@ const std::string& Inputs::word(std::string_view name) const {
   const auto& written = find(name)->value;
   if (const auto* text = std::get_if<std::string>(&written)) return *text;
   if (const auto* text = std::get_if<Word>(&written)) return text->text;
-  fail(name, fmt::format("{}? is no name", name), "expected a name");
+  fail(name, input_named(name) + " is no name", "expected a name");
 }
 
 void Inputs::fail(std::string_view name, const std::string& wrong, const std::string& expected) const {

@@ -11,6 +11,7 @@
 #include "durero/scene/addition.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/spanish.hpp"
 #include "io/attribute_words.hpp"
 #include "operation_inputs.hpp"
 #include "texture_fields.hpp"
@@ -188,8 +189,9 @@ class WrittenSchemas {
   for (const WrittenSchemas& of : written) of.list(known);
   const std::vector<std::string> all(known.begin(), known.end());
   const auto near = text::nearest(call.schema, all);
-  source.fail(call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
-              fmt::format("expected {}one of {}", near ? *near + ", or " : "", fmt::join(all, ", ")));
+  source.fail(
+      call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
+      fmt::format("expected {}one of {}", near ? text::with_english(*near) + ", or " : "", fmt::join(all, ", ")));
 }
 
 AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "durero/text/shown.hpp"
+#include "durero/text/spanish.hpp"
 #include "element_reader.hpp"
 #include "field.hpp"
 #include "written_value.hpp"
@@ -15,7 +16,7 @@ constexpr std::size_t id = 0, tipo = 1, first_attribute = 2;
 void add_name(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name) {
   const model::Answer answer = scene.add(model::Elemento{std::string(name.value)}, stand_in);
   if (answer.ok()) return;
-  in.fail(name.offset, fmt::format("id is {}: {}", text::shown(name.value), model::name(answer.r)),
+  in.fail(name.offset, fmt::format("id is {}: {}", text::shown(name.value), text::with_english(model::name(answer.r))),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
 

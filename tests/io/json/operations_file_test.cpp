@@ -101,10 +101,11 @@ Eliminar_Esfera e?=s1)";
   const auto wrong = [](const std::string& text) {
     return test::error_of(text, [](const io::Source& source) { return io::read_script(source, {}); });
   };
-  CHECK(wrong("group g=a elementos=b,a/b").find("elementos? is \"a/b\"; expected a name") != std::string::npos);
-  CHECK(wrong("group g=a elementos=b,").find("elementos? is \"\"; expected a name") != std::string::npos);
-  CHECK(wrong("group g=a elementos=b,c,b").find("\"b\" stands twice in elementos?") != std::string::npos);
-  CHECK(wrong("group g=a elementos=(1,2,3)").find("elementos? is no list of names") != std::string::npos);
+  CHECK(wrong("group g=a elementos=b,a/b").find("elementos? (elements) is \"a/b\"; expected a name") !=
+        std::string::npos);
+  CHECK(wrong("group g=a elementos=b,").find("elementos? (elements) is \"\"; expected a name") != std::string::npos);
+  CHECK(wrong("group g=a elementos=b,c,b").find("\"b\" stands twice in elementos? (elements)") != std::string::npos);
+  CHECK(wrong("group g=a elementos=(1,2,3)").find("elementos? (elements) is no list of names") != std::string::npos);
   CHECK(wrong("group g=\"\"").find("expected a name") != std::string::npos);
   CHECK(wrong("ungroup g=a groups=b").find("unknown input") != std::string::npos);
   CHECK(io::answer_text(3, io::edit_answer(scene::Outcome{"no_such_group", &scene::ungroup_pre_1})) ==
@@ -197,34 +198,37 @@ TEST_CASE("A malformed operation is an error with its place") {
       "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, group, ungroup, close";
   const Case cases[] = {
       {"\n ^Agregar e?=a", "unknown operation \"Agregar\"; expected " + operations},
-      {"^Agregar_Sphere e?=a", "unknown operation \"Agregar_Sphere\"; expected Agregar_Esfera, or " + operations},
-      {"^Agregar_Esfera e?=a radio?=1", "Agregar_Esfera lacks centro?; expected it"},
+      {"^Agregar_Sphere e?=a",
+       "unknown operation \"Agregar_Sphere\"; expected Agregar_Esfera (Add_Sphere), or " + operations},
+      {"^Agregar_Esfera e?=a radio?=1", "Agregar_Esfera lacks centro? (center); expected it"},
       {"Eliminar_Esfera e?=a ^radio?=1", "unknown input \"radio\" of Eliminar_Esfera; expected one of e"},
       {"Agregar_Esfera e?=a ^t?=soy_esfera centro?=(0,0,0) radio?=1",
-       "unknown input \"t\" of Agregar_Esfera; expected one of e, centro, radio, material"},
-      {"Eliminar_Esfera e?=a ^e=b", "e? stands twice; expected it once"},
-      {"Eliminar_Esfera e?=^a/b", "e? is \"a/b\"; expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -"},
+       "unknown input \"t\" of Agregar_Esfera; expected one of e, centro (center), radio (radius), material"},
+      {"Eliminar_Esfera e?=a ^e=b", "e? (element) stands twice; expected it once"},
+      {"Eliminar_Esfera e?=^a/b", "e? (element) is \"a/b\"; expected a name, 1 to 128 of A-Z a-z 0-9 _ . : -"},
       {"Eliminar_Esfera e?^ =a", "\" \" stands here; expected = after the name of an input"},
       {"Eliminar_Esfera e?=^", "e has no value; expected one after ="},
       {"Eliminar_Esfera ^?=a", "\"?\" stands here; expected an input, name?=value"},
-      {"Eliminar_Esfera e?=^(0,0,0)", "e? is no name; expected a name"},
-      {"Agregar_Esfera e?=a centro?=^5 radio?=1", "centro? is no triple; expected (x,y,z), or [x,y,z] in JSON"},
+      {"Eliminar_Esfera e?=^(0,0,0)", "e? (element) is no name; expected a name"},
+      {"Agregar_Esfera e?=a centro?=^5 radio?=1",
+       "centro? (center) is no triple; expected (x,y,z), or [x,y,z] in JSON"},
       {"Agregar_Esfera e?=a centro?=(0,0^) radio?=1", "\")\" stands here; expected , in (x,y,z)"},
       {"Agregar_Esfera e?=a centro?=(0,0,0^,0) radio?=1", "\",\" stands here; expected ) after (x,y,z"},
       {"Agregar_Esfera e?=a centro?=(0,^nan,0) radio?=1", "\"nan\" in a triple; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,^1e999) radio?=1", "\"1e999\" in a triple; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,0)^radio?=1", "\"r\" stands here; expected a space after an input"},
       {"Agregar_Esfera e?=a centro?=(0,0,0^", "the line ends; expected ) after (x,y,z"},
-      {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^uno", "radio? is \"uno\"; expected a finite number"},
-      {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^inf", "radio? is \"inf\"; expected a finite number"},
-      {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^(1,1,1)", "radio? is no number; expected a finite number"},
+      {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^uno", "radio? (radius) is \"uno\"; expected a finite number"},
+      {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^inf", "radio? (radius) is \"inf\"; expected a finite number"},
+      {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=^(1,1,1)", "radio? (radius) is no number; expected a finite number"},
       {"Agregar_Esfera e?=a centro?=(0,0,0) radio?=1 material?=^green",
        "unknown material \"green\"; expected one of the scene's materials"},
       {"^Agregar_Elemento e?=a t?=soy_cono centro?=(0,0,0) radio?=1",
-       "Agregar_Elemento lacks proporcion?; expected it"},
+       "Agregar_Elemento lacks proporcion? (proportion); expected it"},
       {"Agregar_Elemento e?=a t?=^cono centro?=(0,0,0) radio?=1",
-       "t? is \"cono\"; expected one of soy_esfera, soy_cilindro, soy_cono, soy_tronco, soy_plano, soy_disco, "
-       "soy_triangulo"},
+       "t? (type) is \"cono\"; expected one of soy_esfera (is_sphere), soy_cilindro (is_cylinder), soy_cono (is_cone), "
+       "soy_tronco (is_truncated_cone), soy_plano (is_plane), soy_disco (is_disc), "
+       "soy_triangulo (is_triangle)"},
       {"Agregar_Triangulo e?=a vertices?=^(0,0,0)",
        "vertices? is no triple of points; expected ((x,y,z),(x,y,z),(x,y,z)), or [[x,y,z],[x,y,z],[x,y,z]] in JSON"},
       {"Agregar_Triangulo e?=a vertices?=((0,0,0),(1,0,0)^)",
@@ -234,7 +238,7 @@ TEST_CASE("A malformed operation is an error with its place") {
       {"Agregar_Triangulo e?=a vertices?=((0,0,0),^1,(0,1,0))",
        "\"1\" stands here; expected ( in ((x,y,z),(x,y,z),(x,y,z))"},
       {"Agregar_Esfera e?=a centro?=^((0,0,0),(1,0,0),(0,1,0)) radio?=1",
-       "centro? is no triple; expected (x,y,z), or [x,y,z] in JSON"},
+       "centro? (center) is no triple; expected (x,y,z), or [x,y,z] in JSON"},
       {"^Agregar_Elemento e?=a t?=soy_triangulo centro?=(0,0,0)", "Agregar_Elemento lacks vertices?; expected it"},
       {R"({"op":"Agregar_Triangulo","e":"a","vertices":[[0,0,0],[1,0,0],^3]})",
        "vertices is a number; expected an array"},
@@ -246,10 +250,10 @@ TEST_CASE("A malformed operation is an error with its place") {
       {"{\"op\":^3}", "op is a number; expected a string"},
       {"{\"op\":\"Eliminar_Esfera\",^\"op\":\"Eliminar_Esfera\"}", "key \"op\" stands twice; expected it once"},
       {"\n{\"op\":\"Eliminar_Esfera\",\"e\":^true}", "e is true or false; expected a string"},
-      {"{\"op\":\"Eliminar_Esfera\",\"e\":^3}", "e? is no name; expected a name"},
+      {"{\"op\":\"Eliminar_Esfera\",\"e\":^3}", "e? (element) is no name; expected a name"},
       {"{\"op\":\"Eliminar_Esfera\",\"e\":\"a\"^\n}", "the text ends; expected , or } after a member"},
       {R"({"op":"Agregar_Esfera","e":"a","centro":[0,0,0],"radio":^"1"})",
-       "radio? is no number; expected a finite number"},
+       "radio? (radius) is no number; expected a finite number"},
       {"Eliminar_Esfera e?=a\n{\"op\":\"Eliminar_Esfera\",\"e\":\"a\"} ^x",
        "\"x\" stands here after the value; expected the end of the text"},
   };

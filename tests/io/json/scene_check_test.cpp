@@ -139,7 +139,7 @@ TEST_CASE("SARIF has a rule for each label, the place as a region, and the file 
   for (const char* part :
        {R"({"id":"Rmas.inv.1","shortDescription":{"text":"r > 0"}})", R"({"id":"Escena.inv.9",)",
         R"({"id":"malformed",)",
-        R"({"ruleId":"Rmas.inv.1","level":"error","message":{"text":"radio is 0; expected r > 0 (Rmas)",
+        R"({"ruleId":"Rmas.inv.1","level":"error","message":{"text":"radio (radius) is 0; expected r > 0 (Rmas)",
         R"("artifactLocation":{"uri":"file:///a%20b/%C3%B1.json"},"region":{"startLine":2,"startColumn":52})",
         R"("logicalLocations":[{"fullyQualifiedName":"/elementos/0/radio"}])", R"({"ruleId":"malformed",)"})
     CHECK(sarif.find(part) != sarif.npos);

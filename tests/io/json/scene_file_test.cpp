@@ -106,11 +106,11 @@ TEST_CASE("A scene's numbers may have more digits than RapidJSON's own arithmeti
 
 TEST_CASE("Errors of value stand at the value and name the label that is broken") {
   const auto error = [](const std::string& element) { return error_at(with_elements(element)); };
-  CHECK(error(sphere(R"("radio":^0)")) == "radio is 0; expected r > 0 (Rmas.inv.1)");
-  CHECK(error(sphere(R"("radio":^-0.0)")) == "radio is -0; expected r > 0 (Rmas.inv.1)");
-  CHECK(error(sphere(R"("radio":^-1)")) == "radio is -1; expected r > 0 (Rmas.inv.1)");
-  CHECK(error(sphere(R"("radio":^1e-999)")) == "radio is 0; expected r > 0 (Rmas.inv.1)");
-  CHECK(error(sphere(R"("radio":^1e999)")) == "radio is \"1e999\", beyond binary64; expected a finite number");
+  CHECK(error(sphere(R"("radio":^0)")) == "radio (radius) is 0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^-0.0)")) == "radio (radius) is -0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^-1)")) == "radio (radius) is -1; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^1e-999)")) == "radio (radius) is 0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(sphere(R"("radio":^1e999)")) == "radio (radius) is \"1e999\", beyond binary64; expected a finite number");
   CHECK(error(sphere(R"("radio":^NaN)")).starts_with("\"N\" stands here; expected a JSON value"));
   CHECK(error(sphere(R"("radio":^Infinity)")).starts_with("\"I\" stands here; expected a JSON value"));
   const std::string axis = R"({"id":"a","tipo":"cilindro","centro":[0,0,0],"radio":1,"vector":)";
@@ -118,11 +118,11 @@ TEST_CASE("Errors of value stand at the value and name the label that is broken"
       error(axis + "^[0,1.1,0],\"altura\":1}") ==
       "vector is (0, 1.1, 0); expected a unit vector, 1 − tolerancia_unidad ≤ d.x * d.x + d.y * d.y + d.z * d.z ≤ 1 + "
       "tolerancia_unidad (Unitario.inv.1)");
-  CHECK(error(axis + "[0,1,0],\"altura\":^0}") == "altura is 0; expected r > 0 (Rmas.inv.1)");
+  CHECK(error(axis + "[0,1,0],\"altura\":^0}") == "altura (height) is 0; expected r > 0 (Rmas.inv.1)");
   CHECK(error(R"({"id":"a","tipo":"cono","centro":[0,0,0],"proporcion":^-2,"vector":[0,1,0],"altura":1})") ==
-        "proporcion is -2; expected r > 0 (Rmas.inv.1)");
+        "proporcion (proportion) is -2; expected r > 0 (Rmas.inv.1)");
   CHECK(error(sphere(R"("radio":1)") + ",\n" + R"({"id":^"a","tipo":"esfera","centro":[0,0,1],"radio":1})") ==
-        "id is \"a\": elemento_ya_existe; expected e? ∉ elementos (Agregar_Elemento.pre.1)");
+        "id is \"a\": elemento_ya_existe (element_already_exists); expected e? ∉ elementos (Agregar_Elemento.pre.1)");
 }
 
 namespace {
@@ -157,30 +157,37 @@ TEST_CASE("How textures lie on a triangle is read, written and kept by edits of 
 TEST_CASE("Errors of an element stand at its value or key") {
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
-      {sphere(R"("radio":^"1")"), "radio is a string; expected a number"},
-      {sphere(R"("radio":^[1])"), "radio is an array; expected a number"},
-      {sphere(R"("radio":^null)"), "radio is null; expected a number"},
+      {sphere(R"("radio":^"1")"), "radio (radius) is a string; expected a number"},
+      {sphere(R"("radio":^[1])"), "radio (radius) is an array; expected a number"},
+      {sphere(R"("radio":^null)"), "radio (radius) is null; expected a number"},
       {sphere(R"("radio":1,^"color":2)"),
-       "unknown key \"color\" in an element; expected one of id, tipo, centro, radio, vector, altura, proporcion, "
+       "unknown key \"color\" in an element; expected one of id, tipo (type), centro (center), radio (radius), vector, "
+       "altura (height), proporcion (proportion), "
        "vertices, material, uv, tangents"},
-      {sphere(R"("radio":1,^"radio":1)"), "key \"radio\" stands twice; expected it once"},
+      {sphere(R"("radio":1,^"radio":1)"), "key \"radio\" (radius) stands twice; expected it once"},
       {sphere(R"("radio":1,^"altura":1)"),
-       "unknown key \"altura\" in an element of tipo esfera; expected the attributes of its tipo only"},
-      {'^' + sphere(R"("material":"m")"), "key \"radio\" is missing in an element of tipo esfera; expected it"},
+       "unknown key \"altura\" (height) in an element of tipo esfera (sphere); expected the attributes of its tipo "
+       "only"},
+      {'^' + sphere(R"("material":"m")"),
+       "key \"radio\" (radius) is missing in an element of tipo esfera (sphere); expected it"},
       {sphere(R"("radio":1,"material":^"m")"), "unknown material \"m\"; expected one of the scene's materials"},
       {sphere(R"("radio":1,"material":^3)"), "material is a number; expected a string"},
-      {R"(^{"id":"a","centro":[0,0,0],"radio":1})", "key \"tipo\" is missing in an element; expected it"},
+      {R"(^{"id":"a","centro":[0,0,0],"radio":1})", "key \"tipo\" (type) is missing in an element; expected it"},
       {R"({"id":^"a b","tipo":"esfera","centro":[0,0,0],"radio":1})",
        "id is \"a b\"; expected 1 to 128 of A-Z a-z 0-9 _ . : -"},
       {R"({"id":^"","tipo":"esfera","centro":[0,0,0],"radio":1})",
        "id is \"\"; expected 1 to 128 of A-Z a-z 0-9 _ . : -"},
       {R"({"id":"a","tipo":^"cubo","centro":[0,0,0],"radio":1})",
-       "tipo is \"cubo\"; expected one of esfera, cilindro, cono, tronco, plano, disco, triangulo"},
-      {R"({"id":"a","tipo":"esfera","centro":^[0,0],"radio":1})", "centro has 2 items; expected three numbers"},
+       "tipo (type) is \"cubo\"; expected one of esfera (sphere), cilindro (cylinder), cono (cone), tronco "
+       "(truncated_cone), plano (plane), disco (disc), triangulo (triangle)"},
+      {R"({"id":"a","tipo":"esfera","centro":^[0,0],"radio":1})",
+       "centro (center) has 2 items; expected three numbers"},
       {R"({"id":"a","tipo":"esfera","centro":[0,0,0,^0],"radio":1})",
-       "centro has a fourth item; expected three numbers"},
-      {R"({"id":"a","tipo":"esfera","centro":[0,^true,0],"radio":1})", "centro is true or false; expected a number"},
-      {R"({"id":"a","tipo":"esfera","centro":[0,^{"x":1},0],"radio":1})", "centro is an object; expected a number"},
+       "centro (center) has a fourth item; expected three numbers"},
+      {R"({"id":"a","tipo":"esfera","centro":[0,^true,0],"radio":1})",
+       "centro (center) is true or false; expected a number"},
+      {R"({"id":"a","tipo":"esfera","centro":[0,^{"x":1},0],"radio":1})",
+       "centro (center) is an object; expected a number"},
       {R"({"id":"a","tipo":"triangulo","vertices":^[[0,0,0],[1,0,0]]})", "vertices has 2 items; expected three points"},
       {R"({"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],^7]})", "vertices is a number; expected an array"},
       {R"({"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],^[0,1]]})",
@@ -188,9 +195,10 @@ TEST_CASE("Errors of an element stand at its value or key") {
       {R"({"id":"a","tipo":"triangulo","vertices":^[[0,0,0],[1,2,3],[2,4,6]]})",
        "vertices is three points on one line; expected the corners of a triangle (Vertices.inv.1)"},
       {R"({"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],^"centro":[0,0,0]})",
-       "unknown key \"centro\" in an element of tipo triangulo; expected the attributes of its tipo only"},
+       "unknown key \"centro\" (center) in an element of tipo triangulo (triangle); expected the attributes of its "
+       "tipo only"},
       {sphere(R"("radio":1,^"uv":[[0,0],[1,0],[0,1]])"),
-       "unknown key \"uv\" in an element of tipo esfera; expected the attributes of its tipo only"},
+       "unknown key \"uv\" in an element of tipo esfera (sphere); expected the attributes of its tipo only"},
       {triangle(R"("uv":^[[0,0],[1,0]])"), "uv has 2 items; expected [u,v] of three vertices"},
       {triangle(R"("uv":[[0,0],[1,0],^[0]])"), "uv has 1 items; expected two numbers, u and v"},
       {triangle(R"("uv":[[0,0],[1,0],[0,^true]])"), "uv is true or false; expected a number"},
@@ -199,7 +207,7 @@ TEST_CASE("Errors of an element stand at its value or key") {
       {triangle(R"("uv":[[0,0],[1,0],[0,1]],"tangents":[^[[1,0,0]],[[1,0,0],[0,1,0]],[[1,0,0],[0,1,0]]])"),
        "tangents has 1 items; expected two tangents, along u and v"},
       {R"(^{"id":"a","tipo":"disco","centro":[0,0,0],"vector":[0,0,1]})",
-       "key \"radio\" is missing in an element of tipo disco; expected it"},
+       "key \"radio\" (radius) is missing in an element of tipo disco (disc); expected it"},
       {"^3", "an element is a number; expected an object"},
       {"^[[[[]]]]", "an element is an array; expected an object"},
   };
@@ -220,17 +228,18 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
   const Case cases[] = {
       {"^[]", "a scene is an array; expected an object"},
       {"^{}", "key \"format\" is missing in a scene; expected it"},
-      {R"(^{"format":"durero-scene","version":1})", "key \"elementos\" is missing in a scene; expected it"},
+      {R"(^{"format":"durero-scene","version":1})", "key \"elementos\" (elements) is missing in a scene; expected it"},
       {R"({"format":^"obj"})", "format is \"obj\"; expected \"durero-scene\""},
       {R"({"format":"durero-scene","version":^2})",
        "version 2 of durero-scene; expected 1 (written by a newer durero?)"},
       {R"({"layers":[],"elementos":7,"version":^2,"format":"durero-scene"})",
        "version 2 of durero-scene; expected 1 (written by a newer durero?)"},
       {R"({"format":"durero-scene","version":^"1"})", "version is a string; expected a number"},
-      {R"({"format":"durero-scene","version":1,"elementos":^{}})", "elementos is an object; expected an array"},
-      {with_part(R"(^"elements":[])"), "unknown key \"elements\" in a scene; expected elementos"},
+      {R"({"format":"durero-scene","version":1,"elementos":^{}})",
+       "elementos (elements) is an object; expected an array"},
+      {with_part(R"(^"elements":[])"), "unknown key \"elements\" in a scene; expected elementos (elements)"},
       {with_part(R"(^"layers":[])"),
-       "unknown key \"layers\" in a scene; expected one of format, version, elementos, camera, resolution, "
+       "unknown key \"layers\" in a scene; expected one of format, version, elementos (elements), camera, resolution, "
        "background, lights, directional_lights, materials, max_depth, groups, textures, environment"},
       {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, above 0 and below 180"},
       {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, above 0 and below 180"},
@@ -309,7 +318,7 @@ TEST_CASE("Nesting a million deep is an error line") {
   CHECK(error_of(closed) == "f:1:1: a scene is an array; expected an object");
   CHECK(error_of(with_elements(closed)) == "f:2:14: an element is an array; expected an object");
   CHECK(error_of(with_elements(R"({"id":"a","tipo":"esfera","centro":)" + closed + "}")) ==
-        "f:2:50: centro is an array; expected a number");
+        "f:2:50: centro (center) is an array; expected a number");
 }
 
 TEST_CASE("what is wrong with a texture, an environment or what a material has of them") {

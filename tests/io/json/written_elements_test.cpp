@@ -43,17 +43,20 @@ TEST_CASE("Elements of other types are read with their attributes, and stand in 
 
 TEST_CASE("What is wrong in such an element is told at its place") {
   CHECK(error_at(R"(^{"id":"t","tipo":"toro","centro":[1,2,3]})") ==
-        "key \"mayor\" is missing in an element of tipo toro; expected it");
+        "key \"mayor\" (greater) is missing in an element of tipo toro; expected it");
   CHECK(error_at(R"({"id":"t","tipo":"toro","centro":[1,2,3],"mayor":1,^"radio":2})")
             .starts_with("unknown key \"radio\" in an element of tipo toro; expected "));
-  CHECK(error_at(R"({"id":"t","tipo":"toro","centro":^7,"mayor":1})").starts_with("centro is a number; expected "));
+  CHECK(error_at(R"({"id":"t","tipo":"toro","centro":^7,"mayor":1})")
+            .starts_with("centro (center) is a number; expected "));
   CHECK(error_at(R"({"id":^"a b","tipo":"toro","centro":[1,2,3],"mayor":1})").starts_with("id is \"a b\"; expected"));
   CHECK(error_at(R"({"id":"t","tipo":"prisma","base":[[0,0,0],[1,0,0],[0,1,0]]},
                     {"id":^"t","tipo":"toro","centro":[1,2,3],"mayor":1})")
-            .starts_with("id is \"t\": elemento_ya_existe; expected e? ∉ elementos"));
-  CHECK(error_at(R"({"id":"t","tipo":^"tora","centro":[1,2,3],"mayor":1})") == "tipo is \"tora\"; expected toro");
+            .starts_with("id is \"t\": elemento_ya_existe (element_already_exists); expected e? ∉ elementos"));
+  CHECK(error_at(R"({"id":"t","tipo":^"tora","centro":[1,2,3],"mayor":1})") ==
+        "tipo (type) is \"tora\"; expected toro");
   CHECK(error_at(R"({"id":"t","tipo":^"donut","centro":[1,2,3],"mayor":1})") ==
-        "tipo is \"donut\"; expected one of esfera, cilindro, cono, tronco, plano, disco, triangulo, toro, prisma");
+        "tipo (type) is \"donut\"; expected one of esfera (sphere), cilindro (cylinder), cono (cone), tronco "
+        "(truncated_cone), plano (plane), disco (disc), triangulo (triangle), toro, prisma (prism)");
   CHECK(error_at(R"({"id":"t","tipo":"toro","centro":[1,2,3],"mayor":1,"material":^"blue"})") ==
         "unknown material \"blue\"; expected one of the scene's materials");
 }
