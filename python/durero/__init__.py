@@ -21,7 +21,7 @@ What the specification does not allow is refused, with the predicate that does n
 >>> scene.add("ball", durero.Esfera(centro=(0, 0, 9), radio=1))
 Traceback (most recent call last):
     ...
-durero.errors.Refused: Agregar_Elemento.pre.1: e? ∉ elementos (elemento_ya_existe): Agregar_Esfera e?=ball centro?=(0.0, 0.0, 9.0) radio?=1.0
+durero.errors.Refused: Agregar_Elemento.pre.1: e? ∉ elementos (elemento_ya_existe, element_already_exists): Agregar_Esfera e?=ball centro?=(0.0, 0.0, 9.0) radio?=1.0
 
 The exact value is there too, a number x + y√Δ, and the specification itself answers:
 
@@ -32,17 +32,21 @@ True
 
 Scene           help(durero.Scene): load, save, apply, add, remove, group, trace, occluded, exact, render
 Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo; Written, of a type of a Z text
+Sphere …        the same classes in English: Sphere, Cylinder, Cone, TruncatedCone, Plane, Disc, Triangle; arguments and
+                properties have English names too, as center is centro
 spec            help(durero.spec): the Z text evaluates and checks
 conform         help(durero.conform): judges the hits of other programs
 Refused …       what goes wrong: Refused, InputError, Undecided
 """
+import difflib
 from typing import TYPE_CHECKING, NamedTuple
 
 from . import _durero, conform, spec
-from .elements import Cilindro, Cono, Disco, Element, Esfera, Plano, Triangulo, Tronco, Written
+from .elements import Cilindro, Cone, Cono, Cylinder, Disc, Disco, Element, Esfera, Plane, Plano, Sphere, Triangle
+from .elements import Triangulo, Tronco, TruncatedCone, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
-from .hits import HIT, Resultado
+from .hits import HIT, Outcome, Resultado
 from .scene import Answer, Group, HitsWithElements, Scene
 
 __version__ = _durero.version
@@ -68,22 +72,21 @@ def engines() -> list[Engine]:
     return [Engine(*row) for row in _durero.engines()]
 
 
-_ENGLISH = {"Sphere": "Esfera", "Cylinder": "Cilindro", "Cone": "Cono", "TruncatedCone": "Tronco", "Plane": "Plano",
-            "Disc": "Disco", "Disk": "Disco", "Triangle": "Triangulo"}
-
-
 if not TYPE_CHECKING:  # to whom every name would be an attribute
 
     def __getattr__(name: str) -> object:
-        """Says how the specification, whose names these are, calls what English does otherwise."""
-        hint = f"; expected {_ENGLISH[name]}, as the specification has it" if name in _ENGLISH else ""
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{hint}")
+        """Says which name is near."""
+        near = difflib.get_close_matches(name, __all__, 1, 0.7)
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}{f'; expected {near[0]}' if near else ''}")
 
 
 __all__ = [
     "Answer",
     "Cilindro",
+    "Cone",
     "Cono",
+    "Cylinder",
+    "Disc",
     "Disco",
     "Element",
     "Engine",
@@ -93,13 +96,18 @@ __all__ = [
     "HIT",
     "HitsWithElements",
     "InputError",
+    "Outcome",
+    "Plane",
     "Plano",
     "Refused",
     "Resultado",
     "Scene",
+    "Sphere",
     "Surd",
+    "Triangle",
     "Triangulo",
     "Tronco",
+    "TruncatedCone",
     "Undecided",
     "Written",
     "__version__",

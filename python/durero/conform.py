@@ -17,6 +17,7 @@ import numpy.typing as npt
 
 from . import _durero
 from .elements import TYPES
+from .english import in_both_languages
 from .hits import Resultado
 from .scene import Scene
 
@@ -65,6 +66,7 @@ class Judgement(NamedTuple):
     """Skipped, of a system that answered all the same: what the verdict would be inside the profile."""
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Profile:
     """What a system claims for itself: what is outside of that is skipped, not judged. The defaults claim everything."""

@@ -1,4 +1,4 @@
-"""The elements of a scene: one class for each type of the specification, with the letters of its attributes."""
+"""The elements of a scene: one class for each type of the specification, with the letters of its attributes and English."""
 from __future__ import annotations
 
 import dataclasses
@@ -7,6 +7,8 @@ import numbers
 from collections.abc import Mapping
 from typing import Any, ClassVar, Optional, Tuple, Union
 
+from .english import english, in_both_languages, with_english
+
 Triple = Tuple[float, float, float]
 """Three finite numbers. Any sequence of three is taken, and is kept as a tuple."""
 
@@ -14,19 +16,19 @@ Triple = Tuple[float, float, float]
 def _number(value: Any, name: str) -> float:
     """The same number as a float; refuses what no binary64 is, so that nothing is rounded in silence."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise TypeError(f"{name} is {value!r}; expected a number")
+        raise TypeError(f"{with_english(name)} is {value!r}; expected a number")
     number = float(value)
     if not math.isfinite(number):
-        raise ValueError(f"{name} is {number}; expected a finite number")
+        raise ValueError(f"{with_english(name)} is {number}; expected a finite number")
     if number != value:
-        raise ValueError(f"{name} is {value!r}, which is no binary64; expected float({name}), if that is meant")
+        raise ValueError(f"{with_english(name)} is {value!r}, which is no binary64; expected float({name}), if that is meant")
     return number
 
 
 def _triple(value: Any, name: str) -> Triple:
     parts = tuple(value)
     if len(parts) != 3:
-        raise ValueError(f"{name} has {len(parts)} numbers; expected three")
+        raise ValueError(f"{with_english(name)} has {len(parts)} numbers; expected three")
     x, y, z = (_number(part, f"{name}[{i}]") for i, part in enumerate(parts))
     return (x, y, z)
 
@@ -56,6 +58,7 @@ class _Element:
         return _number(value, name)
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Esfera(_Element):
     """A sphere: |w − centro|² = radio²."""
@@ -66,6 +69,7 @@ class Esfera(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Cilindro(_Element):
     """An open cylinder around the axis from centro along vector, a unit vector, as long as altura."""
@@ -78,6 +82,7 @@ class Cilindro(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Cono(_Element):
     """An open cone: its base at centro, its apex at centro + altura·vector; proporcion is radius by height."""
@@ -90,6 +95,7 @@ class Cono(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Tronco(_Element):
     """An open truncated cone: radius radio + proporcion·(altura − s) at the advance s."""
@@ -103,6 +109,7 @@ class Tronco(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Plano(_Element):
     """A plane through centro, across vector."""
@@ -113,6 +120,7 @@ class Plano(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Disco(_Element):
     """A disc around centro, across vector."""
@@ -124,6 +132,7 @@ class Disco(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Triangulo(_Element):
     """A triangle by its vertices, which do not lie on one line."""
@@ -133,6 +142,7 @@ class Triangulo(_Element):
     material: Optional[str] = None
 
 
+@in_both_languages
 @dataclasses.dataclass(frozen=True)
 class Written:
     """An element of a type that a Z text declares (Scene.load with surfaces), with the attributes that it gives it.
@@ -151,5 +161,7 @@ Element = Union[Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo, Written
 
 _CLASSES: Tuple[type[_Shape], ...] = (Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo)
 
-TYPES = {kind.tipo: kind for kind in _CLASSES}
+TYPES: Mapping[str, type[_Shape]] = {kind.tipo: kind for kind in _CLASSES}
 """The class of each type, by its word."""
+
+globals().update({english(kind.__name__): kind for kind in _CLASSES})  # Sphere …, which elements.pyi lists

@@ -1,6 +1,8 @@
 """What goes wrong, as exceptions that hold what they know."""
 from __future__ import annotations
 
+from .english import english
+
 
 class Refused(Exception):
     """An edit that the specification refuses; the scene is as it was.
@@ -33,7 +35,8 @@ class Refused(Exception):
 
     def __str__(self) -> str:
         inputs = " ".join(f"{name}?={value}" for name, value in self.values.items())
-        return f"{self.label}: {self.predicate} ({self.r}): {self.operation} {inputs}"
+        answer = self.r if english(self.r) == self.r else f"{self.r}, {english(self.r)}"
+        return f"{self.label}: {self.predicate} ({answer}): {self.operation} {inputs}"
 
 
 class InputError(ValueError):

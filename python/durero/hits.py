@@ -17,6 +17,9 @@ class Resultado(enum.IntEnum):
     """The ray starts inside a stretch of a surface, so that there are points as near as one likes."""
 
 
+Outcome = Resultado
+"""Resultado, in English."""
+
 HIT = _durero.hit_dtype
 """The dtype of an array of hits. A row has the fields
 

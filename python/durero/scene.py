@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from . import _durero
 from .elements import TYPES, Element, Written
+from .english import in_both_languages, takes_english
 from .exact import ExactHit, surd
 from .hits import Resultado
 
@@ -32,6 +33,7 @@ class HitsWithElements(NamedTuple):
     elements: npt.NDArray[np.int32]
 
 
+@in_both_languages
 class Group(NamedTuple):
     """What is directly in a group, by name, ascending."""
 
@@ -74,6 +76,8 @@ class Scene(Mapping[str, Element]):
     An edit that the specification refuses raises Refused and changes nothing. An edit while another thread traces is
     safe: the trace answers for the scene as it was when it began.
     """
+
+    _scene: _durero.Scene
 
     def __init__(self) -> None:
         self._scene = _durero.Scene()
@@ -152,6 +156,7 @@ class Scene(Mapping[str, Element]):
         It leaves its group, which the answer names: left_group."""
         return self._operate({"op": "Eliminar_Elemento", "e": e})
 
+    @takes_english
     def group(self, g: str, elementos: Iterable[str] = (), groups: Iterable[str] = ()) -> Answer:
         """Makes a group of elements and groups that are in none yet, and answers its r!. Raises Refused.
 
@@ -267,6 +272,7 @@ class Scene(Mapping[str, Element]):
         hierarchy: str = ...,
     ) -> HitsWithElements: ...
 
+    @takes_english
     def trace(
         self,
         rays: npt.NDArray[np.float64],
@@ -300,6 +306,7 @@ class Scene(Mapping[str, Element]):
             return HitsWithElements(*_durero.first_hits_with_elements(self._scene, rays, engine, en, hierarchy))
         raise ValueError(f'elements is {elements!r}; expected "first" or "all"')
 
+    @takes_english
     def occluded(
         self,
         rays: npt.NDArray[np.float64],
@@ -311,6 +318,7 @@ class Scene(Mapping[str, Element]):
         """Whether each ray meets some element at some t > 0. Arguments are those of trace."""
         return _durero.occluded(self._scene, rays, engine, en, hierarchy)
 
+    @takes_english
     def occluded_segment(
         self,
         rays: npt.NDArray[np.float64],
@@ -322,6 +330,7 @@ class Scene(Mapping[str, Element]):
         """Whether each ray meets some element at some 0 < t < 1, between p and p + v. Arguments are those of trace."""
         return _durero.occluded_segment(self._scene, rays, engine, en, hierarchy)
 
+    @takes_english
     def exact(self, ray: Union[Sequence[float], npt.NDArray[np.float64]], en: Iterable[str] = ()) -> ExactHit:
         """The first hit of one ray, by exact arithmetic and not rounded: t and each coordinate as x + y√delta.
 

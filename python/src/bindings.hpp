@@ -13,5 +13,6 @@ void add_trace(py::module_& module);
 void add_exact(py::module_& module);
 void add_spec(py::module_& module);
 void add_conform(py::module_& module);
+void add_names(py::module_& module);
 
 }  // namespace durero::python

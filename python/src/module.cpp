@@ -10,4 +10,5 @@ PYBIND11_MODULE(_durero, module) {
   add_exact(module);
   add_spec(module);
   add_conform(module);
+  add_names(module);
 }

@@ -70,6 +70,6 @@ def test_one_ray_is_six_numbers() -> None:
     assert scene.exact((0, 0, 4, 0, 0, 1), en="s1").t == Surd(Fraction(2), Fraction(0), Fraction(0))
     for ray in ([0, 0, 0, 0, 0], [[0, 0, 0, 0, 0, 1]], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, math.nan], [0, 0, 0, 0, 1, Fraction(1, 3)]):
         with pytest.raises((ValueError, TypeError)):
-            scene.exact(ray)  # type: ignore[arg-type]
+            scene.exact(ray)  # type: ignore[call-overload]
     with pytest.raises(KeyError):
         scene.exact((0, 0, 0, 0, 0, 1), en=["none"])

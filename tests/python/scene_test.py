@@ -79,13 +79,6 @@ def test_groups_are_kept_and_edited_as_the_program_does(tmp_path: pathlib.Path) 
         scene.ungroup(3)  # type: ignore[arg-type]
 
 
-def test_an_english_name_is_answered_by_that_of_the_specification() -> None:
-    with pytest.raises(AttributeError, match="has no attribute 'Sphere'; expected Esfera, as the specification has it"):
-        getattr(durero, "Sphere")
-    with pytest.raises(AttributeError, match="has no attribute 'Torus'$"):
-        getattr(durero, "Torus")
-
-
 def test_engines_that_follow_groups_search_by_them() -> None:
     scene = durero.Scene.load(ROOT / "demo" / "groups.json")
     rays = np.array([[0, 0, -50, x / 8, y / 8, 9] for x in range(-8, 9) for y in range(-8, 9)], float)
@@ -182,16 +175,16 @@ def test_malformed_input_has_its_place() -> None:
 
 def test_no_number_is_changed_on_the_way() -> None:
     with pytest.raises(ValueError, match="no binary64"):
-        durero.Esfera((0, 0, 0), Fraction(1, 3))  # type: ignore[arg-type]
+        durero.Esfera((0, 0, 0), Fraction(1, 3))  # type: ignore[call-overload]
     with pytest.raises(ValueError, match="no binary64"):
         durero.Esfera((0, 0, 2**53 + 1), 1)
-    with pytest.raises(ValueError, match=r"centro\[1\] is nan; expected a finite number"):
+    with pytest.raises(ValueError, match=r"centro\[1\] \(center\) is nan; expected a finite number"):
         durero.Esfera((0, float("nan"), 0), 1)
-    with pytest.raises(TypeError, match="radio is '1'; expected a number"):
-        durero.Esfera((0, 0, 0), "1")  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="centro has 2 numbers; expected three"):
+    with pytest.raises(TypeError, match=r"radio \(radius\) is '1'; expected a number"):
+        durero.Esfera((0, 0, 0), "1")  # type: ignore[call-overload]
+    with pytest.raises(ValueError, match=r"centro \(center\) has 2 numbers; expected three"):
         durero.Esfera((0, 0), 1)  # type: ignore[arg-type]
-    assert durero.Esfera(np.array([0, 0, 0.1]), np.float32(0.5)) == durero.Esfera((0, 0, 0.1), 0.5)  # type: ignore[arg-type]
+    assert durero.Esfera(np.array([0, 0, 0.1]), np.float32(0.5)) == durero.Esfera((0, 0, 0.1), 0.5)  # type: ignore[call-overload]
     scene = durero.Scene()
     scene.add("tiny", durero.Esfera((5e-324, 1.7976931348623157e308, 0.1), 5e-324))
     assert scene["tiny"] == durero.Esfera((5e-324, 1.7976931348623157e308, 0.1), 5e-324)
@@ -323,7 +316,7 @@ def test_what_knows_the_types_of_the_specification_alone_refuses_a_text() -> Non
         scene.trace(np.array([ray], float), "exact")
     with pytest.raises(ValueError, match=by_a_text):
         scene.trace(np.array([ray], float), hierarchy="hand")
-    with pytest.raises(durero.InputError, match='tipo is "toro"'):
+    with pytest.raises(durero.InputError, match='tipo .type. is "toro"'):
         durero.Scene.load(SURFACES / "torus.json")
     with pytest.raises(OSError):
         durero.Scene.load(SURFACES / "torus.json", surfaces="none.tex")
