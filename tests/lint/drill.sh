@@ -38,7 +38,7 @@ lets_be() {
 }
 
 for rule in layers edges independence stems house labels mutants z_text specified draws requirements standard_output packages \
-  versions reference optimised narrow flush commits rooms types glossary private systems; do
+  versions reference optimised narrow flush commits rooms types glossary private systems spanish; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
 
@@ -167,6 +167,16 @@ glossary include/durero/number/dyadic.hpp: a type without a sentence
   $a namespace durero::number {\nstruct Nameless {};\n}
 glossary include/durero/number/dyadic.hpp: a type that the page has not
   $a namespace durero::number {\n/// A new term.\nstruct Newcomer {};\n}
+spanish src/text/spanish.cpp: a name of the text without English
+  /^ *{"alejamiento", /d
+spanish src/text/spanish.cpp: English for a name that the text lacks
+  s/^ *{"alejamiento", .*/&\n    {"lejania", "distance", "a name that nobody declares"},/
+spanish src/text/spanish.cpp: a name that stands twice
+  s/^ *{"alejamiento", .*/&\n&/
+spanish src/text/spanish.cpp: a page from before the English of a name changed
+  s/{"alejamiento", "[a-z_]*"/{"alejamiento", "removal"/
+spanish spec/luz.tex: a new component of a schema
+  s/ojo, esquina : Punto/ojo, rincon : Punto/
 END
 
 # What is no line of a file: files that go, come or are named otherwise.
