@@ -11,6 +11,7 @@
 #include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/addition.hpp"
+#include "durero/scene/stage.hpp"
 #include "errors.hpp"
 #include "state.hpp"
 

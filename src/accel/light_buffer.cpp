@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "durero/scene/stage.hpp"
 #include "durero/surface/surfaces.hpp"
 
 namespace durero::accel {

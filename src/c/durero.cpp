@@ -18,6 +18,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
+#include "durero/scene/stage.hpp"
 
 using namespace durero;
 using c::guarded;

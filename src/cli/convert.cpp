@@ -12,6 +12,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "progress.hpp"
 

@@ -21,6 +21,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/written/edited.hpp"
 #include "progress.hpp"
 

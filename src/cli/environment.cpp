@@ -13,6 +13,7 @@
 #include "durero/io/file_name.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/light/environment_map.hpp"
+#include "durero/scene/stage.hpp"
 #include "engines.hpp"
 #include "scene_tracer.hpp"
 

@@ -13,6 +13,7 @@
 #include "durero/render/output/exr.hpp"
 #include "durero/render/sample/refined.hpp"
 #include "durero/render/sample/seen.hpp"
+#include "durero/scene/stage.hpp"
 #include "engines.hpp"
 #include "interrupted.hpp"
 #include "progress.hpp"

@@ -12,6 +12,7 @@
 #include "durero/io/file_name.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/render/sample/sampling.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "engines.hpp"
 #include "numbers.hpp"

@@ -9,6 +9,7 @@
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/source.hpp"
+#include "durero/scene/stage.hpp"
 #include "engines.hpp"
 
 namespace durero::cli {

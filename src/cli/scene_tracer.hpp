@@ -8,6 +8,7 @@
 
 #include "durero/engine/engine.hpp"
 #include "durero/scene/grouped_scene.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/written/engine.hpp"
 
 namespace durero::cli {

@@ -7,6 +7,7 @@
 #include "durero/accel/light_buffer.hpp"
 #include "durero/accel/linear.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/trace/analytic.hpp"
 #include "structured.hpp"
 

@@ -5,6 +5,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/scene/tablas.hpp"
 
 namespace durero::oracle::spec {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "durero/contract/contract.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/sample/by_rows.hpp"
 #include "render/sample/row.hpp"
 #include "render/sample/statistical.hpp"

@@ -5,6 +5,8 @@
 #include <glm/trigonometric.hpp>
 #include <stdexcept>
 
+#include "durero/scene/stage.hpp"
+
 namespace durero::scene {
 namespace {
 

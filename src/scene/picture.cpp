@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "durero/scene/stage.hpp"
+
 namespace durero::scene {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "durero/scene/addition.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::scene {
 
@@ -34,7 +35,7 @@ std::optional<std::uint32_t> Scene::material(ElementRef element) const noexcept 
 }
 
 void Scene::set_material(ElementRef element, std::optional<std::uint32_t> material) {
-  if (material && *material >= stage_.materials.size()) throw std::out_of_range("no such material");
+  if (material && *material >= stage().materials.size()) throw std::out_of_range("no such material");
   label(element).material = material.value_or(no_material);
 }
 
@@ -52,7 +53,7 @@ void Scene::audit() {
 }
 
 model::Answer Scene::apply_total(const Edit& edit) {
-  if (edit.material && *edit.material >= stage_.materials.size()) throw std::out_of_range("no such material");
+  if (edit.material && *edit.material >= stage().materials.size()) throw std::out_of_range("no such material");
   const model::Answer answer = apply_total(edit.operation);
   if (answer.ok() && edit.material) set_material(find(name_of(edit.operation).name()).value(), edit.material);
   return answer;

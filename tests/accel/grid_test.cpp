@@ -9,6 +9,7 @@
 #include "durero/accel/bvh.hpp"
 #include "durero/accel/structure.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

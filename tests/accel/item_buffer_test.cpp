@@ -1,6 +1,7 @@
 #include "durero/accel/item_buffer.hpp"
 
 #include "accel/counted.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "accel/counted.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
 #include "support/meshes.hpp"

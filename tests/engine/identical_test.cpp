@@ -3,6 +3,7 @@
 #include <span>
 
 #include "durero/engine/engine.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
 

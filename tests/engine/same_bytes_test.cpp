@@ -7,6 +7,7 @@
 #include "durero/conform/families/families.hpp"
 #include "durero/engine/engine.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"

@@ -11,6 +11,7 @@
 #include "durero/conform/families/rays_towards.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "engine/same_bytes.hpp"
 #include "support/catch.hpp"
 #include "support/sanitized.hpp"

@@ -1,6 +1,7 @@
 // NFF files: what was imported is a scene that can be written and read, and be exported again.
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/nff/nff.hpp"
+#include "durero/scene/stage.hpp"
 #include "fuzz/fuzz.hpp"
 
 using namespace durero;

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"
 

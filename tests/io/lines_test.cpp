@@ -11,6 +11,7 @@
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/source.hpp"
+#include "durero/scene/stage.hpp"
 #include "malformed.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"

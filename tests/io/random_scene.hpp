@@ -8,6 +8,7 @@
 
 #include "durero/scene/addition.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/doubles.hpp"
 
 namespace durero::test {

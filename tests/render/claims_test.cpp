@@ -18,6 +18,7 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/render/render.hpp"
+#include "durero/scene/stage.hpp"
 #include "engine/structured.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"

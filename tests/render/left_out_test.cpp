@@ -1,6 +1,7 @@
 #include <cmath>
 #include <vector>
 
+#include "durero/scene/stage.hpp"
 #include "render/lone_rays.hpp"
 
 using namespace durero;

@@ -3,6 +3,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::test {
 

@@ -10,6 +10,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 

@@ -7,6 +7,7 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 #include "support/spd.hpp"

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "durero/render/render.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/lone_rays.hpp"
 
 using namespace durero;

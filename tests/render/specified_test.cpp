@@ -13,6 +13,7 @@
 #include "durero/render/light/directions.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

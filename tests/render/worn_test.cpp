@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "durero/scene/stage.hpp"
 #include "render/lone_rays.hpp"
 
 using namespace durero;

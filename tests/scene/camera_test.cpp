@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -2,6 +2,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/addition.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

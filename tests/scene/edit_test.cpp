@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 #include "support/model_gen.hpp"
 #include "support/property.hpp"

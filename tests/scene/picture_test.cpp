@@ -1,5 +1,6 @@
 #include "durero/scene/picture.hpp"
 
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero::scene;

@@ -1,6 +1,7 @@
 #include "durero/scene/retrieve.hpp"
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 #include "support/model_gen.hpp"
 #include "support/property.hpp"

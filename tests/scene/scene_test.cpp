@@ -11,6 +11,7 @@
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 #include "support/clauses.hpp"
 #include "support/failing_new.hpp"

@@ -1,5 +1,6 @@
 #include "durero/scene/texture.hpp"
 
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero::scene;

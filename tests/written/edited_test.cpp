@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "durero/io/json/groups_file.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/json/edited_script.hpp"
 #include "support/catch.hpp"
 #include "support/folder.hpp"

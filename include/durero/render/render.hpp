@@ -11,6 +11,7 @@
 #include "durero/render/sample/sampling.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

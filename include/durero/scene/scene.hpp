@@ -11,9 +11,9 @@
 
 #include "durero/model/operation.hpp"
 #include "durero/scene/element_ref.hpp"
+#include "durero/scene/held_stage.hpp"
 #include "durero/scene/name_index.hpp"
 #include "durero/scene/shapes.hpp"
-#include "durero/scene/stage.hpp"
 #include "durero/scene/table.hpp"
 
 namespace durero::scene {
@@ -84,9 +84,9 @@ class Scene {
   /// edit is audited. O(n log n). Throws contract_violation.
   void audit();
 
-  /// @{ What a picture needs beside the elements.
-  Stage& stage() noexcept { return stage_; }
-  const Stage& stage() const noexcept { return stage_; }
+  /// @{ What a picture needs beside the elements (scene/stage.hpp).
+  Stage& stage() { return *stage_; }
+  const Stage& stage() const noexcept { return *stage_; }
   /// @}
 
   /// The material of an element, as an index into stage().materials.
@@ -117,7 +117,7 @@ class Scene {
 
   Tables<Shapes> tables_;
   NameIndex index_;
-  Stage stage_;
+  HeldStage stage_;
   std::shared_ptr<const model::Escena> audited_;  // what the scene stands for, where its last edit was audited
   bool audits_are_put_off_ = false;
 };

@@ -9,6 +9,7 @@
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/scene/addition.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/spanish.hpp"

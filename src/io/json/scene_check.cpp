@@ -9,6 +9,7 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::io {

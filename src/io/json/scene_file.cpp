@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "durero/io/json/json.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "groups_reader.hpp"

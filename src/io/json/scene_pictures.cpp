@@ -8,6 +8,7 @@
 
 #include "durero/io/json/json.hpp"
 #include "durero/io/pictures/picture_file.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
 

@@ -2,6 +2,7 @@
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
+#include "durero/scene/stage.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
 #include "wrap_fields.hpp"

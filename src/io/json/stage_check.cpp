@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "durero/io/json/json_pointer.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::io {

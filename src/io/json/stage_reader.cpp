@@ -6,6 +6,7 @@
 #include <set>
 
 #include "durero/io/json/whole_number.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "stage_fields.hpp"
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "durero/scene/stage.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "stage_fields.hpp"

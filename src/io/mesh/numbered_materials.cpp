@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "durero/scene/stage.hpp"
 #include "io/json/scene_elements.hpp"
 
 namespace durero::io {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::io {
 

@@ -10,6 +10,7 @@
 #include "durero/io/json/whole_number.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/scene/edit.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "io/axis.hpp"
 #include "io/json/stage_fields.hpp"

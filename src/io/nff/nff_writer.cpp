@@ -5,6 +5,7 @@
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/scene/attributes.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/ends.hpp"
 #include "io/json/scene_elements.hpp"
 #include "io/json/stage_fields.hpp"

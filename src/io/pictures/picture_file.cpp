@@ -6,6 +6,7 @@
 #include <array>
 
 #include "durero/scene/srgb.hpp"
+#include "durero/scene/stage.hpp"
 #include "jpeg.hpp"
 
 namespace durero::io {

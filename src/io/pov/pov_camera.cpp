@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/json/stage_fields.hpp"
 
 namespace durero::io {

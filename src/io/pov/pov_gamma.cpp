@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "durero/scene/srgb.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::io {
 namespace {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "durero/scene/stage.hpp"
 #include "io/json/stage_fields.hpp"
 #include "io/losses.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "durero/contract/contract.hpp"
 #include "durero/io/file_name.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::io {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "durero/scene/environment.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/scene/texture.hpp"
 
 namespace durero::io {

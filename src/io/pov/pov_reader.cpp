@@ -8,6 +8,7 @@
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/closing.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
 #include "io/losses.hpp"

@@ -6,6 +6,7 @@
 
 #include "durero/io/json/whole_number.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "io/cursor.hpp"
 #include "io/json/stage_fields.hpp"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "durero/contract/contract.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::io {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/ends.hpp"
 #include "io/json/scene_elements.hpp"
 #include "io/losses.hpp"

@@ -10,6 +10,7 @@
 
 #include "durero/render/light/directions.hpp"
 #include "durero/render/texture/texture.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 namespace {

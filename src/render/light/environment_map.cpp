@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "durero/render/light/environment.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 namespace {

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 
 #include "durero/render/light/environment.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 namespace {

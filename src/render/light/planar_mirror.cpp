@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "durero/render/light/directions.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 namespace {

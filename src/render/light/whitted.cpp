@@ -12,6 +12,7 @@
 #include "durero/model/tipos.hpp"
 #include "durero/render/light/directions.hpp"
 #include "durero/render/light/environment.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/surface/surfaces.hpp"
 #include "followed.hpp"
 #include "follower.hpp"

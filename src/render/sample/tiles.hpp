@@ -6,6 +6,7 @@
 
 #include "by_rows.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

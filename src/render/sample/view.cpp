@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "durero/scene/stage.hpp"
+
 namespace durero::render {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "durero/render/light/whitted.hpp"
 #include "durero/render/texture/bump.hpp"
 #include "durero/render/texture/texture.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "durero/render/texture/coordinates.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "durero/scene/stage.hpp"
+
 namespace durero::render {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/malformed.hpp"
 #include "io/random_scene.hpp"
 #include "support/catch.hpp"

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/malformed.hpp"
 #include "io/random_scene.hpp"
 #include "support/catch.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "durero/io/json/scene_check.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -9,6 +9,7 @@
 
 #include "durero/io/json/scene_file.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/malformed.hpp"
 #include "io/random_scene.hpp"
 #include "support/catch.hpp"

@@ -11,6 +11,7 @@
 
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 #include "support/folder.hpp"
 

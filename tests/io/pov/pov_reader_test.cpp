@@ -11,6 +11,7 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 #include "io/malformed.hpp"
 #include "io/random_scene.hpp"
 #include "support/catch.hpp"

@@ -11,6 +11,7 @@
 #include "durero/render/light/environment.hpp"
 #include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

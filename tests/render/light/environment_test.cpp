@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

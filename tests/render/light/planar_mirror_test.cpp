@@ -9,6 +9,7 @@
 #include "durero/render/output/image.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/srgb.hpp"
+#include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "durero/scene/stage.hpp"
 #include "render/lone_rays.hpp"
 
 using namespace durero;

@@ -1,6 +1,7 @@
 #include "durero/render/output/picture.hpp"
 
 #include "durero/render/render.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 

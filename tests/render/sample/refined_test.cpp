@@ -1,5 +1,6 @@
 #include "durero/render/sample/refined.hpp"
 
+#include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 

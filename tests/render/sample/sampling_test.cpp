@@ -10,6 +10,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/render/render.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "render/sample/points.hpp"
 #include "render/sample/statistical.hpp"

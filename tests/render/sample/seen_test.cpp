@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
 

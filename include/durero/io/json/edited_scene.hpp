@@ -8,6 +8,7 @@
 
 #include "durero/io/json/operations_file.hpp"
 #include "durero/scene/grouped_scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::io {
 

@@ -27,6 +27,7 @@
 #include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::io {
 

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "durero/scene/environment.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

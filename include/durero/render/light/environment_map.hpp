@@ -9,6 +9,7 @@
 #include "durero/render/light/whitted.hpp"
 #include "durero/render/output/image.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "durero/scene/camera.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

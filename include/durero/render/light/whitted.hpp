@@ -10,6 +10,7 @@
 #include "durero/engine/engine.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/stage.hpp"
 
 namespace durero::render {
 

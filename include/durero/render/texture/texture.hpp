@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "durero/render/texture/coordinates.hpp"
+#include "durero/scene/stage.hpp"
 #include "durero/scene/texture.hpp"
 
 namespace durero::render {
