@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """Counterexamples to the text on acceleration (Ramos, Tema VI), in exact rational arithmetic.
-docs/acceleration-reference.md cites
-them.
+spec/erratas.md cites them.
 
 Each shows what the printed words allow or forbid; where the reading matters, that it does not.
 """
@@ -18,6 +17,14 @@ def dot(a, b):
 
 def along(p, t, v):
     return tuple(a + t * b for a, b in zip(p, v))
+
+
+def minus(a, b):
+    return tuple(p - q for p, q in zip(a, b))
+
+
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def surface(x, y, z):
@@ -118,13 +125,18 @@ class Errata(unittest.TestCase):
         self.assertEqual(Fraction(9, 25), share)
 
     def test_EA10_one_polygon_that_shades(self):
-        """From the light at z = 3 one triangle at z = 1 is alone in its list; what lies below it is in its shadow."""
-        light, point = (0, 0, 3), (0, 0, 0)
+        """From the light at z = 3 one triangle at z = 1 is alone in its list; what lies below it is in its shadow, whether
+        the triangle faces the light or, as the back of something open, faces away."""
+        light, point, faces = (0, 0, 3), (0, 0, 0), set()
         corners = ((-1, -1, 1), (2, -1, 1), (-1, 2, 1))
-        crossing = along(point, Fraction(1, 3), tuple(a - b for a, b in zip(light, point)))
+        crossing = along(point, Fraction(1, 3), minus(light, point))
         self.assertEqual(1, crossing[2])
         weights = (Fraction(1, 3), Fraction(1, 3), Fraction(1, 3))
         self.assertEqual(crossing, tuple(dot(weights, column) for column in zip(*corners)))
+        for a, b, c in (corners, corners[::-1]):
+            normal = cross(minus(b, a), minus(c, a))
+            faces.add(dot(normal, minus(light, a)) > 0)
+        self.assertEqual({True, False}, faces)
 
     def test_EA11_crossed_or_crossed_in_vain(self):
         """Of a box as its own volume the void area is 0, and yet rays cross it."""
@@ -137,10 +149,10 @@ class Errata(unittest.TestCase):
         self.assertEqual(1984, 1981 + 4 - 1)
 
     def test_each_has_its_place(self):
-        """docs/acceleration-reference.md has a row of each, and no test is without one."""
-        text = (ROOT / "docs" / "acceleration-reference.md").read_text(encoding="utf-8")
+        """spec/erratas.md has an entry of each, and no test is without one."""
+        text = (ROOT / "spec" / "erratas.md").read_text(encoding="utf-8")
         for k in range(1, 13):
-            self.assertIn(f"| EA{k} |", text)
+            self.assertIn(f"#### EA{k} ", text)
             self.assertTrue(any(name.startswith(f"test_EA{k:02}_") for name in dir(self)), k)
 
 

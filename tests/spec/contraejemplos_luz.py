@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
-"""Counterexamples to the lectures on realism and ray tracing, in exact rational arithmetic. docs/rendering-reference.md cites
-them.
+"""Counterexamples to the lectures on realism and ray tracing, in exact rational arithmetic. spec/erratas.md cites them.
 
 Each shows what the printed words allow or forbid; where the reading matters, that it does not.
 """
@@ -166,10 +165,10 @@ class Errata(unittest.TestCase):
         self.assertNotEqual(one[mirrored(left, UP)], other[mirrored(left, UP)])
 
     def test_each_has_its_place(self):
-        """docs/rendering-reference.md has a row of each, and no test is without one."""
-        text = (SPEC.parent / "docs" / "rendering-reference.md").read_text(encoding="utf-8")
+        """spec/erratas.md has an entry of each, and no test is without one."""
+        text = (SPEC / "erratas.md").read_text(encoding="utf-8")
         for k in range(1, 14):
-            self.assertIn(f"| ER{k} |", text)
+            self.assertIn(f"#### ER{k} ", text)
             self.assertTrue(any(name.startswith(f"test_ER{k:02}_") for name in dir(self)), k)
 
 

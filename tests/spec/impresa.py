@@ -68,7 +68,7 @@ def disagreements(folder):
 
 def argument_faults(folder, seen):
     """Where erratas.md, the marks, the type errors, the counterexamples and the labels do not fit together."""
-    parts = re.split(r"^### (E\d\d) .*$", (folder / "erratas.md").read_text(encoding="utf-8"), flags=re.M)
+    parts = re.split(r"^#### (E\d\d) .*$", (folder / "erratas.md").read_text(encoding="utf-8"), flags=re.M)
     argued = dict(zip(parts[1::2], parts[2::2]))
     labels = {m for f in folder.glob("*.tex") for m in re.findall(r"%\s*(\w+\.[a-z]+\.\d+)\s*$", f.read_text(), re.M)}
     shown = set(re.findall(r"test_(E\d\d)_", " ".join(dir(contraejemplos.Errata))))
