@@ -8,6 +8,7 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "call_error.hpp"
 #include "colour.hpp"
@@ -30,10 +31,13 @@ int refuse(const std::string& what) {
   return bad_input;
 }
 
-// Prints the text that was asked for: --help, --version.
+// Prints the text that was asked for: --help, --version. Throws CLI::ExtrasError where help is asked of no command.
 int answer(const CLI::App& app, const CLI::Success& asked) {
   if (dynamic_cast<const CLI::CallForHelp*>(&asked) != nullptr) {
-    durero::io::print(durero::cli::called(app).help());
+    const CLI::App& command = durero::cli::called(app);
+    const std::vector<std::string> words = command.remaining();
+    if (!words.empty() && !durero::cli::subcommands(command).empty()) throw CLI::ExtrasError(command.get_name(), words);
+    durero::io::print(command.help());
     return 0;
   }
   std::ostringstream said;

@@ -59,6 +59,8 @@ has out 'durero '
 refused 'no command; expected one of check, edit, ' 
 refused 'frobnicate: no such command; expected one of check, edit, ' frobnicate
 refused 'tarce: no such command; expected trace — did you mean it?' tarce scene.json rays
+refused 'tarce: no such command; expected trace — did you mean it?' tarce --help
+refused 'conform: jugde: no such command; expected judge' conform jugde --help
 refused 'conform: jugde: no such command; expected judge' conform jugde suite hits
 refused 'conform: no command; expected one of list, make, ' conform
 refused 'conform: trace: no such command here; expected durero trace' conform trace
