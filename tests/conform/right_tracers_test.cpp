@@ -136,20 +136,30 @@ double size_of(const SuiteCase& of, scene::ElementRef element, double way) {
   });
 }
 
-/// A right answer, beside its place by a small part of what is met, which is near the exact first hit; nothing where
-/// the answer has no number, or is no such.
+/// Whether the element is a solid to the tracer, and so may be answered at the origin.
+bool is_answered_at_origin(const RightTracer& tracer, const SuiteCase& of, scene::ElementRef element) {
+  const bool is_closed =
+      tracer.profile.caps == Caps::solid && std::ranges::count(of.solids, element, &Solid::wall) != 0;
+  return tracer.profile.inside == Inside::origin && (element.tipo == model::Tipo::soy_esfera || is_closed);
+}
+
+/// A right answer, beside its place by a small part of what is met: near the exact first hit, or the origin inside a
+/// solid; nothing where the answer has no number, or is no such.
 std::optional<Claim> nudged(Random& random, const RightTracer& tracer, const SuiteCase& of, std::size_t ray,
                             Claim claim) {
+  if (!claim.t || !claim.element) return std::nullopt;
   const scene::Hit& truth = of.truths[ray].hit;
-  if (truth.resultado != model::Resultado::hit || !claim.t || !claim.element) return std::nullopt;
   const double length = length_of(1, of.the_case.rays[ray].rayo.v().xyz());
   const double unit = tracer.profile.measure == Measure::length ? 1 : 1 / length, way = truth.t * length;
   double size = size_of(of, *claim.element, way);
-  for (const scene::ElementRef element : truth.elementos) size = std::min(size, size_of(of, element, way));
-  const bool is_near = std::abs(*claim.t / unit - way) < std::ldexp(size, -12);
+  if (*claim.t != 0 || !is_answered_at_origin(tracer, of, *claim.element)) {
+    if (truth.resultado != model::Resultado::hit) return std::nullopt;
+    for (const scene::ElementRef element : truth.elementos) size = std::min(size, size_of(of, element, way));
+    if (!(std::abs(*claim.t / unit - way) < std::ldexp(size, -12))) return std::nullopt;
+  }
   *claim.t += random.sign() * std::ldexp(size, -random.integer(12, 44)) * unit;
-  const bool is_possible = std::isfinite(size / unit) && std::isfinite(way) && *claim.t > 0 && std::isfinite(*claim.t);
-  return is_near && is_possible ? std::optional(claim) : std::nullopt;
+  const bool is_possible = std::isfinite(size / unit) && *claim.t > 0 && std::isfinite(*claim.t);
+  return is_possible ? std::optional(claim) : std::nullopt;
 }
 
 /// One ray for one tracer of that seed. `beyond` are rays that end otherwise by their limits.

@@ -121,6 +121,12 @@ bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene
   });
 }
 
+bool is_near_origin(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element) {
+  const Dyadic squared = squared_length(from(trial.ray.rayo.p().xyz(), place.punto)), squared_way = square(place.way);
+  return trial.scene.visit(
+      element, [&](const auto& shape) { return squared * Dyadic(1e6) <= squared_size(shape, squared_way); });
+}
+
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (!trial.has_hit()) return 0;
   const NumberFormat format = trial.profile.format;

@@ -1,6 +1,6 @@
 #pragma once
-/// The errors of a hit, for the report. Of these only is_far() and is_near_surface() take part in a verdict: they tell
-/// a gross error of a wrong hit from a small one.
+/// The errors of a hit, for the report. Of these only is_far(), is_near_surface() and is_near_origin() take part in a
+/// verdict: they tell a gross error of a wrong hit from a small one.
 
 #include "conform/judge/trial.hpp"
 
@@ -13,6 +13,8 @@ namespace durero::conform {
 bool is_far(const ClaimContext& trial, const ClaimedPoint& place);
 /// Whether the place is within 0.001 of the element's size of its surface, up to a few roundings of binary64.
 bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element);
+/// Whether the place is within 0.001 of the element's size of the ray's origin.
+bool is_near_origin(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element);
 
 /// The errors of a claimed hit as ClaimJudgement::ulps and ClaimJudgement::backward define them.
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);

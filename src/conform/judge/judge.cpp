@@ -77,14 +77,14 @@ Verdict of_miss(const ClaimContext& trial) {
   return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
 }
 
-/// Whether the claimed hit may be the origin itself, inside a solid that the claim may name, of a system that answers
-/// the origin there.
-bool is_at_origin_inside(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
+/// Whether the system answers the origin inside a solid, and the claim may name one around the origin of which the
+/// place is_origin().
+template <class IsOrigin>
+bool is_origin_inside(const ClaimContext& trial, const Claim& claim, const IsOrigin& is_origin) {
   if (trial.profile.inside != Inside::origin) return false;
   const Elements around = solids_around_origin(trial);
-  return std::any_of(around.begin(), around.end(), [&](ElementRef element) {
-    return trial.names(claim, element) && may_be_origin(trial, element, place);
-  });
+  return std::any_of(around.begin(), around.end(),
+                     [&](ElementRef element) { return trial.names(claim, element) && is_origin(element); });
 }
 
 /// Whether the place may lie both on the element and on the ray.
@@ -116,10 +116,12 @@ bool may_be_first(const ClaimContext& trial, ElementRef element, const std::vect
          });
 }
 
-/// Whether a place near the truth's point is a little off what the claim may name: an element of the truth, or one that
-/// is first for some data and passes there.
+/// Whether a place is a little off what the claim may name: near the origin inside a solid, where the system answers
+/// that; near the truth's point, an element of the truth, or one that is first for some data and passes there.
 bool is_a_little_off(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  if (is_far(trial, place)) return false;
+  if (is_origin_inside(trial, claim, [&](ElementRef element) { return is_near_origin(trial, place, element); }))
+    return true;
+  if (!trial.has_hit() || is_far(trial, place)) return false;
   if (names_truth(trial, claim)) return true;
   const std::vector<Zone> all = walls(trial, trace::no_limit);
   return trial.scene.any_of([&](ElementRef element, const auto&) {
@@ -132,8 +134,8 @@ bool is_a_little_off(const ClaimContext& trial, const Claim& claim, const Claime
 /// truth's point, is off and not of a wrong element, whatever other element passes there.
 Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place, const Elements& at,
                        const std::vector<Zone>& zones) {
-  if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
   if (is_a_little_off(trial, claim, place)) return Verdict::off;
+  if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
   const auto is_first = [&](ElementRef element) { return may_be_first(trial, element, zones); };
   if (std::any_of(at.begin(), at.end(), is_first)) return Verdict::far_root;
   return is_far(trial, place) && at.empty() && !may_be_of_any(trial, place) ? Verdict::misplaced
@@ -143,7 +145,8 @@ Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const Clai
 /// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
 /// where the place may lie on an element that the claim may name and no zone certainly ends before it.
 Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  if (is_at_origin_inside(trial, claim, place)) return Verdict::right;
+  if (is_origin_inside(trial, claim, [&](ElementRef element) { return may_be_origin(trial, element, place); }))
+    return Verdict::right;
   Elements at;
   trial.scene.for_each([&](ElementRef element, const auto&) {
     if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);

@@ -450,6 +450,9 @@ TEST_CASE("of a solid its discs and its wall are one, and from inside the profil
   CHECK(verdict_of(of, miss(), profile) == Verdict::missed);  // of the floor
   profile.inside = Inside::origin;
   CHECK(verdict_of(of, hit(0, wall), profile) == Verdict::right);
+  CHECK(verdict_of(of, hit(1e-6, wall), profile) == Verdict::off);
+  CHECK(verdict_of(of, hit(0.1, wall), profile) == Verdict::misplaced);
+  CHECK(verdict_of(of, hit(1e-6, floor), profile) == Verdict::misplaced);
   CHECK(verdict_of(of, hit(0, floor), profile) == Verdict::misplaced);
   CHECK(verdict_of(of, miss(), profile) == Verdict::missed);
   profile.inside = Inside::undefined;
