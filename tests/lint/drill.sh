@@ -186,6 +186,8 @@ touch spec/nuevo.tex
 sees stems "a new stem without counterparts"
 git mv tests/scene/hit_test.cpp tests/scene/hits_test.cpp
 sees stems "a public header whose test has another name"
+echo 'import re' >tests/lint/types.py
+sees house "a script that hides a module of Python's library"
 echo '#pragma once' >include/durero/surface/shape/torus.hpp
 sees stems "a new public header without a test"
 

@@ -8,5 +8,9 @@ look() {  # look PATTERN WHAT
   look '(^|[^A-Za-z0-9_.])/(work|root|home)/[a-z]' 'a path of one machine'
   look 'https?://[a-z0-9.-]*(debian|npmjs|pypi|maven|crates)' 'a host of a package registry' |
     grep -v '^debian/copyright:1:Format: '  # so the format is named
+  git ls-files '*.py' | python3 -c '
+import pathlib, sys
+for path in sys.stdin.read().split():
+    if pathlib.Path(path).stem in sys.stdlib_module_names: print(path + ":1: Python has a module of that name; expected another")'
   look '\[\.\]|\[!mayfail\]|\[!shouldfail\]' 'a test that is switched off'
 } | { ! grep .; }

@@ -93,6 +93,7 @@ do_install() {
 do_test() {
   clone durero
   inside sh -c 'cd /newcomer/durero && ./x test' || fail "./x test: status $?"
+  ! grep -q 'python/absent' "$log" || fail "./x test: no Python module, though the demonstration was drawn first"
   tail -n 30 "$log" | sed -n '/tests passed/p; /^Total Test time/p'
 }
 

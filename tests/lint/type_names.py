@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The name of a type stands once in the program: types.py FILE...
+"""The name of a type stands once in the program: type_names.py FILE...
 
 A class, structure, union or enumeration that two files of the program define at namespace scope, or two namespaces of
 one file, confuses its readers: the rule names both places. Not counted are declarations without a body, specialisations,
