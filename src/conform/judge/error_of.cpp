@@ -35,6 +35,12 @@ Dyadic squared_size(const Shape& shape, const Dyadic& squared_way) {
   }
 }
 
+/// Whether a distance, given by its square, is at most 0.001 of the shape's size.
+template <class Shape>
+bool is_small(const Dyadic& squared, const Shape& shape, const Dyadic& squared_way) {
+  return squared * Dyadic(1e6) <= squared_size(shape, squared_way);
+}
+
 /// The quotient a/b, rounded once to binary64.
 double ratio(const Dyadic& a, const Dyadic& b) { return number::round_quotient(a, b); }
 
@@ -106,9 +112,8 @@ bool is_far(const ClaimContext& trial, const ClaimedPoint& place) {
   const Point<Dyadic> right{coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)}, &w = place.punto;
   const Dyadic squared = squared_length(Point<Dyadic>{w.x - right.x, w.y - right.y, w.z - right.z});
   const Dyadic squared_way = square(t) * squared_length(exact(v));
-  return std::all_of(hit.elementos.begin(), hit.elementos.end(), [&](scene::ElementRef element) {
-    return trial.scene.visit(
-        element, [&](const auto& shape) { return squared * Dyadic(1e6) > squared_size(shape, squared_way); });
+  return std::none_of(hit.elementos.begin(), hit.elementos.end(), [&](scene::ElementRef element) {
+    return trial.scene.visit(element, [&](const auto& shape) { return is_small(squared, shape, squared_way); });
   });
 }
 
@@ -117,14 +122,13 @@ bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene
   return trial.scene.visit(element, [&](const auto& shape) {
     const Dyadic M = magnitude(shape, trial.ray.rayo, place.way);
     const double apart = number::sign(M) == 0 ? 0 : distance(shape, place.punto, M);
-    return std::isfinite(apart) && square(Dyadic(apart) * M) * Dyadic(1e6) <= squared_size(shape, squared_way);
+    return std::isfinite(apart) && is_small(square(Dyadic(apart) * M), shape, squared_way);
   });
 }
 
 bool is_near_origin(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element) {
   const Dyadic squared = squared_length(from(trial.ray.rayo.p().xyz(), place.punto)), squared_way = square(place.way);
-  return trial.scene.visit(
-      element, [&](const auto& shape) { return squared * Dyadic(1e6) <= squared_size(shape, squared_way); });
+  return trial.scene.visit(element, [&](const auto& shape) { return is_small(squared, shape, squared_way); });
 }
 
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
