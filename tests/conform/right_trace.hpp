@@ -42,10 +42,6 @@ class RightTrace {
              return std::find(solid.discs.begin(), solid.discs.end(), e) != solid.discs.end();
            });
   }
-  bool is_closed(scene::ElementRef e) const {
-    return has_solids() && std::any_of(of_->solids.begin(), of_->solids.end(),
-                                       [&](const conform::Solid& solid) { return solid.wall == e; });
-  }
 
   template <class Shape>
   void meet(scene::ElementRef e, const Shape& shape) {
@@ -164,7 +160,7 @@ class RightTrace {
   template <class Shape>
   void take(scene::ElementRef e, const Computed<Shape>& of) {
     if (!is_whole_) return;
-    const bool has_inside = std::is_same_v<Shape, scene::Sphere> || is_closed(e);
+    const bool has_inside = std::is_same_v<Shape, scene::Sphere> || is_closed(*tracer_, *of_, e);
     if (has_inside && starts_inside(of)) {
       const conform::Inside inside = tracer_->profile.inside;
       if (inside == conform::Inside::nothing) return;
@@ -172,7 +168,7 @@ class RightTrace {
     }
     add(e, of.shape, of.rayo);
     if constexpr (requires { of.shape.altura; }) {
-      if (is_closed(e)) add_discs(e, of);
+      if (is_closed(*tracer_, *of_, e)) add_discs(e, of);
     }
   }
 

@@ -63,6 +63,13 @@ inline std::map<std::string, std::string> clauses(const conform::Profile& profil
           {"watertight", claimed(watertight)}};
 }
 
+/// Whether the element is a wall that discs close, to a tracer that has solids.
+inline bool is_closed(const RightTracer& tracer, const conform::SuiteCase& of, scene::ElementRef element) {
+  return tracer.profile.caps == conform::Caps::solid &&
+         std::any_of(of.solids.begin(), of.solids.end(),
+                     [&](const conform::Solid& solid) { return solid.wall == element; });
+}
+
 /// Something that a tracer meets.
 struct Met {
   scene::ElementRef element;

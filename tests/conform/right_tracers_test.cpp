@@ -138,9 +138,8 @@ double size_of(const SuiteCase& of, scene::ElementRef element, double way) {
 
 /// Whether the element is a solid to the tracer, and so may be answered at the origin.
 bool is_answered_at_origin(const RightTracer& tracer, const SuiteCase& of, scene::ElementRef element) {
-  const bool is_closed =
-      tracer.profile.caps == Caps::solid && std::ranges::count(of.solids, element, &Solid::wall) != 0;
-  return tracer.profile.inside == Inside::origin && (element.tipo == model::Tipo::soy_esfera || is_closed);
+  const bool is_solid = element.tipo == model::Tipo::soy_esfera || is_closed(tracer, of, element);
+  return tracer.profile.inside == Inside::origin && is_solid;
 }
 
 /// A right answer, beside its place by a small part of what is met: near the exact first hit, or the origin inside a
