@@ -136,14 +136,14 @@ ask() {
 # The files of instances, Instances*.v, as modules.
 of_instances() { (cd "$proofs" && printf '%s\n' Instances*.v) | sed 's/\.v$//' | tr '\n' ' '; }
 
-# axioms_of NAME...: of each name one line, the name and the axioms that it rests on, sorted. The last word is a file of
-# what Coq reads before.
+# axioms_of BEFORE NAME...: of each name one line, the name and the axioms that it rests on, sorted. Coq reads the file
+# BEFORE first.
 axioms_of() {
-  for last; do :; done
-  { cat "$last"; for name; do [ "$name" = "$last" ] || echo "Redirect \"$tmp/$name\" Print Assumptions $name."; done; } >"$tmp/questions"
+  cat "$1" >"$tmp/questions"
+  shift
+  for name; do echo "Redirect \"$tmp/$name\" Print Assumptions $name."; done >>"$tmp/questions"
   ask "$tmp/questions" >&2 || return 1
   for name; do  # an axiom begins its line; its type is indented, or follows a colon
-    [ "$name" != "$last" ] || break
     found=$(sed -n 's/^Closed under the global context$/none/; /^Axioms:$/d; s/ *:.*//; /^[^ ]/p' \
       "$tmp/$name.out" | sort -u | tr '\n' ' ')
     [ -n "$found" ] || { echo "Main.v: no assumptions found of $name" >&2; return 1; }
@@ -155,7 +155,7 @@ axioms_of() {
 axioms_of_each() {
   echo "From Durero Require $(of_instances)." >"$tmp/before.v"
   # shellcheck disable=SC2046  # a word a name
-  axioms_of $(cat "$1") "$tmp/before.v"
+  axioms_of "$tmp/before.v" $(cat "$1")
 }
 
 # One line a theorem of Main.v: its name and the axioms that it rests on.
@@ -256,7 +256,7 @@ audit_instances() {
   # All are asked at once, which is quicker; one by one only where something is wrong.
   { echo "From Durero Require $(of_instances)."; echo 'Definition every : True :='
     sed 's/.*/  let _ := @Durero.& in/' "$tmp/instances"; echo '  I.'; } >"$tmp/every.v"
-  axioms_of every "$tmp/every.v" >"$tmp/axioms" || return 1
+  axioms_of "$tmp/every.v" every >"$tmp/axioms" || return 1
   other_axioms "$tmp/axioms" >"$tmp/others"
   if [ -s "$tmp/others" ]; then
     axioms_of_each "$tmp/instances" >"$tmp/axioms" || return 1
