@@ -172,7 +172,7 @@ class Draw {
     return ring;
   }
 
-  /// Some of the points with whole coordinates that lie on one circle, in their order.
+  /// Points with whole coordinates, drawn from those of one circle, in their order.
   Ring circle(int scale) {
     Ring ring;
     for (int x = -65; x <= 65; ++x)

@@ -14,7 +14,7 @@ std::optional<double> read_number(std::string_view text);
 
 /// The same where it is finite; nothing otherwise.
 std::optional<double> read_finite(std::string_view text);
-/// The same where it is written in decimal.
+/// The number of read_finite(), where it is written in decimal; nothing otherwise.
 std::optional<double> read_decimal(std::string_view text);
 
 /// Appends the shortest decimal that reads back to the same binary64; integers plain (4, not 4.0); inf, -inf, nan.

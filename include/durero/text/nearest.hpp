@@ -16,8 +16,8 @@ std::size_t apart(std::string_view a, std::string_view b);
 /// the first of several, where no more than a third of its characters, or one of three and more, are amiss.
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& list);
 
-/// What is expected where the word stands: the nearest word of the list, or else `one of` them all, each name of the Z
-/// text with its English.
+/// The words that a message expects in place of the given one: the nearest of the list, or else `one of` them all, each
+/// name of the Z text with its English.
 std::string expected_of(std::string_view word, const std::vector<std::string>& list);
 
 }  // namespace durero::text

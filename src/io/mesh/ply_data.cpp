@@ -43,7 +43,7 @@ std::optional<double> ply_number<float>(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   float value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  // As in read_number(): from_chars leaves the value alone beyond either end of the range.
+  // std::from_chars leaves the value alone beyond either end of the range, as in read_number().
   if (error == std::errc::result_out_of_range) value = std::strtof(std::string(word).c_str(), nullptr);
   return std::isfinite(value) ? std::optional<double>(value) : std::nullopt;
 }
