@@ -1,20 +1,23 @@
 #!/bin/sh
-# gallery.sh DURERO FOLDER OUT: draws each scene of FOLDER into OUT, and says whether it is the picture that lies beside
-# the scene, byte for byte. Status 1 where one is not. Then the Standard Procedural Databases, which are not part of the
-# project, where they lie: in the folder DURERO_SPD, or else beside the sources.
+# gallery.sh DURERO FOLDER OUT: draws each picture that FOLDER/pictures.tsv names into OUT, and says whether it is the one that
+# lies in FOLDER, byte for byte. Status 1 where one is not. Then the Standard Procedural Databases, which are not part of
+# the project, where they lie: in the folder DURERO_SPD, or else beside the sources.
 set -eu
 durero=$1 folder=$2 out=$3
 mkdir -p "$out"
+out=$(cd "$out" && pwd)
+tab=$(printf '\t')
 status=0
-for scene in "$folder"/*.json; do
-  name=$(basename "$scene" .json)
-  "$durero" render "$scene" -o "$out/$name.png"
-  if cmp -s "$out/$name.png" "$folder/$name.png"; then echo "$out/$name.png"
+while IFS=$tab read -r picture _ call; do
+  case $picture in \#*) continue ;; esac
+  # shellcheck disable=SC2086 # the words of a call hold no blanks
+  (cd "$folder" && "$durero" $call -o "$out/$picture")
+  if cmp -s "$out/$picture" "$folder/$picture"; then echo "$out/$picture"
   else
-    echo "$out/$name.png: not the bytes of $folder/$name.png"
+    echo "$out/$picture: not the bytes of $folder/$picture"
     status=1
   fi
-done
+done <"$folder/pictures.tsv"
 spd=${DURERO_SPD:-$folder/../../../shared/data/spd}
 for name in balls jacks lattice rings tree; do
   if [ -f "$spd/$name.nff" ]; then

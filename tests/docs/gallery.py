@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""gallery.py DURERO ROOT: demo/gallery holds what its scenes draw, and each picture shows what its page says.
+"""gallery.py DURERO ROOT [long]: demo/gallery holds what its calls draw, and each picture shows what its page says.
 
-Every scene is drawn anew, and has the bytes of the picture beside it. pixels.txt names pixels, x to the right and y down from
-0, with the comparison that shows an effect: `SCENE X Y lighter X Y`, so much as red, green and blue add up to,
-`SCENE X Y redder X Y` (bluer, greener), by the share of that colour, or `SCENE X Y same X Y`, to 12 of 255. The Standard
-Procedural Databases, where they lie, are held to pixels-spd.txt; where one is absent it is said.
+Every picture that pictures.tsv names is drawn anew by its call, and has the bytes of the picture that lies there; those that
+are named long only if the third argument says so. pixels.txt names pixels, x to the right and y down from 0, with the
+comparison that shows an effect: `PICTURE X Y lighter X Y`, so much as red, green and blue add up to, `PICTURE X Y redder X Y`
+(bluer, greener), by the share of that colour, or `PICTURE X Y same X Y`, to 12 of 255. The Standard Procedural Databases,
+where they lie, are held to pixels-spd.txt; where one is absent it is said. An SVG has no pixels.
 """
 import os
 import pathlib
@@ -65,23 +66,41 @@ def unlike(page, pictures):
     return wrong + [f"{page.name} says nothing of {name}" for name in pictures if name not in seen]
 
 
-def main():
-    durero, gallery = sys.argv[1], pathlib.Path(sys.argv[2]) / "demo" / "gallery"
-    page = (gallery / "README.md").read_text(encoding="utf-8")
-    wrong, pictures = [], {}
+def rows_of(table):
+    """The rows of pictures.tsv: a picture, whether it is long, and the words of its call."""
+    for line in table.read_text(encoding="utf-8").splitlines():
+        if not line.startswith("#"):
+            picture, when, call = line.split("\t")
+            yield picture, {"long": True, "short": False}[when], call.split(" ")
+
+
+def is_stale(durero, gallery, picture, call):
+    """Whether the call draws another picture than the one that lies there."""
     with tempfile.TemporaryDirectory() as folder:
-        for scene in sorted(gallery.glob("*.json")):
-            out = pathlib.Path(folder) / f"{scene.stem}.png"
-            subprocess.run([durero, "render", scene, "-o", out], check=True)
-            if out.read_bytes() != scene.with_suffix(".png").read_bytes():
-                wrong.append(f"{scene.stem}.png is stale; ./x gallery draws it")
-            if f"({scene.stem}.png)" not in page:
-                wrong.append(f"README.md does not show {scene.stem}.png")
-            pictures[scene.stem] = png_pixels(out.read_bytes())
+        out = pathlib.Path(folder) / picture
+        subprocess.run([durero, *call, "-o", out], check=True, cwd=gallery, stdout=subprocess.DEVNULL)
+        return out.read_bytes() != (gallery / picture).read_bytes()
+
+
+def main():
+    durero, gallery = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve() / "demo" / "gallery"
+    page = (gallery / "README.md").read_text(encoding="utf-8")
+    wrong, drawn, pictures = [], 0, {}
+    for picture, is_long, call in rows_of(gallery / "pictures.tsv"):
+        if not is_long or "long" in sys.argv[3:]:
+            drawn += 1
+            if is_stale(durero, gallery, picture, call):
+                wrong.append(f"{picture} is stale; ./x gallery draws it")
+        if f"({picture})" not in page:
+            wrong.append(f"README.md does not show {picture}")
+        if picture.endswith(".png"):
+            pictures[picture.removesuffix(".png")] = png_pixels((gallery / picture).read_bytes())
+    named = {picture for picture, _, _ in rows_of(gallery / "pictures.tsv")}
+    wrong += [f"{p.name} has no row in pictures.tsv" for p in sorted(gallery.glob("*.png")) if p.name not in named]
     wrong += unlike(gallery / "pixels.txt", pictures)
     databases = drawn_databases(durero, pathlib.Path(sys.argv[2]))
     wrong += unlike(gallery / "pixels-spd.txt", databases) if databases else []
-    print("\n".join(wrong) or f"{len(pictures)} pictures, as they lie there, and {len(databases)} databases")
+    print("\n".join(wrong) or f"{drawn} of {len(pictures)} pictures, as they lie there, and {len(databases)} databases")
     return 1 if wrong else 0
 
 
