@@ -562,6 +562,11 @@ Definition visible_lejos (s : Escena) (p : Punto) (l : Vector) (en : set Element
   /\ Vector_y (Rayo_v rayo) = Vector_y l /\ Vector_z (Rayo_v rayo) = Vector_z l
   /\ ~ occluded s rayo en. (* visible_lejos.def.1 *)
 
+Definition normal_suave (a b c : Vector) (u v : R) (n : Vector) : Prop :=
+  Vector_x n = (1 - u - v) * Vector_x a + u * Vector_x b + v * Vector_x c
+  /\ Vector_y n = (1 - u - v) * Vector_y a + u * Vector_y b + v * Vector_y c
+  /\ Vector_z n = (1 - u - v) * Vector_z a + u * Vector_z b + v * Vector_z c. (* normal_suave.def.1 *)
+
 Definition especular (l n v : Vector) : R := 2 * producto l n * producto v n - producto l v. (* especular.def.1 *)
 
 Definition directa (m : Material) (n v l : Vector) : R :=
@@ -665,6 +670,18 @@ Definition reflexion_total_conj_2 : Prop :=
   -> (2 * razon = 3 -> reflexion_total i n razon <-> 9 * (1 - cuadrado (producto i n)) > 4)
   /\ (100 * razon = 133 -> reflexion_total i n razon <-> 17689 * (1
   - cuadrado (producto i n)) > 10000). (* reflexion_total.conj.2 *)
+
+Definition normal_suave_conj_1 : Prop :=
+  forall (a b c d : Vector) (u : R) (n m : Vector), normal_suave a b c u 0 n -> normal_suave a b d u 0 m
+  -> Vector_x n = Vector_x m /\ Vector_y n = Vector_y m /\ Vector_z n = Vector_z m. (* normal_suave.conj.1 *)
+
+Definition normal_suave_conj_2 : Prop :=
+  forall (a : Vector) (u v : R) (n : Vector), normal_suave a a a u v n -> Vector_x n = Vector_x a
+  /\ Vector_y n = Vector_y a /\ Vector_z n = Vector_z a. (* normal_suave.conj.2 *)
+
+Definition normal_suave_conj_3 : Prop :=
+  forall (a b c g : Vector) (u v : R) (n : Vector), normal_suave a b c u v n -> 0 <= u -> 0 <= v -> u + v <= 1
+  -> producto a g > 0 -> producto b g > 0 -> producto c g > 0 -> producto n g > 0. (* normal_suave.conj.3 *)
 
 Definition especular_conj_1 : Prop :=
   forall l n r v : Vector, reflexion l n r -> producto n n = 1

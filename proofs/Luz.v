@@ -347,6 +347,32 @@ Proof.
   - exists q. split; [| exact Hq]. exists 1. split; [unfold Rmas; lra |]. cbn. repeat split; ring.
 Qed.
 
+(** ** Smooth normals *)
+
+(** Discharges normal_suave.def.1, normal_suave.conj.1. *)
+Theorem a_smooth_surface_has_no_edge : normal_suave_conj_1.
+Proof.
+  intros a b c d u n m [Nx [Ny Nz]] [Mx [My Mz]]. rewrite Nx, Ny, Nz, Mx, My, Mz. repeat split; ring.
+Qed.
+
+(** Discharges normal_suave.conj.2. *)
+Theorem between_equal_normals_is_the_same : normal_suave_conj_2.
+Proof. intros a u v n [Nx [Ny Nz]]. rewrite Nx, Ny, Nz. repeat split; ring. Qed.
+
+(** Discharges normal_suave.conj.3. *)
+Theorem within_a_triangle_no_direction_is_lost : normal_suave_conj_3.
+Proof.
+  intros a b c g u v n [Nx [Ny Nz]] Hu Hv Huv Pa Pb Pc.
+  replace (producto n g) with ((1 - u - v) * producto a g + u * producto b g + v * producto c g)
+    by (components; rewrite Nx, Ny, Nz; ring).
+  assert (A : 0 <= (1 - u - v) * producto a g) by (apply Rmult_le_pos; lra).
+  assert (B : 0 <= u * producto b g) by (apply Rmult_le_pos; lra).
+  assert (C : 0 <= v * producto c g) by (apply Rmult_le_pos; lra).
+  destruct (Rlt_dec 0 (1 - u - v)) as [P | P]; [pose proof (Rmult_lt_0_compat _ _ P Pa); lra |].
+  destruct (Rlt_dec 0 u) as [Q | Q]; [pose proof (Rmult_lt_0_compat _ _ Q Pb); lra |].
+  assert (R : 0 < v) by lra. pose proof (Rmult_lt_0_compat _ _ R Pc). lra.
+Qed.
+
 (** ** Lights and media *)
 
 (** Discharges Material.conj.1, Material.inv.12. *)

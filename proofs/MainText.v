@@ -410,6 +410,13 @@ Proof.
     (conj Luz.what_conserves_shines_no_brighter Luz.two_media_have_one_ratio))))))))))))).
 Qed.
 
+(** Of smooth normals: no edge is seen where triangles meet, equal normals are kept, and no direction is lost. *)
+Theorem the_conjectures_of_smooth_normals_hold : normal_suave_conj_1 /\ normal_suave_conj_2 /\ normal_suave_conj_3.
+Proof.
+  exact (conj Luz.a_smooth_surface_has_no_edge (conj Luz.between_equal_normals_is_the_same
+    Luz.within_a_triangle_no_direction_is_lost)).
+Qed.
+
 (** Of Whitted's recursion: whatever there is to follow, there is an answer, and one. Of the lights and of the window of
     the picture: what hides nothing without end hides nothing nearer, and each pixel has its ray, evenly. *)
 Theorem the_recursion_ends_in_one_answer (Camino Elemento : Type) :

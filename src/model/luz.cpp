@@ -61,6 +61,12 @@ bool visible_lejos(const Escena& escena, const Punto& p, const Vector& l, const 
   return sees(p, l, [&](const Rayo& rayo) { return occluded(escena, rayo, en); });
 }
 
+ExactDirection normal_suave(const ExactDirection& a, const ExactDirection& b, const ExactDirection& c, const Surd& u,
+                            const Surd& v) {
+  const Surd first = Surd(1) - u - v;
+  return {first * a.x + u * b.x + v * c.x, first * a.y + u * b.y + v * c.y, first * a.z + u * b.z + v * c.z};
+}
+
 Surd especular(const ExactDirection& l, const ExactDirection& n, const ExactDirection& v) {
   return Surd(2) * producto(l, n) * producto(v, n) - producto(l, v);
 }

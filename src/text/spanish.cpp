@@ -276,6 +276,7 @@ constexpr SpanishName names[] = {
     {"Fuente", "Light_Source", "a light as a point has it: direction, brightness and visibility"},
     {"visible", "visible", "the lights at a place that a point sees"},
     {"visible_lejos", "visible_far", "the lights without end that a point sees"},
+    {"normal_suave", "smooth_normal", "the direction between the normals of the corners of a triangle"},
     {"especular", "specular", "the cosine between the eye and the mirrored light"},
     {"directa", "direct", "what a surface sends back of one light"},
     {"aportacion", "contribution", "the term of one light in the sum over the lights"},

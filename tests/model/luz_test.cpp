@@ -138,6 +138,14 @@ TEST_CASE("visible_lejos.def.1: of a light without end, an element at any distan
   CHECK(visible(escena, {0, 0, 0}, {0, 0, 1}, {}));
 }
 
+TEST_CASE("normal_suave.def.1: the corner's own at a corner, and between them the shares of each") {
+  const ExactDirection a{1, 0, 2}, b{0, 3, 1}, c{part(1, 2), part(-1, 2), 4};
+  CHECK(normal_suave(a, b, c, 0, 0) == a);
+  CHECK(normal_suave(a, b, c, 1, 0) == b);
+  CHECK(normal_suave(a, b, c, 0, 1) == c);
+  CHECK(normal_suave(a, b, c, part(1, 2), part(1, 4)) == ExactDirection{part(3, 8), part(11, 8), 2});
+}
+
 TEST_CASE("especular.def.1 is the product with the mirrored light, whichever of the two is mirrored") {
   for (const ExactDirection& l : {up, slanted, mirrored, ExactDirection{part(2, 3), part(-1, 3), part(2, 3)}})
     for (const ExactDirection& v : {up, slanted, ExactDirection{part(-2, 7), part(3, 7), part(6, 7)}}) {

@@ -87,6 +87,11 @@ bool visible_lejos(const Escena& escena, const Punto& p, const Vector& l, const 
 
 // Precondition of all that follows: what a function is given lies in one field.
 
+/// The only n with (a, b, c, u, v, n) ∈ normal_suave: the direction that a point of a triangle is shaded by, between
+/// the normals of its corners (normal_suave.def.1).
+ExactDirection normal_suave(const ExactDirection& a, const ExactDirection& b, const ExactDirection& c, const Surd& u,
+                            const Surd& v);
+
 /// The cosine of the highlight (especular.def.1).
 Surd especular(const ExactDirection& l, const ExactDirection& n, const ExactDirection& v);
 
