@@ -39,9 +39,37 @@ void Scene::set_material(ElementRef element, std::optional<std::uint32_t> materi
   label(element).material = material.value_or(no_material);
 }
 
+VertexLooks Scene::looks(ElementRef element) const {
+  const auto& held = label(element).vertices;
+  return held ? *held : VertexLooks{};
+}
+
+void Scene::set_looks(ElementRef element, VertexLooks looks) {
+  if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("triangles alone have such vertices");
+  label(element).vertices = std::make_shared<const VertexLooks>(looks);
+}
+
+const Wrap* Scene::wrap(ElementRef element) const noexcept {
+  const auto& held = label(element).vertices;
+  return held && held->wrap ? &*held->wrap : nullptr;
+}
+
 void Scene::set_wrap(ElementRef element, const Wrap& wrap) {
-  if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("textures are laid on triangles alone");
-  label(element).wrap = std::make_shared<const Wrap>(wrap);
+  VertexLooks looks = this->looks(element);
+  looks.wrap = wrap;
+  set_looks(element, looks);
+}
+
+const VertexNormals* Scene::vertex_normals(ElementRef element) const noexcept {
+  const auto& held = label(element).vertices;
+  return held && held->normals ? &*held->normals : nullptr;
+}
+
+void Scene::set_vertex_normals(ElementRef element, const VertexNormals& normals) {
+  if (!have_directions(normals)) throw std::domain_error("a normal has no direction");
+  VertexLooks looks = this->looks(element);
+  looks.normals = normals;
+  set_looks(element, looks);
 }
 
 void Scene::audit() {

@@ -14,6 +14,7 @@
 #include "durero/render/light/whitted.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/stage.hpp"
+#include "render/light/smooth_normal.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -203,4 +204,30 @@ TEST_CASE("rayo_de_pixel.def.1: the rays of a dyadic camera are those of the tex
       CHECK_FALSE(so(fmt::format("({}, {}, {}, {}) ∈ centro_de_pixel", window, (x + 1) % 3, y, centre)));
       CHECK(so(fmt::format("{} ∈ puntos_de_rayo({})", centre, typed_ray)));
     }
+}
+
+// The triangle's corners are (0, 0, 0), (1, 0, 0) and (0, 1, 0), so that u and v are the point's own coordinates,
+// without error, and 1 − u − v of 64ths too. Each component is three products and two sums of terms of at most 2: 5u·2
+// and less; the length divides it, which is at least 1/2 here, with four roundings more: below 32u.
+TEST_CASE("normal_suave.def.1: the smooth normal is along the direction that the text has") {
+  std::mt19937_64 random(20261127);
+  for (int sample = 0; sample < 30; ++sample) {
+    const double first = share(random) / 2, second = share(random) / 2;
+    scene::Scene scene;
+    scene.apply(model::Agregar_Triangulo{model::Elemento("t"), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+    const auto normal = [&] { return glm::dvec3{share(random) - 0.5, share(random) - 0.5, 1}; };
+    const scene::VertexNormals of{normal(), normal(), normal()};
+    scene.set_vertex_normals(*scene.find("t"), of);
+    const glm::dvec3 seen = render::smooth_normal(scene, *scene.find("t"), {first, second, 0}, {0, 0, 1});
+    const auto exact = [](const glm::dvec3& v) { return model::ExactDirection{v.x, v.y, v.z}; };
+    const model::ExactDirection n = model::normal_suave(exact(of[0]), exact(of[1]), exact(of[2]), first, second);
+    const auto typed_vector = [](const glm::dvec3& v) {
+      return vector(number::exact(v.x), number::exact(v.y), number::exact(v.z));
+    };
+    CHECK(so(fmt::format("({}, {}, {}, {}, {}, {}) ∈ normal_suave", typed_vector(of[0]), typed_vector(of[1]),
+                         typed_vector(of[2]), typed(first), typed(second), vector(n.x.x, n.y.x, n.z.x))));
+    const glm::dvec3 along{number::round_to_binary64(n.x), number::round_to_binary64(n.y),
+                           number::round_to_binary64(n.z)};
+    CHECK(glm::distance(seen, glm::normalize(along)) <= 32 * u);
+  }
 }

@@ -95,15 +95,22 @@ class Scene {
   void set_material(ElementRef element, std::optional<std::uint32_t> material);
 
   /// How textures lie on a triangle; null where they follow its own (u, v), as on every other shape.
-  const Wrap* wrap(ElementRef element) const noexcept { return label(element).wrap.get(); }
+  const Wrap* wrap(ElementRef element) const noexcept;
   /// Throws std::domain_error where the element is no triangle.
   void set_wrap(ElementRef element, const Wrap& wrap);
+
+  /// The normals of the vertices of a triangle; null where it is shaded as it lies, as every other shape.
+  const VertexNormals* vertex_normals(ElementRef element) const noexcept;
+  /// Throws std::domain_error where the element is no triangle, or a normal is null or not finite.
+  void set_vertex_normals(ElementRef element, const VertexNormals& normals);
 
  private:
   friend class Editor;
 
   const Label& label(ElementRef element) const noexcept;
   Label& label(ElementRef element) noexcept;
+  void set_looks(ElementRef element, VertexLooks looks);
+  VertexLooks looks(ElementRef element) const;
   std::optional<ElementRef> find(std::string_view name, NameIndex::hash_type hash) const noexcept;
 
   template <class Shape>

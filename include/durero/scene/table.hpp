@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/scene/name_index.hpp"
+#include "durero/scene/vertex_normals.hpp"
 #include "durero/scene/wrap.hpp"
 
 namespace durero::scene {
@@ -19,12 +21,18 @@ namespace durero::scene {
 /// Label::material of an element that has none.
 inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>::max();
 
+/// A mesh says this of the vertices of a triangle.
+struct VertexLooks {
+  std::optional<Wrap> wrap{};              ///< how textures lie on it
+  std::optional<VertexNormals> normals{};  ///< how it is shaded
+};
+
 /// What an element has beside its geometry. One column, since an edit needs all of it.
 struct Label {
-  model::Elemento name;                  ///< what it is called
-  NameIndex::hash_type hash;             ///< of the name
-  std::uint32_t material = no_material;  ///< an index into the materials of the stage
-  std::shared_ptr<const Wrap> wrap{};    ///< of a triangle; null where it has none
+  model::Elemento name;                           ///< what it is called
+  NameIndex::hash_type hash;                      ///< of the name
+  std::uint32_t material = no_material;           ///< an index into the materials of the stage
+  std::shared_ptr<const VertexLooks> vertices{};  ///< of a triangle; null where it has none
 };
 
 /// One element, out of the table.

@@ -13,23 +13,23 @@
 #include "durero/text/spanish.hpp"
 #include "field.hpp"
 #include "io/attribute_words.hpp"
-#include "wrap_fields.hpp"
+#include "vertex_fields.hpp"
 
 namespace durero::io {
 namespace {
 
 using model::Tipo;
 
-// The keys of an element: id, tipo, the attributes of all shapes, material, uv and tangents.
+// The keys of an element: id, tipo, the attributes of all shapes, material, and the looks of the vertices.
 constexpr std::size_t id = 0, tipo = 1, first_attribute = 2, material = first_attribute + attribute_words.size(),
-                      uv = material + 1, tangents = uv + 1;
+                      uv = material + 1, tangents = uv + 1, normals = tangents + 1;
 constexpr auto keys = [] {
-  std::array<std::string_view, tangents + 1> all{};
+  std::array<std::string_view, normals + 1> all{};
   all[id] = "id";
   all[tipo] = "tipo";
   std::ranges::copy(attribute_words, all.begin() + first_attribute);
   all[material] = "material";
-  std::ranges::copy(wrap_keys, all.begin() + uv);
+  std::ranges::copy(vertex_keys, all.begin() + uv);
   return all;
 }();
 constexpr std::size_t required = 2;  // id and tipo; which attributes there must be, the tipo says
@@ -46,8 +46,9 @@ struct Fields {
   Tipo tipo{};
   std::array<std::optional<Read>, attribute_words.size()> attributes{};
   std::optional<Placed<std::string_view>> material{};
-  std::optional<Placed<std::array<glm::dvec2, 3>>> uv{};  // at its key, as the next one
+  std::optional<Placed<std::array<glm::dvec2, 3>>> uv{};  // at its key, as the next ones
   std::optional<Placed<std::array<scene::VertexTangents, 3>>> tangents{};
+  std::optional<Placed<scene::VertexNormals>> normals{};
 
   const std::optional<Read>& attribute(std::string_view word) const {
     return attributes[static_cast<std::size_t>(std::ranges::find(attribute_words, word) - attribute_words.begin())];
@@ -93,6 +94,8 @@ void read_field(json::Reader& in, std::size_t key, std::span<const WrittenType> 
     f.uv = {read_uv(in), in.key_offset()};
   } else if (key == tangents) {
     f.tangents = {read_vertex_tangents(in), in.key_offset()};
+  } else if (key == normals) {
+    f.normals = {read_vertex_normals(in), in.key_offset()};
   } else {
     f.attributes[key - first_attribute] = read_attribute(in, keys[key]);
   }
@@ -130,23 +133,31 @@ void check_attributes(const json::Reader& in, const Fields& f) {
   }
 }
 
-// uv is a triangle's alone, and tangents are those of its uv.
+// The looks of vertices are a triangle's alone, and tangents are those of its uv.
 template <class Shape>
-void check_wrap(const json::Reader& in, const Fields& f) {
+void check_vertex_looks(const json::Reader& in, const Fields& f) {
   const auto refuse = [&](const auto& wrong, std::size_t key) {
     if (wrong)
       in.fail(wrong->offset, fmt::format("unknown key \"{}\" in {}", keys[key], element_of(Shape::word)),
               "expected the attributes of its tipo only");
   };
-  if constexpr (!std::is_same_v<Shape, scene::Triangle>) refuse(f.uv, uv), refuse(f.tangents, tangents);
+  if constexpr (!std::is_same_v<Shape, scene::Triangle>) {
+    refuse(f.uv, uv);
+    refuse(f.tangents, tangents);
+    refuse(f.normals, normals);
+  }
   if (f.tangents && !f.uv) in.fail(f.tangents->offset, "tangents without uv", "expected uv too");
 }
 
-void set_wrap(scene::Scene& scene, const Fields& f) {
-  if (!f.uv) return;
-  scene::Wrap wrap{f.uv->value};
-  if (f.tangents) wrap.tangents = f.tangents->value;
-  scene.set_wrap(scene.find(f.id.value).value(), wrap);
+void set_vertex_looks(scene::Scene& scene, const Fields& f) {
+  if (!f.uv && !f.normals) return;
+  const scene::ElementRef element = scene.find(f.id.value).value();
+  if (f.uv) {
+    scene::Wrap wrap{f.uv->value};
+    if (f.tangents) wrap.tangents = f.tangents->value;
+    scene.set_wrap(element, wrap);
+  }
+  if (f.normals) scene.set_vertex_normals(element, f.normals->value);
 }
 
 template <class Shape>
@@ -219,11 +230,11 @@ void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse
   in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, written.types, f); });
   scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
     check_attributes<Shape>(in, f);
-    check_wrap<Shape>(in, f);
+    check_vertex_looks<Shape>(in, f);
     const model::Answer answer = scene.add(model::Elemento{std::string(f.id.value)}, shape_of<Shape>(f));
     if (!answer.ok()) refuse<Shape>(in, f, answer);
   });
-  set_wrap(scene, f);
+  set_vertex_looks(scene, f);
   if (f.material) uses.push_back({f.id.value, *f.material});
 }
 

@@ -5,7 +5,7 @@
 #include "durero/scene/stage.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
-#include "wrap_fields.hpp"
+#include "vertex_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -97,7 +97,7 @@ void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPa
   if (const auto material = scene.material(element)) {
     out.member("material", scene.stage().materials[*material].name);
   }
-  if (const scene::Wrap* const wrap = scene.wrap(element)) write_wrap(out, *wrap);
+  write_vertex_looks(out, scene, element);
   out.end_object();
 }
 

@@ -18,6 +18,7 @@
 #include "follower.hpp"
 #include "paths.hpp"
 #include "shadows.hpp"
+#include "smooth_normal.hpp"
 
 namespace durero::render {
 namespace {
@@ -29,7 +30,7 @@ struct PathVertex {
   const scene::Hit& hit;
   const Look& look;
   glm::dvec3 normal;  ///< the unit normal on the side of the ray
-  glm::dvec3 facing;  ///< that normal as the relief turns it
+  glm::dvec3 facing;  ///< that normal as the vertices and the relief turn it
   glm::dvec3 d;       ///< the unit direction of the ray
   double way;         ///< the length from the eye to here
 };
@@ -38,6 +39,11 @@ struct PathVertex {
 scene::ElementRef front(const scene::Scene& scene, const scene::ElementSet& elements) {
   return *std::min_element(elements.begin(), elements.end(),
                            [&](auto a, auto b) { return scene.name(a) < scene.name(b); });
+}
+
+/// The tangents without their parts along a unit normal.
+Tangents across(const Tangents& t, const glm::dvec3& n) {
+  return {t.u - glm::dot(t.u, n) * n, t.v - glm::dot(t.v, n) * n};
 }
 
 /// The factor of S in the local model: the share of a light from that unit direction that is sent towards the ray, by
@@ -133,11 +139,15 @@ class Tracer {
     const double way = path.way + glm::distance(query.rayo.p().xyz(), hit.punto);
     const TexturedMaterial& worn = followed_.looks.of(index);
     const Look* look = &worn.plain;
-    glm::dvec3 facing = n;
+    glm::dvec3 facing = smooth_normal(scene_, element, hit.punto, n);
     if (!worn.is_bare()) {
       const TextureCoordinates coordinates = render::coordinates(scene_, element, hit.punto);
       if (worn.varies) look = &varied_.emplace(worn.look(coordinates, way));
-      if (worn.relief) facing = worn.normal(tangents(scene_, element, coordinates), n, coordinates);
+      if (worn.relief) {
+        Tangents along = tangents(scene_, element, coordinates);
+        if (facing != n) along = across(along, facing);
+        facing = worn.normal(along, facing, coordinates);
+      }
     }
     if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
     if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen

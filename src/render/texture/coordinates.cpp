@@ -200,6 +200,10 @@ TextureCoordinates coordinates(const scene::Scene& scene, scene::ElementRef elem
       [&](const auto& shape) { return coordinates_of(shape, point); });
 }
 
+TextureCoordinates own_coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point) {
+  return scene.visit(element, [&](const auto& shape) { return coordinates_of(shape, point); });
+}
+
 glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const TextureCoordinates& at) {
   return visit(
       scene, element, [&](const Wrapped& wrapped, const auto& shape) { return point_of(shape, wrapped.own(at)); },

@@ -155,6 +155,20 @@ TEST_CASE("How textures lie on a triangle is read, written and kept by edits of 
   CHECK_THROWS_AS(scene.set_wrap(*scene.find("s"), {}), std::domain_error);
 }
 
+TEST_CASE("The normals of a triangle's vertices are read and written, with a texture and without") {
+  const std::string text = R"({"format":"durero-scene","version":1,
+"elementos":[
+{"id":"a","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],"normals":[[0,0,1],[0,2,0],[-1,0.5,0]]},
+{"id":"b","tipo":"triangulo","vertices":[[0,0,0],[1,2,3],[2,4,7]],"uv":[[0,0.5],[-1,0],[0,3]],"normals":[[0,0,1],[0,0,1],[0,0,1]]}
+]}
+)";
+  const scene::Scene scene = io::read_scene(io::Source("scene.json", text));
+  CHECK(io::scene_text(scene) == text);
+  REQUIRE(scene.vertex_normals(*scene.find("a")) != nullptr);
+  CHECK(scene.vertex_normals(*scene.find("a"))->at(2) == glm::dvec3(-1, 0.5, 0));
+  CHECK(scene.wrap(*scene.find("b"))->uv[2] == glm::dvec2(0, 3));
+}
+
 TEST_CASE("Errors of an element stand at its value or key") {
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
@@ -164,7 +178,7 @@ TEST_CASE("Errors of an element stand at its value or key") {
       {sphere(R"("radio":1,^"color":2)"),
        "unknown key \"color\" in an element; expected one of id, tipo (type), centro (center), radio (radius), vector, "
        "altura (height), proporcion (proportion), "
-       "vertices, material, uv, tangents"},
+       "vertices, material, uv, tangents, normals"},
       {sphere(R"("radio":1,^"radio":1)"), "key \"radio\" (radius) stands twice; expected it once"},
       {sphere(R"("radio":1,^"altura":1)"),
        "unknown key \"altura\" (height) in an element of tipo esfera (sphere); expected the attributes of its tipo "
@@ -200,6 +214,11 @@ TEST_CASE("Errors of an element stand at its value or key") {
        "tipo only"},
       {sphere(R"("radio":1,^"uv":[[0,0],[1,0],[0,1]])"),
        "unknown key \"uv\" in an element of tipo esfera (sphere); expected the attributes of its tipo only"},
+      {sphere(R"("radio":1,^"normals":[[0,0,1],[0,0,1],[0,0,1]])"),
+       "unknown key \"normals\" in an element of tipo esfera (sphere); expected the attributes of its tipo only"},
+      {triangle(R"("normals":^[[0,0,1],[0,0,1]])"), "normals has 2 items; expected the normals of three vertices"},
+      {triangle(R"("normals":[[0,0,1],^[0,0,-0.0],[0,0,1]])"),
+       "a normal is (0, 0, 0); expected a direction of any length but 0"},
       {triangle(R"("uv":^[[0,0],[1,0]])"), "uv has 2 items; expected [u,v] of three vertices"},
       {triangle(R"("uv":[[0,0],[1,0],^[0]])"), "uv has 1 items; expected two numbers, u and v"},
       {triangle(R"("uv":[[0,0],[1,0],[0,^true]])"), "uv is true or false; expected a number"},

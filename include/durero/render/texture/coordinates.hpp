@@ -38,6 +38,9 @@ struct Tangents {
 /// The coordinates of a point of the element.
 TextureCoordinates coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);
 
+/// The coordinates of a point that the shape of the element has by itself, whatever coordinates its vertices have.
+TextureCoordinates own_coordinates(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point);
+
 /// The point f_p(u, v) of the element.
 glm::dvec3 point_at(const scene::Scene& scene, scene::ElementRef element, const TextureCoordinates& at);
 
