@@ -56,7 +56,7 @@ class GroupMembers {
 }  // namespace
 
 Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<std::string> lost,
-                    const FaceGroups& groups, const FaceTextures& textures) {
+                    const FaceGroups& groups, const FaceLooks& looks) {
   scene::Scene scene;
   scene.put_off_audits();
   Polygons polygons(scene, prefix_of(source, lost));
@@ -64,9 +64,14 @@ Imported mesh_scene(const Source& source, const PolygonSoup& soup, std::vector<s
   std::vector<glm::dvec3> polygon;
   for (std::size_t i = 0; i < soup.faces.size(); ++i) {
     polygon.clear();
-    for (const std::int64_t vertex : soup.faces[i]) polygon.push_back(soup.vertices[static_cast<std::size_t>(vertex)]);
+    CornerLooks corners{looks.textures.at_corners(i), looks.normals.at_corners(i)};
+    for (const std::int64_t vertex : soup.faces[i]) {
+      const auto number = static_cast<std::size_t>(vertex);
+      polygon.push_back(soup.vertices[number]);
+      if (!soup.normals.empty()) corners.normals.push_back(soup.normals[number]);
+    }
     const std::size_t before = polygons.number();
-    polygons.add(polygon, {}, textures.at_corners(i));
+    polygons.add(polygon, {}, corners);
     members.add(i, polygons, before);
   }
   scene.audit();

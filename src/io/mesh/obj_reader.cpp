@@ -11,6 +11,7 @@
 #include "io/cursor.hpp"
 #include "io/losses.hpp"
 #include "mesh_scene.hpp"
+#include "obj_corners.hpp"
 #include "obj_words.hpp"
 
 namespace durero::io {
@@ -23,10 +24,10 @@ class ObjLines {
   ObjLines(const Source& source, std::string_view joined)
       : source_(source), joined_(joined), vertex_count_(obj_vertex_count(joined)) {}
 
-  /// @{ The mesh, the groups of its faces, and how textures lie on them, after read().
+  /// @{ The mesh, the groups of its faces, and their looks, after read().
   const PolygonSoup& soup() const { return soup_; }
   const FaceGroups& groups() const { return groups_; }
-  const FaceTextures& textures() const { return textures_; }
+  FaceLooks looks() { return {textures_.take(), normals_.take()}; }
   /// @}
 
   /// What is lost. Throws InputError.
@@ -38,7 +39,8 @@ class ObjLines {
     }
     if (soup_.vertices.empty() || soup_.faces.empty())
       source_.fail(source_.text().size(), "no mesh", "expected vertices (v) and faces (f)");
-    if (late_ && late_->number >= static_cast<std::int64_t>(textures_.uv.size())) fail_texture(*late_);
+    textures_.end();
+    normals_.end();
     return losses();
   }
 
@@ -55,8 +57,7 @@ class ObjLines {
       case ObjKind::face:
         return read_face(in, at);
       case ObjKind::normal:
-        ++normals_;
-        return;
+        return read_normal(in);
       case ObjKind::texture_coordinate:
         return read_texture_coordinate(in);
       case ObjKind::group:
@@ -92,16 +93,26 @@ class ObjLines {
     ++weighted_;
     for (int more = 0; !in.done(); ++more) {
       if (more == 4) in.fail(in.offset(), "an eighth number in v", "expected x y z, a weight and a colour at most");
-      read_left_out(in);
+      read_any(in, "v");
     }
   }
 
-  // A number that no triangle keeps, which may be none of binary64: inf, nan.
-  static void read_left_out(WordCursor& in) {
+  // A number that may be none of binary64: inf, nan.
+  static double read_any(WordCursor& in, std::string_view statement) {
     const std::size_t at = in.offset();
     const std::string_view digits = in.word("#");
-    if (!read_number(digits)) in.fail(at, fmt::format("{} in v", text::shown(digits)), "expected a number");
+    const auto number = read_number(digits);
+    if (!number) in.fail(at, fmt::format("{} in {}", text::shown(digits), statement), "expected a number");
     in.skip_blanks();
+    return *number;
+  }
+
+  // x y z, which may be none of binary64: a face with such a normal is flat.
+  void read_normal(WordCursor& in) {
+    glm::dvec3 normal{};
+    for (int i = 0; i < 3; ++i) normal[i] = read_any(in, "vn");
+    if (!in.done()) in.fail(in.offset(), "a fourth number in vn", "expected x y z");
+    normals_.add(normal);
   }
 
   // u, and perhaps v and a third, which a surface has no use for.
@@ -113,7 +124,7 @@ class ObjLines {
       numbers[count++] = in.number("#", "vt");
       in.skip_blanks();
     } while (!in.done());
-    textures_.uv.emplace_back(numbers[0], numbers[1]);
+    textures_.add({numbers[0], numbers[1]});
   }
 
   // The faces that follow are in the group of the first name, whatever was named before; in none where there is none,
@@ -133,7 +144,7 @@ class ObjLines {
   }
 
   void read_face(WordCursor& in, std::size_t at) {
-    Face face, textures;
+    Face face;
     while (!in.done()) {
       const std::size_t corner_at = in.offset();
       const std::string_view word = in.word("#");
@@ -143,17 +154,15 @@ class ObjLines {
                 "expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0");
       check_vertex(in, corner_at, word, corner->vertex);
       face.push_back(corner->vertex);
-      if (corner->texture) {
-        check_texture({corner_at, word, *corner->texture});
-        textures.push_back(*corner->texture);
-      }
+      if (corner->texture) textures_.name(corner_at, word, *corner->texture);
+      if (corner->normal) normals_.name(corner_at, word, *corner->normal);
       check_comment(in, at);
       in.skip_blanks();
     }
     if (face.size() < 3) in.fail(at, fmt::format("a face of {} vertices", face.size()), "expected 3 or more");
     groups_.of_face.push_back(group_);
-    if (textures.size() != face.size()) textures.clear();
-    textures_.of_face.push_back(std::move(textures));
+    textures_.end_face(face.size());
+    normals_.end_face(face.size());
     soup_.faces.push_back(std::move(face));
   }
 
@@ -172,32 +181,10 @@ class ObjLines {
       in.fail(at, fmt::format("{} names no vertex", text::shown(corner)), expected_number(vertex_count_, "v"));
   }
 
-  static std::string expected_number(std::size_t count, std::string_view statement) {
-    if (count == 0) return fmt::format("expected a {} before it: there is none", statement);
-    return fmt::format("expected 1 to {}, or a distance back to one above", count);
-  }
-
-  /// What the corner of a face names of the texture coordinates, and where.
-  struct NamedTexture {
-    std::size_t at;
-    std::string_view word;
-    std::int64_t number;
-  };
-  /// The file may say it below; the greatest of those is looked for at the end.
-  void check_texture(const NamedTexture& named) {
-    if (named.number < 0) fail_texture(named);
-    const bool is_below = named.number >= static_cast<std::int64_t>(textures_.uv.size());
-    if (is_below && (!late_ || late_->number < named.number)) late_ = named;
-  }
-  [[noreturn]] void fail_texture(const NamedTexture& named) const {
-    source_.fail(named.at, fmt::format("{} names no texture coordinate", text::shown(named.word)),
-                 expected_number(textures_.uv.size(), "vt"));
-  }
-
   /// The numbers, from 0, of what a corner of a face names.
   struct Corner {
     std::int64_t vertex = 0;
-    std::optional<std::int64_t> texture{};
+    std::optional<std::int64_t> texture{}, normal{};
   };
   /// A negative number counts back from the last one above; behind a / there may be none. Nothing where it is no
   /// corner.
@@ -213,25 +200,18 @@ class ObjLines {
         return number > 0 ? number - 1 : static_cast<std::int64_t>(above) + number;
       };
       if (part == 0) corner.vertex = from_0(soup_.vertices.size());
-      if (part == 1 && !left_out) corner.texture = from_0(textures_.uv.size());
+      if (part == 1 && !left_out) corner.texture = from_0(textures_.count());
+      if (part == 2 && !left_out) corner.normal = from_0(normals_.count());
       if (length == word.size()) return corner;
       word.remove_prefix(length + 1);
     }
     return std::nullopt;
   }
 
-  /// The texture coordinates that no face keeps.
-  std::size_t unused_textures() const {
-    std::vector<bool> used(textures_.uv.size());
-    for (const Face& face : textures_.of_face)
-      for (const std::int64_t number : face) used[static_cast<std::size_t>(number)] = true;
-    return static_cast<std::size_t>(std::ranges::count(used, false));
-  }
-
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
-    add_loss(lost, normals_, "normal", "normals", "left out: a triangle has its own");
-    add_loss(lost, unused_textures(), "texture coordinate", "texture coordinates",
+    add_loss(lost, normals_.unused(), "normal", "normals", "left out: no face has them at all of its corners");
+    add_loss(lost, textures_.unused(), "texture coordinate", "texture coordinates",
              "left out: no face has them at all of its corners");
     add_loss(lost, weighted_, "weight or colour of a vertex", "weights or colours of vertices",
              "left out: a scene has none");
@@ -248,10 +228,10 @@ class ObjLines {
   const std::string_view joined_;
   const std::size_t vertex_count_;  // of the whole text
   PolygonSoup soup_;
-  std::size_t normals_ = 0, weighted_ = 0, materials_ = 0, others_ = 0;
+  std::size_t weighted_ = 0, materials_ = 0, others_ = 0;
   std::size_t no_names_ = 0, further_names_ = 0;  // of groups
-  FaceTextures textures_;
-  std::optional<NamedTexture> late_{};
+  ObjCorners<glm::dvec2> textures_{source_, "vt", "texture coordinate"};
+  ObjCorners<glm::dvec3> normals_{source_, "vn", "normal"};
   FaceGroups groups_;
   FaceGroups::Number group_{FaceGroups::none};  // of the faces that follow
 };
@@ -262,7 +242,7 @@ Imported read_obj(const Source& source) {
   const std::string joined = obj_joined(source.text());
   ObjLines lines(source, joined);
   std::vector<std::string> lost = lines.read();
-  return mesh_scene(source, lines.soup(), std::move(lost), lines.groups(), lines.textures());
+  return mesh_scene(source, lines.soup(), std::move(lost), lines.groups(), lines.looks());
 }
 
 }  // namespace durero::io

@@ -125,18 +125,29 @@ class PlyDataReader {
   }
 
   void read_vertex(const std::vector<Column>& columns) {
-    glm::dvec3 v{};
+    glm::dvec3 v{}, n{};
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const auto axis = std::ranges::find(header_.axes, i);
-      if (axis == header_.axes.end())
+      double* const kept = coordinate(i, v, n);
+      if (kept == nullptr)
         pass(columns[i]);
       else
-        v[static_cast<int>(axis - header_.axes.begin())] = number(*columns[i].type);
+        *kept = number(*columns[i].type);
     }
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
       source_.fail(item_at_, fmt::format("vertex {} is ({}, {}, {})", soup_.vertices.size(), v.x, v.y, v.z),
                    "expected finite numbers");
     soup_.vertices.push_back(v);
+    if (header_.normals) soup_.normals.push_back(n);
+  }
+
+  /// The coordinate of the vertex, or of its normal, that a property is; null where it is none.
+  double* coordinate(std::size_t property, glm::dvec3& vertex, glm::dvec3& normal) const {
+    const auto among = [&](const std::array<std::size_t, 3>& axes, glm::dvec3& of) -> double* {
+      const auto axis = std::ranges::find(axes, property);
+      return axis == axes.end() ? nullptr : &of[static_cast<int>(axis - axes.begin())];
+    };
+    double* const own = among(header_.axes, vertex);
+    return own == nullptr && header_.normals ? among(*header_.normals, normal) : own;
   }
 
   void read_face(const std::vector<Column>& columns) {

@@ -135,16 +135,23 @@ class HeaderReader {
                    "expected some");
   }
 
+  /// The number of the property that is a coordinate of that name; nothing where there is none.
+  static std::optional<std::size_t> coordinate(const PlyElement& vertex, std::string_view name) {
+    const auto p = std::ranges::find(vertex.properties, name, &PlyProperty::name);
+    if (p == vertex.properties.end() || !p->counted_by.empty() || !among(p->type, ply_coordinates)) return std::nullopt;
+    return static_cast<std::size_t>(p - vertex.properties.begin());
+  }
+
   void find_axes(const PlyElement& vertex) {
     for (std::size_t i = 0; i < header_.axes.size(); ++i) {
-      const std::string_view axis = ply_axes[i];
-      const auto p = std::ranges::find(vertex.properties, axis, &PlyProperty::name);
-      if (p == vertex.properties.end() || !p->counted_by.empty() || !among(p->type, ply_coordinates)) {
-        source_.fail(vertex.at, fmt::format("a vertex without a coordinate {}", axis),
+      const auto found = coordinate(vertex, ply_axes[i]);
+      if (!found)
+        source_.fail(vertex.at, fmt::format("a vertex without a coordinate {}", ply_axes[i]),
                      "expected x, y and z, each " + one_of_words(ply_coordinates));
-      }
-      header_.axes[i] = static_cast<std::size_t>(p - vertex.properties.begin());
+      header_.axes[i] = *found;
     }
+    const auto x = coordinate(vertex, "nx"), y = coordinate(vertex, "ny"), z = coordinate(vertex, "nz");
+    if (x && y && z) header_.normals = {*x, *y, *z};
   }
 
   void find_corners(const PlyElement& face) {

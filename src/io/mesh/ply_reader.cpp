@@ -20,7 +20,7 @@ std::vector<std::string> losses_of(const PlyHeader& header) {
                fmt::format("items of element {}", text::shown(element.name)), "left out: a scene has none");
       continue;
     }
-    const std::size_t kept = is_vertex ? 3 : 1;
+    const std::size_t kept = is_face ? 1 : header.normals ? 6 : 3;
     add_loss(lost, element.properties.size() - kept, fmt::format("property of element {}", element.name),
              fmt::format("properties of element {}", element.name), "left out: a triangle has its vertices alone");
   }

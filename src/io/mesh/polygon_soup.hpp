@@ -16,6 +16,7 @@ using Face = boost::container::small_vector<std::int64_t, 4>;
 struct PolygonSoup {
   std::vector<glm::dvec3> vertices;
   std::vector<Face> faces;
+  std::vector<glm::dvec3> normals{};  ///< of the vertices, which may have no direction; empty where they have none
 };
 
 }  // namespace durero::io

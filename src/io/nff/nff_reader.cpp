@@ -195,13 +195,13 @@ class NffReader {
       in_.fail(at, fmt::format("a polygon of {} vertices", count), "expected a whole number from 3");
     }
     std::vector<glm::dvec3> vertices;
+    CornerLooks looks;
     // A double counts exactly, far beyond the length of any file. NOLINTNEXTLINE(*FloatLoopCounter)
     for (double i = 0; i < count; ++i) {
       vertices.push_back(in_.triple("p"));
-      if (has_normals) in_.triple("p");
+      if (has_normals) looks.normals.push_back(in_.triple("p"));
     }
-    if (has_normals) ++counts_.smooth;
-    polygons_.add(vertices, fill_);
+    polygons_.add(vertices, fill_, looks);
   }
 
   model::Elemento name(char letter, std::size_t type) {
@@ -225,7 +225,6 @@ class NffReader {
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
     polygons_.name_losses(lost);
-    add_loss(lost, counts_.smooth, "polygon", "polygons", "with normals at its vertices: kept flat, without them");
     add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
     add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
     return lost;

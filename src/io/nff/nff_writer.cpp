@@ -75,6 +75,8 @@ class NffWriter {
   }
 
   void write_element(ElementRef element) {
+    if (const scene::VertexNormals* const normals = scene_.vertex_normals(element))
+      return write_patch(scene_.shapes<scene::Triangle>()[element.index], *normals);
     scene_.visit(element, [&](const auto& shape) { write_shape(shape); });
   }
 
@@ -85,6 +87,12 @@ class NffWriter {
   void write_shape(const scene::Triangle& triangle) {
     out_.text += "p 3\n";
     for (const glm::dvec3& vertex : triangle.vertices) out_.text += text(vertex) + "\n";
+  }
+
+  void write_patch(const scene::Triangle& triangle, const scene::VertexNormals& normals) {
+    out_.text += "pp 3\n";
+    for (std::size_t i = 0; i < normals.size(); ++i)
+      out_.text += fmt::format("{} {}\n", text(triangle.vertices[i]), text(normals[i]));
   }
 
   template <class Shape>

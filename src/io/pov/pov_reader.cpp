@@ -162,6 +162,7 @@ class PovReader {
     const std::string name =
         std::visit([&](const auto& shape) { return add(object, shape, look); }, object.shape->surface);
     if (name.empty()) return;
+    if (object.shape->normals) scene_.set_vertex_normals(scene_.find(name).value(), *object.shape->normals);
     if (!object.shape->is_closed) {
       into.elementos.insert(name);
       return;

@@ -95,12 +95,14 @@ PovShape PovShapes::triangle() {
 
 PovShape PovShapes::smooth_triangle() {
   scene::Triangle triangle;
-  for (glm::dvec3& corner : triangle.vertices) {
-    corner = vertex("smooth_triangle");
-    in_.triple("smooth_triangle");
-    if (&corner != &triangle.vertices.back()) in_.comma("smooth_triangle");
+  scene::VertexNormals normals;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (i > 0) in_.comma("smooth_triangle");
+    triangle.vertices[i] = vertex("smooth_triangle");
+    normals[i] = in_.triple("smooth_triangle");
   }
-  ++smooth_;
+  if (scene::have_directions(normals)) return {.surface = triangle, .normals = normals};
+  ++flat_;
   return {triangle};
 }
 
@@ -129,7 +131,7 @@ void PovShapes::name_losses(std::vector<std::string>& lost) const {
            "rounded: a scene holds how much a cone narrows by its height");
   add_loss(lost, directions_, "direction", "directions", "rounded: those of a scene have length 1");
   add_loss(lost, planes_, "plane", "planes", "rounded: a scene holds a point of it");
-  add_loss(lost, smooth_, "triangle", "triangles", "with normals at its vertices: kept flat, without them");
+  add_loss(lost, flat_, "triangle", "triangles", "kept flat: a normal at a vertex has no direction");
 }
 
 }  // namespace durero::io

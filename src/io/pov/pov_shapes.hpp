@@ -2,20 +2,23 @@
 /// The surfaces that a POV-Ray text describes by literal numbers.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "durero/scene/any_shape.hpp"
+#include "durero/scene/vertex_normals.hpp"
 #include "io/axis.hpp"
 #include "pov_words.hpp"
 
 namespace durero::io {
 
-/// What a shape describes: a surface, and whether it has caps where its axis ends.
+/// A shape describes a surface, whether it has caps where its axis ends, and the normals of its vertices.
 struct PovShape {
   scene::AnyShape surface;
   bool is_closed = false;
+  std::optional<scene::VertexNormals> normals{};  ///< of a smooth triangle
 };
 
 /// Reads shapes, and counts what of them is rounded.
@@ -50,7 +53,7 @@ class PovShapes {
   glm::dvec3 direction(std::string_view what);
 
   PovWords& in_;
-  std::size_t axes_ = 0, proportions_ = 0, directions_ = 0, planes_ = 0, smooth_ = 0;
+  std::size_t axes_ = 0, proportions_ = 0, directions_ = 0, planes_ = 0, flat_ = 0;
 };
 
 }  // namespace durero::io

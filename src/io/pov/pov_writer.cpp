@@ -105,7 +105,10 @@ class PovWriter {
 
   /// A line, or two; empty where the element is left out.
   std::string object_text(scene::ElementRef element) {
-    const std::string shape = scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); });
+    const scene::VertexNormals* const normals = scene_.vertex_normals(element);
+    const std::string shape = normals == nullptr
+                                  ? scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); })
+                                  : smooth_text(scene_.shapes<scene::Triangle>()[element.index], *normals);
     if (shape.empty()) return "";
     const auto material = scene_.material(element);
     const bool is_glass = material && scene_.stage().materials[*material].k_t > 0;
@@ -153,6 +156,10 @@ class PovWriter {
   }
   std::string shape_text(const scene::Triangle& t) {
     return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
+  }
+  static std::string smooth_text(const scene::Triangle& t, const scene::VertexNormals& n) {
+    return fmt::format("smooth_triangle {{ {}, {}, {}, {}, {}, {} }}", text(t.vertices[0]), text(n[0]),
+                       text(t.vertices[1]), text(n[1]), text(t.vertices[2]), text(n[2]));
   }
   std::string shape_text(const scene::Cylinder& c) {
     const auto ends = ends_.of(c);

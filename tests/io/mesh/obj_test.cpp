@@ -51,7 +51,7 @@ TEST_CASE("The faces of an OBJ become triangles, named by file and number") {
 )");
   const scene::Names all{"sheet.obj:1", "sheet.obj:2", "sheet.obj:3", "sheet.obj:4", "sheet.obj:5"};
   CHECK(i.groups.table() == scene::Groups::Table{{"sheet", {all, {}}}});
-  CHECK(i.lost == std::vector<std::string>{"1 normal left out: a triangle has its own",
+  CHECK(i.lost == std::vector<std::string>{"1 normal left out: no face has them at all of its corners",
                                            "2 texture coordinates left out: no face has them at all of its corners",
                                            "2 weights or colours of vertices left out: a scene has none",
                                            "2 uses of materials left out: OBJ keeps them in another file",
@@ -100,6 +100,30 @@ TEST_CASE("A file's name that no element could have is changed, and that is said
   CHECK(longer.lost.size() == 1);
 }
 
+TEST_CASE("A face whose corners all have normals is smooth; they may stand below it, and be none") {
+  const io::Imported i = import_text(R"(v 0 0 0
+v 2 0 0
+v 2 2 0
+v 0 2 0
+f 1//1 2//2 3//1 4//1
+vn 0 0 1
+vn 1 0 2
+f 1//-1 2//-2 3//1
+f 1//2 2//2 3
+vn 0 nan 0
+f 1//1 2//3 3//1
+)",
+                                     "m");
+  const auto normals = [&](const char* name) { return i.scene.vertex_normals(i.scene.find(name).value()); };
+  REQUIRE(normals("m:1") != nullptr);
+  CHECK(*normals("m:1") == scene::VertexNormals{{{0, 0, 1}, {1, 0, 2}, {0, 0, 1}}});
+  CHECK(*normals("m:2") == scene::VertexNormals{{{1, 0, 2}, {0, 0, 1}, {0, 0, 1}}});
+  CHECK(*normals("m:3") == scene::VertexNormals{{{1, 0, 2}, {0, 0, 1}, {0, 0, 1}}});
+  CHECK(normals("m:4") == nullptr);
+  CHECK(normals("m:5") == nullptr);
+  CHECK(i.lost == std::vector<std::string>{"1 triangle kept flat: a normal at a vertex has no direction"});
+}
+
 TEST_CASE("Names of groups and objects are groups of the triangles that follow, one of each name") {
   // As a modelling program writes two objects, of which the second has faces of two materials.
   const io::Imported i = import_text(R"(# www.example.org
@@ -143,7 +167,6 @@ o Nothing_of_it
   CHECK(i.scene.find("rooms.obj:7").has_value());
   CHECK(i.scene.find("rooms.obj:9").has_value());
   CHECK(i.lost == std::vector<std::string>{
-                      "1 normal left out: a triangle has its own",
                       "3 uses of materials left out: OBJ keeps them in another file",
                       "1 name of a group left out: expected 1 to 128 of A-Z a-z 0-9 _ . : -",
                       "2 further names of groups left out: a triangle is in one group",
@@ -163,7 +186,7 @@ vt 1
 f 1/1 2/2 3/3 4/4  # which stand below, two of them
 vt 1 0.5 7
 vt 0 0.5
-f 1/-4/1 2/-3 3/3
+f 1/-4 2/-3 3/3
 f 1/1 2 3/3
 vt 9 9
 )",
@@ -259,6 +282,11 @@ TEST_CASE("A malformed OBJ file is an error with its place") {
        "\"3/-2\" names no texture coordinate; expected 1 to 1, or a distance back to one above"},
       {vertices + "f 1 2 ^0\nv 0 0 0\n",
        "\"0\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
+      {vertices + "f 1 2 ^3//1", "\"3//1\" names no normal; expected a vn before it: there is none"},
+      {vertices + "vn 0 0 1\nf 1 2 ^3//2",
+       "\"3//2\" names no normal; expected 1 to 1, or a distance back to one above"},
+      {vertices + "vn 0 0 ^x", "\"x\" in vn; expected a number"},
+      {vertices + "vn 0 0 1 ^2", "a fourth number in vn; expected x y z"},
       {vertices + "f 1 2 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
       {vertices + "f 1 2 3 ^x", "\"x\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},
       {vertices + "f 1 2 ^3.5", "\"3.5\" in f; expected v, v/vt, v//vn or v/vt/vn, of whole numbers other than 0"},

@@ -89,6 +89,23 @@ TEST_CASE("The faces of a PLY become triangles, named by file and number") {
                                            "1 triangle left out: the vertices lie on one line"});
 }
 
+TEST_CASE("The normals of the vertices make triangles smooth, whatever the order of the properties") {
+  const auto mesh = [](const std::string& normal) {
+    return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float nx\nproperty float x\nproperty float y\nproperty "
+           "float z\n"
+           "property float ny\nproperty double nz\nelement face 1\nproperty list uchar int "
+           "vertex_indices\nend_header\n" +
+           normal + "\n0 2 0 0 1 2\n0.5 0 2 0 0 1\n3 0 1 2\n";
+  };
+  const io::Imported i = import_text(mesh("0 0 0 0 0 3"));
+  REQUIRE(i.scene.vertex_normals(*i.scene.find("m.ply:1")) != nullptr);
+  CHECK(*i.scene.vertex_normals(*i.scene.find("m.ply:1")) == scene::VertexNormals{{{0, 0, 3}, {0, 1, 2}, {0.5, 0, 1}}});
+  CHECK(i.lost.empty());
+  const io::Imported flat = import_text(mesh("0 0 0 0 0 0"));
+  CHECK(flat.scene.vertex_normals(*flat.scene.find("m.ply:1")) == nullptr);
+  CHECK(flat.lost == std::vector<std::string>{"1 triangle kept flat: a normal at a vertex has no direction"});
+}
+
 TEST_CASE("A PLY of text is read alike however its lines end") {
   const std::string wanted = io::scene_text(import_text(sample).scene);
   std::string cr = sample, crlf;

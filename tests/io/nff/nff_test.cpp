@@ -85,7 +85,7 @@ TEST_CASE("Every entity of NFF becomes what a scene has for it") {
 {"id":"k1","tipo":"cono","centro":[1,2,3],"proporcion":0.125,"vector":[0,1,0],"altura":4,"material":"f2"},
 {"id":"k2","tipo":"cono","centro":[1,-2,3],"proporcion":2,"vector":[0,1,0],"altura":4,"material":"f1"},
 {"id":"p1","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],[0,1,0]],"material":"f1"},
-{"id":"p2","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],[0,1,0]],"material":"f1"},
+{"id":"p2","tipo":"triangulo","vertices":[[0,0,0],[1,0,0],[0,1,0]],"material":"f1","normals":[[0,0,1],[0,0,1],[0,0,1]]},
 {"id":"s1","tipo":"esfera","centro":[9,9,9],"radio":1},
 {"id":"s2","tipo":"esfera","centro":[1,2,3],"radio":4,"material":"f1"},
 {"id":"s3","tipo":"esfera","centro":[0,0,0],"radio":2,"material":"f1"},
@@ -108,10 +108,21 @@ TEST_CASE("NFF is read alike however its lines end") {
 
 TEST_CASE("What a scene cannot hold is counted and named") {
   CHECK(import_text(sample).lost ==
-        std::vector<std::string>{"1 polygon with normals at its vertices: kept flat, without them",
-                                 "1 surface seen from inside only: kept, seen from both sides",
+        std::vector<std::string>{"1 surface seen from inside only: kept, seen from both sides",
                                  "1 near plane (hither) left out: a scene's camera has none"});
   CHECK(import_text("s 0 0 0 1\n").lost.empty());
+}
+
+TEST_CASE("Patches keep the normals of their corners, there and back; one without a direction leaves a flat triangle") {
+  const io::Imported i = import_text("pp 4\n0 0 0 0 0 1\n2 0 0 1 0 2\n2 2 0 0 1 1\n0 2 0 -1 0 1\n");
+  REQUIRE(i.scene.size() == 2);
+  const std::string again = io::nff_text(i.scene).text;
+  CHECK(again.find("pp 3\n") != std::string::npos);
+  CHECK(again.find("2 0 0 1 0 2\n") != std::string::npos);
+  CHECK(io::scene_text(import_text(again).scene) == io::scene_text(i.scene));
+  const io::Imported flat = import_text("pp 3\n0 0 0 0 0 1\n2 0 0 0 0 0\n2 2 0 0 1 1\n");
+  CHECK(flat.lost == std::vector<std::string>{"1 triangle kept flat: a normal at a vertex has no direction"});
+  CHECK(flat.scene.vertex_normals(*flat.scene.find("p1")) == nullptr);
 }
 
 TEST_CASE("Polygons, concave or not, are cut into triangles of their own vertices") {
