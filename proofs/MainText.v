@@ -18,7 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
-  Iluminacion Power Luz.
+  Iluminacion Power Luz Haces.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -426,4 +426,17 @@ Proof.
   exact (conj (Luz.the_recursion_ends Camino) (conj (Luz.there_is_one_answer Camino) (conj
     (Luz.no_depth_is_black_and_one_goes_not_on Camino) (conj (Luz.a_light_without_end_is_visible_nearer Elemento) (conj
     Luz.opposite_pixels_lie_about_the_middle Luz.every_pixel_has_its_ray))))).
+Qed.
+
+(** Of rays made wide: a cone of no angle is its axis; the mirror image of a beam is the beam of the mirrored origin, and a
+    plane through its origin divides it; matrices of pencils compose, and a ball of glass has its focus. *)
+Theorem the_conjectures_of_wide_rays_hold :
+  cono_de_rayos_conj_1 /\ cono_de_rayos_conj_2 /\ imagen_conj_1 /\ imagen_conj_2 /\ haz_conj_1 /\ haz_conj_2
+  /\ aplicado_conj_1 /\ traslado_conj_1 /\ traslado_conj_2 /\ refraccion_paraxial_conj_1.
+Proof.
+  exact (conj Haces.a_cone_of_no_angle_is_its_axis (conj Haces.a_wider_cone_holds_a_narrower (conj
+    Haces.an_image_of_an_image_is_what_there_was (conj Haces.what_is_mirrored_comes_from_the_image (conj
+    Haces.the_image_of_a_beam_is_the_beam_of_the_image (conj Haces.a_plane_through_its_origin_divides_a_beam (conj
+    Haces.matrices_compose (conj Haces.the_way_along_the_axis_is_a_matrix (conj Haces.two_ways_are_the_way_of_their_sum
+    Haces.a_ball_unites_what_comes_along_its_axis))))))))).
 Qed.

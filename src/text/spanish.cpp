@@ -301,6 +301,20 @@ constexpr SpanishName names[] = {
     {"alto", "height", "the edge of the window along a column"},
     {"centro_de_pixel", "center_of_pixel", "the point in the middle of a pixel"},
     {"rayo_de_pixel", "ray_of_pixel", "the ray from the eye through the middle of a pixel"},
+    // spec/haces.tex
+    {"cono_de_rayos", "cone_of_rays", "the rays that make no greater angle with an axis than a given one"},
+    {"eje", "axis", "the ray in the middle of a cone or of a pencil"},
+    {"cubierto", "covered", "the rays of a cone that meet an element"},
+    {"haz", "beam", "the rays from a point through those of a base"},
+    {"base", "base", "the points that the rays of a beam lead through"},
+    {"seccion", "section", "the part of a beam on a plane"},
+    {"imagen", "image", "the mirror image of a point in a plane"},
+    {"Desvio", "Deviation", "how far a ray is off an axis, and how much it leans"},
+    {"Matriz", "Matrix", "where each ray beside an axis arrives, by four rows"},
+    {"Pincel", "Pencil", "an axis and the matrix of the rays beside it"},
+    {"aplicado", "applied", "what a matrix makes of a deviation"},
+    {"traslado", "transfer", "the way along the axis"},
+    {"refraccion_paraxial", "paraxial_refraction", "how a sphere bends what comes beside the axis"},
 };
 
 }  // namespace
