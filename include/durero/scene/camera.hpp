@@ -38,6 +38,13 @@ class PrimaryRays {
   /// The pixel whose ray has this origin and this direction, both of them exactly; nothing where none has.
   std::optional<Pixel> pixel_of(const glm::dvec3& p, const glm::dvec3& v) const;
 
+  /// @{ The rays are eye + t·(upper_left + x·step_x + y·step_y), but for the rounding of the direction.
+  const glm::dvec3& eye() const noexcept { return eye_; }
+  const glm::dvec3& upper_left() const noexcept { return upper_left_; }
+  const glm::dvec3& step_x() const noexcept { return step_x_; }
+  const glm::dvec3& step_y() const noexcept { return step_y_; }
+  /// @}
+
   /// Of the picture.
   Resolution resolution() const noexcept { return resolution_; }
 

@@ -16,6 +16,7 @@
 #include "durero/surface/surfaces.hpp"
 #include "followed.hpp"
 #include "follower.hpp"
+#include "front.hpp"
 #include "paths.hpp"
 #include "shadows.hpp"
 #include "smooth_normal.hpp"
@@ -34,12 +35,6 @@ struct PathVertex {
   glm::dvec3 d;       ///< the unit direction of the ray
   double way;         ///< the length from the eye to here
 };
-
-/// The element that gives a point its look: the first by name.
-scene::ElementRef front(const scene::Scene& scene, const scene::ElementSet& elements) {
-  return *std::min_element(elements.begin(), elements.end(),
-                           [&](auto a, auto b) { return scene.name(a) < scene.name(b); });
-}
 
 /// The tangents without their parts along a unit normal.
 Tangents across(const Tangents& t, const glm::dvec3& n) {
