@@ -1,15 +1,20 @@
 // durero render SCENE -o OUT.png: Algorithm II.1, with the options of render_options.hpp.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/contract/contract.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/polygon/convex.hpp"
+#include "durero/render/bundle/beams.hpp"
 #include "durero/render/output/exr.hpp"
 #include "durero/render/sample/refined.hpp"
 #include "durero/render/sample/seen.hpp"
@@ -55,13 +60,16 @@ class Drawing {
   int draw(io::OutputFile& out) const {
     render::PathStatistics reach;
     std::optional<Progress> progress(std::in_place, options_.quiet, "render");
+    std::optional<io::OutputFile> tree;
+    if (!options_.wide.tree.empty()) tree.emplace(options_.wide.tree);
     const render::Picture picture = in_words([&] {
       const auto show = [&](double share) { progress->set_share(share); };
-      return render::render(scene(), tracer_.engine(), show, frame_, &reach);
+      return drawn(show, reach, tree);
     });
     const std::string bytes = encoded(picture, channels());
     progress.reset();
     out.write(bytes);
+    if (tree) tree->commit();
     if (options_.min_weight) io::print(reach_text(reach));
     if (options_.is_statistical()) io::print(doubt_text(reach));
     out.commit();
@@ -84,6 +92,22 @@ class Drawing {
   }
 
  private:
+  /// The picture by the rays that are asked for.
+  render::Picture drawn(const render::Progress& show, render::PathStatistics& reach,
+                        std::optional<io::OutputFile>& tree) const {
+    switch (options_.wide.kind()) {
+      case RayKind::lines:
+        return render::render(scene(), tracer_.engine(), show, frame_, &reach);
+      case RayKind::beams: {
+        render::BeamPicture beams = render::by_beams(scene(), tracer_.engine(), show, frame_);
+        if (tree) tree->write(render::svg(beams.tree, scene(), size_of(options_, scene().stage())));
+        io::print(beams_text(beams));
+        return std::move(beams.picture);
+      }
+    }
+    contract::unreachable();
+  }
+
   /// Makes a pass. Returns whether it was done to its end.
   bool pass(render::Refined& refined, const std::atomic<bool>& stop) const {
     Progress progress(options_.quiet, fmt::format("render: pass {}", refined.passes() + 1));
@@ -119,6 +143,18 @@ class Drawing {
                        static_cast<double>(reach.rays) / pixels, reach.left_out);
   }
 
+  static std::string beams_text(const render::BeamPicture& beams) {
+    polygon::Rational area = 0;
+    std::uint32_t depth = 0;
+    for (const render::BeamRegion& region : beams.tree) {
+      if (region.depth == 1) area += render::area(region.outline);
+      depth = std::max(depth, region.depth);
+    }
+    return fmt::format(
+        "{} regions, up to {} beams in a row; the areas of the first add up to {} pixels; {} rays on lines\n",
+        beams.tree.size(), depth, area.str(), beams.asked);
+  }
+
   std::string doubt_text(const render::PathStatistics& reach) const {
     const render::Samples& samples = frame_.samples;
     return fmt::format("{:.3f} rays from the eye a pixel; {} of {} pixels not known within {} with confidence {}\n",
@@ -150,6 +186,7 @@ void add_render(CLI::App& app, int& status) {
                             "render demo/still-life.json -o smooth.png --sampling statistical",
                             "render demo/still-life.json -o middle.png --size 1920x1080 --crop 480,270,960,540",
                             "render demo/still-life.json -o linear.exr --aov",
+                            "render demo/gallery/beams.json -o beams.png --rays beams --tree beams.svg",
                             "render demo/surfaces/torus.json -o torus.png --with demo/surfaces/torus.tex"}));
   command->callback([options, &status] { status = run(*options); });
 }

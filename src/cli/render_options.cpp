@@ -126,6 +126,14 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+/// An option of the call that is of rays that are lines alone; empty without one.
+std::string option_of_lines(const RenderOptions& options) {
+  if (options.preview) return "--preview";
+  if (options.min_weight) return fmt::format("--min-weight {}", *options.min_weight);
+  if (!options.sampling.empty()) return "--sampling " + options.sampling;
+  return options.samples ? fmt::format("--samples {}", *options.samples) : "";
+}
+
 std::string name_without_folder(const std::string& path) {
   return shell_word(text::escaped(path.substr(path.rfind('/') + 1)));
 }
@@ -138,6 +146,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
   add_size_options(command, options);
   add_depth_options(command, options);
   add_sample_options(command, options);
+  add_ray_options(command, options.wide);
   add_file_options(command, options);
   auto* const preview =
       command.add_flag("--preview", options.preview,
@@ -164,6 +173,7 @@ void check_together(const RenderOptions& options) {
   refuse(options.width && !options.is_statistical(), "--width: of one sampling alone; expected --sampling statistical");
   refuse(options.confidence && !options.is_statistical(),
          "--confidence: of one sampling alone; expected --sampling statistical");
+  check_together(options.wide, option_of_lines(options));
   if (options.preview || !options.samples) return;
   const double side = std::sqrt(*options.samples);
   refuse(

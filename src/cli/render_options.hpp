@@ -12,6 +12,7 @@
 #include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/stage.hpp"
+#include "ray_options.hpp"
 
 namespace durero::cli {
 
@@ -24,6 +25,7 @@ struct RenderOptions {
   std::optional<double> min_weight, width, confidence;
   std::size_t threads = 0;
   bool aov = false, preview = false, quiet = false;
+  RayOptions wide{};
 
   bool is_exr() const { return io::ends_in(out, ".exr"); }
   bool is_statistical() const { return sampling == "statistical"; }

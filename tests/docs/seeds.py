@@ -30,9 +30,9 @@ TEXTS = {"A": (63, "Ramos, *Técnicas de aceleración de ray tracing* (Tema VI)"
                "these are of its prose.")}
 ROWS = [f"{text}{number}" for text, (count, _, _) in TEXTS.items() for number in range(1, count + 1)]
 # Options behind which a call names what it writes.
-WRITTEN = {"-o", "--output"}
+WRITTEN = {"-o", "--output", "--tree"}
 # Options behind which a call has one of a few words.
-CHOSEN = {"--engine", "--hierarchy", "--sampling", "--tone", "--as", "--format"}
+CHOSEN = {"--engine", "--hierarchy", "--rays", "--sampling", "--tone", "--as", "--format"}
 
 durero, root = sys.argv[1], pathlib.Path(sys.argv[2])
 

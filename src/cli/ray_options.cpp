@@ -1,0 +1,47 @@
+#include "ray_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "commands.hpp"
+#include "durero/io/file_name.hpp"
+
+namespace durero::cli {
+namespace {
+
+constexpr std::array<std::string_view, 2> ray_names{"lines", "beams"};
+
+}  // namespace
+
+RayKind RayOptions::kind() const {
+  if (rays.empty()) return RayKind::lines;
+  return static_cast<RayKind>(std::ranges::find(ray_names, rays) - ray_names.begin());
+}
+
+void add_ray_options(CLI::App& command, RayOptions& options) {
+  command
+      .add_option(
+          "--rays", options.rays,
+          "What is traced: lines, or beams, which are pyramids that triangles and planes cut; without it, lines")
+      ->check(one_of("rays", std::vector<std::string>(ray_names.begin(), ray_names.end())));
+  command.add_option("--tree", options.tree, "Of beams: the regions that they cut the picture into, OUT.svg");
+}
+
+void check_together(const RayOptions& options, const std::string& named) {
+  const auto refuse = [](bool wrong, const std::string& what) {
+    if (wrong) throw std::invalid_argument(what);
+  };
+  refuse(!options.tree.empty() && options.kind() != RayKind::beams,
+         "--tree: of one kind of rays; expected --rays beams");
+  refuse(!options.tree.empty() && !io::ends_in(options.tree, ".svg"),
+         fmt::format("--tree {}: not a drawing's name; expected OUT.svg", options.tree));
+  refuse(options.are_wide() && !named.empty(),
+         fmt::format("{}: of rays that are lines; expected it without --rays {}", named, options.rays));
+}
+
+}  // namespace durero::cli

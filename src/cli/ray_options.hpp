@@ -1,0 +1,28 @@
+#pragma once
+/// The options of `durero render` for rays that are more than lines.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace durero::cli {
+
+/// The kinds of rays, in the order of their names.
+enum class RayKind : std::uint8_t { lines, beams };
+
+/// The options as they stand in the call.
+struct RayOptions {
+  std::string rays, tree;
+
+  RayKind kind() const;
+  bool are_wide() const { return kind() != RayKind::lines; }
+};
+
+/// Declares the options.
+void add_ray_options(CLI::App& command, RayOptions& options);
+
+/// Checks that the options go together, among themselves and with those of rays that are lines alone, of which `named`
+/// is one that stands in the call, or empty. Throws std::invalid_argument with one line.
+void check_together(const RayOptions& options, const std::string& named);
+
+}  // namespace durero::cli

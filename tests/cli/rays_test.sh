@@ -1,0 +1,38 @@
+# durero render --rays: rays that are more than lines, and what each of them refuses.
+tree=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
+. "$(dirname "$0")/harness.sh"
+sample >scene.json
+
+# Beams: the picture is that of rays, byte for byte, and the tree is drawn.
+beams=$tree/demo/gallery/beams.json
+run 0 render "$beams" -o lines.png --size 96x54
+empty out
+for threads in 1 3; do
+  run 0 render "$beams" -o beams.png --size 96x54 --rays beams --tree tree.svg --threads $threads
+  is out '1086 regions, up to 4 beams in a row; the areas of the first add up to 5184 pixels; 0 rays on lines'
+  empty err
+  same lines.png beams.png
+done
+has tree.svg 'viewBox="-0.5 -0.5 96 54"'
+lines tree.svg 1088
+run 0 render "$beams" -o lines.png --size 96x54 --rays lines
+same lines.png beams.png
+run 0 render "$beams" -o lines.png --size 96x54 --crop 20,10,30,20
+run 0 render "$beams" -o beams.png --size 96x54 --crop 20,10,30,20 --rays beams
+has out 'add up to 600 pixels'
+same lines.png beams.png
+
+refused 'scene.json: element s1 is neither a triangle nor a plane' render scene.json -o new.png --rays beams
+refused 'render: --rays cubes: ' render "$beams" -o new.png --rays cubes
+refused '--samples 4: of rays that are lines' render "$beams" -o new.png --rays beams --samples 4
+refused '--sampling stratified: of rays that are lines' render "$beams" -o new.png --rays beams --sampling stratified
+refused '--min-weight 0.1: of rays that are lines' render "$beams" -o new.png --rays beams --min-weight 0.1
+refused '--preview: of rays that are lines' render "$beams" -o new.png --rays beams --preview
+refused '--tree: of one kind of rays' render "$beams" -o new.png --tree new.svg
+refused '--tree new.txt: not a drawing' render "$beams" -o new.png --rays beams --tree new.txt
+echo kept >old.svg
+refused 'scene.json: element ' render scene.json -o new.png --rays beams --tree old.svg
+is old.svg kept
+absent new.png
+absent new.svg
+finish
