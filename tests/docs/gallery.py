@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """gallery.py DURERO ROOT [long]: demo/gallery holds what its calls draw, and each picture shows what its page says.
 
-Every picture that pictures.tsv names is drawn anew by its call, and has the bytes of the picture that lies there; those that
-are named long only if the third argument says so. pixels.txt names pixels, x to the right and y down from 0, with the
+Every picture that pictures.tsv names is drawn anew by its call, and has the bytes of the picture that lies there; of a rendered
+one that is named long only the pixels in its middle, unless the third argument says long. A scene that a script beside it
+writes has the text that the script writes. pixels.txt names pixels, x to the right and y down from 0, with the
 comparison that shows an effect: `PICTURE X Y lighter X Y`, so much as red, green and blue add up to, `PICTURE X Y redder X Y`
 (bluer, greener), by the share of that colour, or `PICTURE X Y same X Y`, to 12 of 255. The Standard Procedural Databases,
 where they lie, are held to pixels-spd.txt; where one is absent it is said. An SVG has no pixels.
@@ -74,6 +75,27 @@ def rows_of(table):
             yield picture, {"long": True, "short": False}[when], call.split(" ")
 
 
+def has_other_middle(durero, gallery, picture, call):
+    """Whether the call draws other pixels in the middle of the picture than lie there."""
+    width, height, pixels = png_pixels((gallery / picture).read_bytes())
+    across, down = 48, 32
+    x, y = (width - across) // 2, (height - down) // 2
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / picture
+        crop = ["--crop", f"{x},{y},{across},{down}"]
+        subprocess.run([durero, *call, *crop, "-o", out], check=True, cwd=gallery, stdout=subprocess.DEVNULL)
+        rows = (pixels[3 * ((y + i) * width + x) :][: 3 * across] for i in range(down))
+        return png_pixels(out.read_bytes())[2] != b"".join(rows)
+
+
+def unwritten(gallery):
+    """The scenes that are not what the script beside them writes."""
+    for script in sorted(gallery.glob("*.py")):
+        text = subprocess.run([sys.executable, script], check=True, capture_output=True).stdout
+        if text != script.with_suffix(".json").read_bytes():
+            yield f"{script.stem}.json is stale; python3 demo/gallery/{script.name} writes it"
+
+
 def is_stale(durero, gallery, picture, call):
     """Whether the call draws another picture than the one that lies there."""
     with tempfile.TemporaryDirectory() as folder:
@@ -89,14 +111,18 @@ def main():
     for picture, is_long, call in rows_of(gallery / "pictures.tsv"):
         if not is_long or "long" in sys.argv[3:]:
             drawn += 1
-            if is_stale(durero, gallery, picture, call):
-                wrong.append(f"{picture} is stale; ./x gallery draws it")
+            stale = is_stale(durero, gallery, picture, call)
+        else:
+            stale = call[0] == "render" and picture.endswith(".png") and has_other_middle(durero, gallery, picture, call)
+        if stale:
+            wrong.append(f"{picture} is stale; ./x gallery draws it")
         if f"({picture})" not in page:
             wrong.append(f"README.md does not show {picture}")
         if picture.endswith(".png"):
             pictures[picture.removesuffix(".png")] = png_pixels((gallery / picture).read_bytes())
     named = {picture for picture, _, _ in rows_of(gallery / "pictures.tsv")}
     wrong += [f"{p.name} has no row in pictures.tsv" for p in sorted(gallery.glob("*.png")) if p.name not in named]
+    wrong += unwritten(gallery)
     wrong += unlike(gallery / "pixels.txt", pictures)
     databases = drawn_databases(durero, pathlib.Path(sys.argv[2]))
     wrong += unlike(gallery / "pixels-spd.txt", databases) if databases else []

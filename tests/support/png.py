@@ -15,7 +15,7 @@ def png_pixels(data):
     raw, pixels, before, size = zlib.decompress(packed), bytearray(), bytes(3 * width), 3 * width
     for y in range(height):
         how, row = raw[y * (size + 1)], bytearray(raw[y * (size + 1) + 1 : (y + 1) * (size + 1)])
-        for i in range(size):
+        for i in range(size if how else 0):  # a row without a filter stands there as it is
             a, b, c = (row[i - 3] if i >= 3 else 0), before[i], (before[i - 3] if i >= 3 else 0)
             paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
             row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[how]) % 256
