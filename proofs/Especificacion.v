@@ -861,6 +861,130 @@ Definition refraccion_paraxial_conj_1 : Prop :=
   -> 2 * (n - 1) * (s1 + r) = n * r -> Desvio_u a = 0 -> Desvio_v a = 0 -> refraccion_paraxial r k a b
   -> traslado (2 * r) b c -> refraccion_paraxial (0 - r) n c d -> traslado s1 d e -> Desvio_x e = 0
   /\ Desvio_y e = 0. (* refraccion_paraxial.conj.1 *)
+(** * distribuida.tex *)
+
+Record Sorteo := mk_Sorteo {
+  Sorteo_n : R;
+  Sorteo_p : rel R R
+}.
+
+Record Sorteo_ok (s : Sorteo) : Prop := {
+  Sorteo_decl_n : Sorteo_n s ∈ integers;
+  Sorteo_decl_p : Sorteo_p s ∈ integers ⟶ univ;
+  Sorteo_inv_1 : Sorteo_n s >= 1; (* Sorteo.inv.1 *)
+  Sorteo_inv_2 : forall i : R, i ∈ integers -> 0 <= i < Sorteo_n s -> exists v1, (i, v1) ∈ Sorteo_p s
+    /\ v1 >= 0; (* Sorteo.inv.2 *)
+  Sorteo_inv_3 : exists suma : rel R R, suma ∈ integers ⟶ univ /\ acumulado (Sorteo_p s) suma
+    /\ exists v1, (Sorteo_n s, v1) ∈ suma /\ v1 = 1 (* Sorteo.inv.3 *)
+}.
+
+Definition media (s1 : Sorteo) (x : rel R R) (m : R) : Prop :=
+  exists dada suma : rel R R, dada ∈ integers ⟶ univ /\ suma ∈ integers ⟶ univ
+  /\ (forall i : R, i ∈ integers -> exists v1 v2 v3, (i, v1) ∈ dada /\ (i, v2) ∈ Sorteo_p s1 /\ (i, v3) ∈ x
+  /\ v1 = v2 * v3) /\ acumulado dada suma /\ exists v1, (Sorteo_n s1, v1) ∈ suma /\ v1 = m. (* media.def.1 *)
+
+Definition de_luz_extensa (m : Material) (n v : Vector) (s1 : Sorteo) (F : rel R Fuente) (r : R) : Prop :=
+  exists x : rel R R, x ∈ integers ⟶ univ
+  /\ (forall i : R, i ∈ integers -> exists v1 v2, (i, v1) ∈ x /\ (i, v2) ∈ F /\ v1 = aportacion m n v v2)
+  /\ media s1 x r. (* de_luz_extensa.def.1 *)
+
+Record Lente := mk_Lente {
+  Lente_ojo : Punto;
+  Lente_eje : Vector;
+  Lente_abertura : R;
+  Lente_foco : R
+}.
+
+Record Lente_ok (s : Lente) : Prop := {
+  Lente_inv_1 : producto (Lente_eje s) (Lente_eje s) = 1; (* Lente.inv.1 *)
+  Lente_inv_2 : Lente_abertura s ∈ Cantidad; (* Lente.inv.2 *)
+  Lente_inv_3 : Lente_foco s ∈ Rmas (* Lente.inv.3 *)
+}.
+
+Definition puntos_de_lente (l : Lente) (q : Punto) : Prop :=
+  avance q (Lente_ojo l) (Lente_eje l) = 0
+  /\ 4 * (cuadrado (Punto_x q - Punto_x (Lente_ojo l)) + cuadrado (Punto_y q - Punto_y (Lente_ojo l))
+  + cuadrado (Punto_z q - Punto_z (Lente_ojo l))) <= cuadrado (Lente_abertura l). (* puntos_de_lente.def.1 *)
+
+Definition punto_en_foco (l : Lente) (v : Vector) (f : Punto) : Prop :=
+  avance f (Lente_ojo l) (Lente_eje l) = Lente_foco l /\ exists t : R, t ∈ Rmas
+  /\ Punto_x f = Punto_x (Lente_ojo l) + t * Vector_x v /\ Punto_y f = Punto_y (Lente_ojo l) + t * Vector_y v
+  /\ Punto_z f = Punto_z (Lente_ojo l) + t * Vector_z v. (* punto_en_foco.def.1 *)
+
+Definition rayo_de_lente (l : Lente) (v : Vector) (rayo : Rayo) : Prop :=
+  puntos_de_lente l (Rayo_p rayo) /\ exists f : Punto, f ∈ puntos_de_rayo rayo
+  /\ punto_en_foco l v f. (* rayo_de_lente.def.1 *)
+
+Definition visto_en_foco (l : Lente) (q w u : Punto) : Prop :=
+  avance w (Lente_ojo l) (Lente_eje l) > 0
+  /\ avance w (Lente_ojo l) (Lente_eje l) * (Punto_x u - Punto_x q) = Lente_foco l * (Punto_x w - Punto_x q)
+  /\ avance w (Lente_ojo l) (Lente_eje l) * (Punto_y u - Punto_y q) = Lente_foco l * (Punto_y w - Punto_y q)
+  /\ avance w (Lente_ojo l) (Lente_eje l) * (Punto_z u - Punto_z q)
+  = Lente_foco l * (Punto_z w - Punto_z q). (* visto_en_foco.def.1 *)
+
+Definition circulo_de_confusion (l : Lente) (z c : R) : Prop :=
+  c * z = Lente_abertura l * mayor (z - Lente_foco l) (Lente_foco l - z). (* circulo_de_confusion.def.1 *)
+
+Definition desplazado (p : Punto) (v : Vector) (t : R) (q : Punto) : Prop :=
+  Punto_x q = Punto_x p + t * Vector_x v /\ Punto_y q = Punto_y p + t * Vector_y v
+  /\ Punto_z q = Punto_z p + t * Vector_z v. (* desplazado.def.1 *)
+
+Definition repartida (p q : Sorteo) (w o f x y : rel R R) : Prop :=
+  Sorteo_n p = Sorteo_n q /\ forall i : R, i ∈ integers -> 0 <= i < Sorteo_n p
+  -> (exists v1 v2, (i, v1) ∈ w /\ (i, v2) ∈ o /\ v1 + v2 = 1)
+  /\ (exists v1 v2 v3 v4, (i, v1) ∈ Sorteo_p p /\ (i, v2) ∈ x /\ (i, v3) ∈ w /\ (i, v4) ∈ f /\ v1 * v2 = v3 * v4)
+  /\ exists v1 v2 v3 v4, (i, v1) ∈ Sorteo_p q /\ (i, v2) ∈ y /\ (i, v3) ∈ o /\ (i, v4) ∈ f
+  /\ v1 * v2 = v3 * v4. (* repartida.def.1 *)
+
+Definition ruleta (c x y : R) : Prop := c * y = x. (* ruleta.def.1 *)
+
+Definition media_conj_1 : Prop :=
+  forall (s1 : Sorteo) (x : rel R R), s1 ∈ Sorteo_ok -> x ∈ integers ⟶ univ
+  -> exists! m : R, media s1 x m. (* media.conj.1 *)
+
+Definition media_conj_2 : Prop :=
+  forall (s1 : Sorteo) (x : rel R R) (m a b : R), s1 ∈ Sorteo_ok -> x ∈ integers ⟶ univ -> media s1 x m
+  -> (forall i : R, i ∈ integers -> 0 <= i < Sorteo_n s1 -> exists v1, (i, v1) ∈ x /\ a <= v1 <= b)
+  -> a <= m <= b. (* media.conj.2 *)
+
+Definition de_luz_extensa_conj_1 : Prop :=
+  forall (m : Material) (n v : Vector) (s1 : Sorteo) (F : rel R Fuente) (f : Fuente) (r : R), m ∈ Material_ok
+  -> s1 ∈ Sorteo_ok -> F ∈ integers ⟶ Fuente_ok -> f ∈ Fuente_ok -> de_luz_extensa m n v s1 F r
+  -> (forall i : R, i ∈ integers -> exists v1, (i, v1) ∈ F /\ v1 = f)
+  -> r = aportacion m n v f. (* de_luz_extensa.conj.1 *)
+
+Definition rayo_de_lente_conj_1 : Prop :=
+  forall (l : Lente) (v : Vector) (r s1 : Rayo), l ∈ Lente_ok -> r ∈ Rayo_ok -> s1 ∈ Rayo_ok -> rayo_de_lente l v r
+  -> rayo_de_lente l v s1 -> exists f : Punto, f ∈ puntos_de_rayo r /\ f ∈ puntos_de_rayo s1
+  /\ avance f (Lente_ojo l) (Lente_eje l) = Lente_foco l. (* rayo_de_lente.conj.1 *)
+
+Definition circulo_de_confusion_conj_1 : Prop :=
+  forall (l : Lente) (q w u k : Punto) (z c : R), l ∈ Lente_ok -> z ∈ Rmas -> c ∈ Cantidad -> puntos_de_lente l q
+  -> avance w (Lente_ojo l) (Lente_eje l) = z -> visto_en_foco l q w u -> visto_en_foco l (Lente_ojo l) w k
+  -> circulo_de_confusion l z c -> 4 * (cuadrado (Punto_x u - Punto_x k) + cuadrado (Punto_y u - Punto_y k)
+  + cuadrado (Punto_z u - Punto_z k)) <= cuadrado c. (* circulo_de_confusion.conj.1 *)
+
+Definition circulo_de_confusion_conj_2 : Prop :=
+  forall (l : Lente) (z F a b c d : R), l ∈ Lente_ok -> z ∈ Rmas -> F ∈ Rmas -> a ∈ Rmas -> b ∈ Rmas
+  -> c ∈ Cantidad -> d ∈ Cantidad -> F * (Lente_foco l + a) = Lente_foco l * a -> F * (z + b) = z * b
+  -> d * b = Lente_abertura l * mayor (a - b) (b - a) -> circulo_de_confusion l z c
+  -> d * Lente_foco l = a * c. (* circulo_de_confusion.conj.2 *)
+
+Definition desplazado_conj_1 : Prop :=
+  forall (p q c d : Punto) (v dir : Vector) (t r : R), r ∈ Rmas -> desplazado p v t q -> desplazado c v t d
+  -> potencia_esfera q d r = potencia_esfera p c r /\ avance q d dir = avance p c dir
+  /\ alejamiento q d dir = alejamiento p c dir. (* desplazado.conj.1 *)
+
+Definition repartida_conj_1 : Prop :=
+  forall (p q : Sorteo) (w o f x y suma : rel R R) (m k : R), p ∈ Sorteo_ok -> q ∈ Sorteo_ok -> w ∈ integers ⟶ univ
+  -> o ∈ integers ⟶ univ -> f ∈ integers ⟶ univ -> x ∈ integers ⟶ univ -> y ∈ integers ⟶ univ
+  -> suma ∈ integers ⟶ univ -> repartida p q w o f x y -> acumulado f suma -> media p x m -> media q y k
+  -> exists v1, (Sorteo_n p, v1) ∈ suma /\ v1 = m + k. (* repartida.conj.1 *)
+
+Definition ruleta_conj_1 : Prop :=
+  forall (s1 : Sorteo) (z : rel R R) (c x y m : R), s1 ∈ Sorteo_ok -> z ∈ integers ⟶ univ -> ruleta c x y
+  -> Sorteo_n s1 = 2 -> (exists v1, (0, v1) ∈ Sorteo_p s1 /\ v1 = c) -> (exists v1, (0, v1) ∈ z /\ v1 = y)
+  -> (exists v1, (1, v1) ∈ z /\ v1 = 0) -> media s1 z m -> m = x. (* ruleta.conj.1 *)
 
 (** * operaciones.tex *)
 

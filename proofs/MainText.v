@@ -19,6 +19,7 @@ From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
   Iluminacion Power Luz Haces.
+  Iluminacion Power Luz Distribuida.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -439,4 +440,17 @@ Proof.
     Haces.the_image_of_a_beam_is_the_beam_of_the_image (conj Haces.a_plane_through_its_origin_divides_a_beam (conj
     Haces.matrices_compose (conj Haces.the_way_along_the_axis_is_a_matrix (conj Haces.two_ways_are_the_way_of_their_sum
     Haces.a_ball_unites_what_comes_along_its_axis))))))))).
+(** Of the mean that a picture is: there are draws; it is one, and lies between the bounds; a light whose points stand in
+    one place has no size; all rays of a direction meet in focus, nothing is seen outside its circle of confusion, which is
+    that of the formula of thin lenses; what moves keeps its shape; two draws that share a sum add to it, and roulette
+    keeps the mean. *)
+Theorem a_picture_is_a_mean :
+  (exists s, s ∈ Sorteo_ok) /\ media_conj_1 /\ media_conj_2 /\ de_luz_extensa_conj_1 /\ rayo_de_lente_conj_1
+  /\ circulo_de_confusion_conj_1 /\ circulo_de_confusion_conj_2 /\ desplazado_conj_1 /\ repartida_conj_1 /\ ruleta_conj_1.
+Proof.
+  exact (conj (ex_intro _ _ Distribuida.a_coin_is_a_draw) (conj Distribuida.the_mean_is_one (conj Distribuida.the_mean_lies_between_the_bounds (conj
+    Distribuida.points_of_one_place_are_a_light_without_a_size (conj Distribuida.all_rays_of_a_direction_meet_in_focus (conj
+    Distribuida.nothing_is_seen_outside_its_circle (conj Distribuida.the_circle_is_that_of_thin_lenses (conj
+    Distribuida.whatever_moves_keeps_its_shape (conj Distribuida.shared_means_add_to_the_sum
+    Distribuida.roulette_keeps_the_mean))))))))).
 Qed.

@@ -315,6 +315,22 @@ constexpr SpanishName names[] = {
     {"aplicado", "applied", "what a matrix makes of a deviation"},
     {"traslado", "transfer", "the way along the axis"},
     {"refraccion_paraxial", "paraxial_refraction", "how a sphere bends what comes beside the axis"},
+    // spec/distribuida.tex
+    {"Sorteo", "Draw", "outcomes with the chance of each"},
+    {"media", "mean", "the mean of what the outcomes of a draw bring"},
+    {"de_luz_extensa", "of_extended_light", "what a light of some size gives a point: the mean over its points"},
+    {"Lente", "Lens", "a thin lens: its middle, its axis, its diameter and the distance in focus"},
+    {"eje", "axis", "the unit vector along which a camera looks"},
+    {"abertura", "aperture", "the diameter of the lens"},
+    {"foco", "focus", "the distance of the plane that the lens shows sharply"},
+    {"puntos_de_lente", "points_of_lens", "the points that a lens lets light through"},
+    {"punto_en_foco", "point_in_focus", "where a direction meets the plane in focus"},
+    {"rayo_de_lente", "ray_of_lens", "the rays of a direction: from points of the lens through the point in focus"},
+    {"visto_en_foco", "seen_in_focus", "where a point is seen in the plane in focus, through a point of the lens"},
+    {"circulo_de_confusion", "circle_of_confusion", "the diameter of the places where a point is seen"},
+    {"desplazado", "displaced", "where a moving point is at a time"},
+    {"repartida", "shared", "a sum that two draws share out by weights"},
+    {"ruleta", "roulette", "what survives with a chance, and what it then counts"},
 };
 
 }  // namespace

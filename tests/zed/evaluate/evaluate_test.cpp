@@ -9,9 +9,9 @@ namespace {
 
 std::vector<Section> specification() {
   const std::string folder = durero::test::source_dir() + "/spec/";
-  const auto read =
-      read_files({folder + "tipos.tex", folder + "escena.tex", folder + "operaciones.tex", folder + "puntos.tex",
-                  folder + "interseccion.tex", folder + "iluminacion.tex", folder + "luz.tex"});
+  const auto read = read_files({folder + "tipos.tex", folder + "escena.tex", folder + "operaciones.tex",
+                                folder + "puntos.tex", folder + "interseccion.tex", folder + "iluminacion.tex",
+                                folder + "luz.tex", folder + "distribuida.tex"});
   REQUIRE(read.ok());
   return read.sections;
 }
