@@ -22,7 +22,11 @@ glm::dvec3 unit(const glm::dvec3& v, const char* otherwise) {
 
 }  // namespace
 
-PrimaryRays::PrimaryRays(const Camera& camera, Resolution resolution) : resolution_(resolution), eye_(camera.eye) {
+PrimaryRays::PrimaryRays(const Camera& camera, Resolution resolution)
+    : resolution_(resolution),
+      eye_(camera.eye),
+      lens_radius_(camera.aperture / 2),
+      focus_(camera.focus > 0 ? camera.focus : glm::length(camera.look_at - camera.eye)) {
   require(resolution.width > 0 && resolution.height > 0, "the resolution is empty; expected at least 1 × 1");
   require(camera.fov_y > 0 && camera.fov_y < 180, "fov_y is out of range; expected 0 < fov_y < 180");
   const glm::dvec3 forward = unit(camera.look_at - camera.eye, "eye and look_at coincide; expected two points");
@@ -31,6 +35,8 @@ PrimaryRays::PrimaryRays(const Camera& camera, Resolution resolution) : resoluti
   const glm::dvec3 up = glm::cross(right, forward);
   const double width = resolution.width, height = resolution.height;
   const double pixel = 2 * std::tan(glm::radians(camera.fov_y) / 2) / height;  // side of a pixel on the window
+  right_ = right;
+  up_ = up;
   step_x_ = right * pixel;
   step_y_ = up * -pixel;
   upper_left_ = forward - step_x_ * ((width - 1) / 2) - step_y_ * ((height - 1) / 2);
@@ -40,6 +46,13 @@ model::Rayo PrimaryRays::ray(std::uint32_t x, std::uint32_t y) const { return ra
 
 model::Rayo PrimaryRays::ray_at(double x, double y) const {
   return {model::Punto(eye_), model::Vector(direction(x, y))};
+}
+
+// The direction advances by one unit along the view, and so the plane in focus is at t = focus: from elsewhere on the
+// lens, the same point is reached there.
+model::Rayo PrimaryRays::lens_ray_at(double x, double y, const glm::dvec2& lens) const {
+  const glm::dvec3 aside = lens_radius_ * (lens.x * right_ + lens.y * up_);
+  return {model::Punto(eye_ + aside), model::Vector(direction(x, y) - aside / focus_)};
 }
 
 // Both steps are at right angles to each other and to the view, up to rounding, so that the nearest pixel is the one,

@@ -39,37 +39,43 @@ void Scene::set_material(ElementRef element, std::optional<std::uint32_t> materi
   label(element).material = material.value_or(no_material);
 }
 
-VertexLooks Scene::looks(ElementRef element) const {
-  const auto& held = label(element).vertices;
-  return held ? *held : VertexLooks{};
+template <class Attribute>
+const Attribute* Scene::rare(ElementRef element, std::optional<Attribute> RareAttributes::*which) const noexcept {
+  const auto& held = label(element).rare;
+  return held && (*held).*which ? &*((*held).*which) : nullptr;
 }
 
-void Scene::set_looks(ElementRef element, VertexLooks looks) {
-  if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("triangles alone have such vertices");
-  label(element).vertices = std::make_shared<const VertexLooks>(looks);
+template <class Attribute>
+void Scene::set_rare(ElementRef element, std::optional<Attribute> RareAttributes::*which,
+                     const std::optional<Attribute>& value) {
+  const auto& held = label(element).rare;
+  RareAttributes all = held ? *held : RareAttributes{};
+  all.*which = value;
+  label(element).rare = std::make_shared<const RareAttributes>(all);
 }
 
-const Wrap* Scene::wrap(ElementRef element) const noexcept {
-  const auto& held = label(element).vertices;
-  return held && held->wrap ? &*held->wrap : nullptr;
-}
+const Wrap* Scene::wrap(ElementRef element) const noexcept { return rare(element, &RareAttributes::wrap); }
 
 void Scene::set_wrap(ElementRef element, const Wrap& wrap) {
-  VertexLooks looks = this->looks(element);
-  looks.wrap = wrap;
-  set_looks(element, looks);
+  if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("textures are laid on triangles alone");
+  set_rare<Wrap>(element, &RareAttributes::wrap, wrap);
 }
 
 const VertexNormals* Scene::vertex_normals(ElementRef element) const noexcept {
-  const auto& held = label(element).vertices;
-  return held && held->normals ? &*held->normals : nullptr;
+  return rare(element, &RareAttributes::normals);
 }
 
 void Scene::set_vertex_normals(ElementRef element, const VertexNormals& normals) {
+  if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("triangles alone have normals at vertices");
   if (!have_directions(normals)) throw std::domain_error("a normal has no direction");
-  VertexLooks looks = this->looks(element);
-  looks.normals = normals;
-  set_looks(element, looks);
+  set_rare<VertexNormals>(element, &RareAttributes::normals, normals);
+}
+
+const glm::dvec3* Scene::motion(ElementRef element) const noexcept { return rare(element, &RareAttributes::motion); }
+
+void Scene::set_motion(ElementRef element, const glm::dvec3& motion) {
+  using Motion = std::optional<glm::dvec3>;
+  set_rare<glm::dvec3>(element, &RareAttributes::motion, motion == glm::dvec3(0) ? Motion() : Motion(motion));
 }
 
 void Scene::audit() {

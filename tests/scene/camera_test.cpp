@@ -70,3 +70,32 @@ TEST_CASE("the pixel of a ray is the one that has it, exactly") {
       }
   }
 }
+
+TEST_CASE("rays from all over the lens pass the plane in focus where the ray of a pinhole does") {
+  scene::Camera with_lens = camera;
+  with_lens.aperture = 0.5;
+  with_lens.focus = 4;
+  const scene::PrimaryRays rays(with_lens, {40, 20}), pinhole(camera, {40, 20});
+  CHECK(rays.has_lens());
+  CHECK_FALSE(pinhole.has_lens());
+  CHECK(rays.lens_ray_at(7.5, 3, {0, 0}) == rays.ray_at(7.5, 3));
+  CHECK(pinhole.lens_ray_at(7.5, 3, {0.6, 0.8}) == pinhole.ray_at(7.5, 3));
+  const model::Rayo middle = rays.ray_at(7.5, 3);
+  for (const glm::dvec2 lens : {glm::dvec2(1, 0), {0, -1}, {-0.6, 0.8}}) {
+    const model::Rayo ray = rays.lens_ray_at(7.5, 3, lens);
+    const glm::dvec3 aside = ray.p().xyz() - middle.p().xyz();
+    CHECK(glm::length(aside) == Approx(0.25));  // half the aperture
+    CHECK(aside.z == Approx(0).margin(1e-15));  // across the view
+    const glm::dvec3 in_focus = ray.p().xyz() + 4.0 * ray.v().xyz();
+    CHECK(glm::distance(in_focus, middle.p().xyz() + 4.0 * middle.v().xyz()) < 1e-14);
+    CHECK(in_focus.z == Approx(3 + 4));  // the eye is at z = 3
+  }
+}
+
+TEST_CASE("without a focus the lens shows sharply what stands as far away as look_at") {
+  scene::Camera with_lens = camera;
+  with_lens.aperture = 1;
+  const scene::PrimaryRays rays(with_lens, {40, 20});
+  const model::Rayo one = rays.lens_ray_at(3, 4, {1, 0}), other = rays.lens_ray_at(3, 4, {-1, 0});
+  CHECK(glm::distance(one.p().xyz() + 10.0 * one.v().xyz(), other.p().xyz() + 10.0 * other.v().xyz()) < 1e-14);
+}

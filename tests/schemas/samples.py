@@ -2,15 +2,16 @@
 
 AXIS = '"vector":[0,1,0]'
 SCENE = f"""{{"format":"durero-scene","version":1,
-"camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45}},
-"resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}}],
-"directional_lights":[{{"direction":[0,-1,0],"color":[0.5,0.5,1]}}],"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"M_PS":[1,0.9,0.8],
+"camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,"aperture":0.5,"focus":7,"shutter":2,"motion":[0,3,0]}},
+"resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}},{{"position":[6,5,-5],"color":[1,1,1],"disc":{{"radius":0.75,"normal":[0,-1,0.5]}}}},
+{{"position":[7,5,-5],"color":[1,1,1],"rectangle":{{"edges":[[1,0,0],[0,0,9]]}}}}],
+"directional_lights":[{{"direction":[0,-1,0],"color":[0.5,0.5,1]}}],"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"gloss":12,"M_PS":[1,0.9,0.8],
 "k_t":0.6,"M_T":[0.9,1,1],"index":1.5,"emission":[0,2,0],"ambient":[0.1,0.2,0.3],"textures":{{"color":"pic","k_s":"p"}},
 "bump":{{"texture":"w","height":-0.5,"delta":0.25}}}}}},"max_depth":9,
 "textures":{{"pic":{{"image":"a.png","repeat":[2,3],"filter":"mipmap","near":4,"edges":"clamp","curve":"linear"}},"p":{{"p6m":[[0,0,1],[1,1,0]]}},
 "w":{{"waves":[[0,0,0],[1,1,1]]}}}},"environment":{{"gradient":[[0,0,0.25],[3,0,0]]}},
 "groups":{{"all":{{"elementos":["s1"],"groups":["pair"]}},"pair":{{"elementos":["c1","k1"]}},"none":{{}}}},"elementos":[
-{{"id":"s1","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"red"}},
+{{"id":"s1","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"red","motion":[0,0,7]}},
 {{"id":"c1","tipo":"cilindro","centro":[3,0,0],"radio":1,{AXIS},"altura":2}},
 {{"id":"k1","tipo":"cono","centro":[-3,0,0],"proporcion":0.5,{AXIS},"altura":2,"material":"azul ñ"}},
 {{"id":"t1","tipo":"tronco","centro":[6,0,0],"radio":1,"proporcion":0.5,"vector":[0.6,0.8,0],"altura":2}},
@@ -67,6 +68,17 @@ CHANGES = {
 "proporcion":0.5 | "proporcion":5e-324 | "proporcion":0
 "fov_y":45 | "fov_y":179.9 | "fov_y":180
 "fov_y":45 | "fov_y":1e-9 | "fov_y":0
+"aperture":0.5 | "aperture":0 | "aperture":-5e-324
+"focus":7 | "focus":5e-324 | "focus":0
+"shutter":2 | "shutter":0 | "shutter":"2"
+"motion":[0,3,0] | "motion":[0,0,0] | "motion":[0,0]
+"motion":[0,0,7] | "motion":[0,0,0] | "motion":7
+"gloss":12 | "gloss":0 | "gloss":-1
+"radius":0.75 | "radius":5e-324 | "radius":0
+"normal":[0,-1,0.5] | "normal":[0,0,5e-324] | "normal":[0,0,0]
+{{"edges":[[1,0,0],[0,0,9]]}} | {{"edges":[[1,0,0],[0,1,9]]}} | {{"edges":[[1,0,0]]}}
+"rectangle":{{ | "triangle":{{ | "square":{{
+"disc":{{"radius":0.75, | "disc":{{"radius":0.75, | "sphere":{{"radius":0.75,
 [8,6] | [1,65535] | [1,65536]
 [8,6] | [1,1] | [0,1]
 [8,6] | [8.0,6] | [8.5,6]

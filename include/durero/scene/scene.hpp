@@ -104,13 +104,25 @@ class Scene {
   /// Throws std::domain_error where the element is no triangle, or a normal is null or not finite.
   void set_vertex_normals(ElementRef element, const VertexNormals& normals);
 
+  /// The way of an element in a unit of time; null where it rests.
+  const glm::dvec3* motion(ElementRef element) const noexcept;
+  /// Makes an element move evenly: at the time 0 it is where its attributes say.
+  void set_motion(ElementRef element, const glm::dvec3& motion);
+  /// The scene at a time: elements and camera are where their motions have brought them, each coordinate rounded once,
+  /// and keep their tables and rows. Throws std::domain_error where a coordinate is not finite any more, or three
+  /// vertices lie on one line then.
+  Scene at_time(double time) const;
+
  private:
   friend class Editor;
 
   const Label& label(ElementRef element) const noexcept;
   Label& label(ElementRef element) noexcept;
-  void set_looks(ElementRef element, VertexLooks looks);
-  VertexLooks looks(ElementRef element) const;
+  template <class Attribute>
+  const Attribute* rare(ElementRef element, std::optional<Attribute> RareAttributes::*which) const noexcept;
+  template <class Attribute>
+  void set_rare(ElementRef element, std::optional<Attribute> RareAttributes::*which,
+                const std::optional<Attribute>& value);
   std::optional<ElementRef> find(std::string_view name, NameIndex::hash_type hash) const noexcept;
 
   template <class Shape>

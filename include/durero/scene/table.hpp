@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -21,18 +22,19 @@ namespace durero::scene {
 /// Label::material of an element that has none.
 inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>::max();
 
-/// A mesh says this of the vertices of a triangle.
-struct VertexLooks {
-  std::optional<Wrap> wrap{};              ///< how textures lie on it
-  std::optional<VertexNormals> normals{};  ///< how it is shaded
+/// Few elements have these, and a table keeps them apart.
+struct RareAttributes {
+  std::optional<Wrap> wrap{};              ///< how textures lie on a triangle
+  std::optional<VertexNormals> normals{};  ///< how a triangle is shaded
+  std::optional<glm::dvec3> motion{};      ///< its way in a unit of time; none where it rests
 };
 
 /// What an element has beside its geometry. One column, since an edit needs all of it.
 struct Label {
-  model::Elemento name;                           ///< what it is called
-  NameIndex::hash_type hash;                      ///< of the name
-  std::uint32_t material = no_material;           ///< an index into the materials of the stage
-  std::shared_ptr<const VertexLooks> vertices{};  ///< of a triangle; null where it has none
+  model::Elemento name;                          ///< what it is called
+  NameIndex::hash_type hash;                     ///< of the name
+  std::uint32_t material = no_material;          ///< an index into the materials of the stage
+  std::shared_ptr<const RareAttributes> rare{};  ///< null where it has none of them
 };
 
 /// One element, out of the table.

@@ -20,16 +20,17 @@ namespace {
 
 using model::Tipo;
 
-// The keys of an element: id, tipo, the attributes of all shapes, material, and the looks of the vertices.
+// The keys of an element: id, tipo, the attributes of all shapes, material, the looks of the vertices, and motion.
 constexpr std::size_t id = 0, tipo = 1, first_attribute = 2, material = first_attribute + attribute_words.size(),
-                      uv = material + 1, tangents = uv + 1, normals = tangents + 1;
+                      uv = material + 1, tangents = uv + 1, normals = tangents + 1, motion = normals + 1;
 constexpr auto keys = [] {
-  std::array<std::string_view, normals + 1> all{};
+  std::array<std::string_view, motion + 1> all{};
   all[id] = "id";
   all[tipo] = "tipo";
   std::ranges::copy(attribute_words, all.begin() + first_attribute);
   all[material] = "material";
   std::ranges::copy(vertex_keys, all.begin() + uv);
+  all[motion] = "motion";
   return all;
 }();
 constexpr std::size_t required = 2;  // id and tipo; which attributes there must be, the tipo says
@@ -49,6 +50,7 @@ struct Fields {
   std::optional<Placed<std::array<glm::dvec2, 3>>> uv{};  // at its key, as the next ones
   std::optional<Placed<std::array<scene::VertexTangents, 3>>> tangents{};
   std::optional<Placed<scene::VertexNormals>> normals{};
+  glm::dvec3 motion{};
 
   const std::optional<Read>& attribute(std::string_view word) const {
     return attributes[static_cast<std::size_t>(std::ranges::find(attribute_words, word) - attribute_words.begin())];
@@ -96,6 +98,8 @@ void read_field(json::Reader& in, std::size_t key, std::span<const WrittenType> 
     f.tangents = {read_vertex_tangents(in), in.key_offset()};
   } else if (key == normals) {
     f.normals = {read_vertex_normals(in), in.key_offset()};
+  } else if (key == motion) {
+    f.motion = in.vec3("motion");
   } else {
     f.attributes[key - first_attribute] = read_attribute(in, keys[key]);
   }
@@ -235,6 +239,7 @@ void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse
     if (!answer.ok()) refuse<Shape>(in, f, answer);
   });
   set_vertex_looks(scene, f);
+  if (f.motion != glm::dvec3(0)) scene.set_motion(scene.find(f.id.value).value(), f.motion);
   if (f.material) uses.push_back({f.id.value, *f.material});
 }
 

@@ -14,21 +14,22 @@ using scene::ElementRef;
 
 /// Nothing where there is none.
 template <class Lights, class Fields>
-void write_lights(json::Writer& out, const char* key, const Lights& lights, const Fields& fields) {
+void write_lights(json::Writer& out, const char* key, const Lights& lights, const Fields& fields,
+                  std::size_t required = all_fields) {
   if (lights.empty()) return;
   out.new_line().key(key).begin_array();
-  for (const auto& light : lights) write_fields(out.new_line(), fields, light);
+  for (const auto& light : lights) write_fields(out.new_line(), fields, light, required);
   out.end_array();
 }
 
 void write_stage(json::Writer& out, const scene::Stage& stage) {
-  if (stage.camera) write_fields(out.new_line().key("camera"), camera_fields, *stage.camera);
+  if (stage.camera) write_fields(out.new_line().key("camera"), camera_fields, *stage.camera, required_of_camera);
   if (stage.resolution) {
     const auto [width, height] = *stage.resolution;
     out.new_line().key("resolution").begin_array().value(std::uint64_t{width}).value(std::uint64_t{height}).end_array();
   }
   if (stage.background) out.new_line().member("background", *stage.background);
-  write_lights(out, "lights", stage.lights, light_fields);
+  write_lights(out, "lights", stage.lights, light_fields, required_of_light);
   write_lights(out, "directional_lights", stage.directional_lights, directional_light_fields);
   if (stage.environment) write_environment(out.new_line().key("environment"), *stage.environment);
   if (!stage.textures.empty()) {
@@ -98,6 +99,7 @@ void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPa
     out.member("material", scene.stage().materials[*material].name);
   }
   write_vertex_looks(out, scene, element);
+  if (const glm::dvec3* const motion = scene.motion(element)) out.member("motion", *motion);
   out.end_object();
 }
 

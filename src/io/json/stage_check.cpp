@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "durero/io/json/json_pointer.hpp"
@@ -31,6 +32,12 @@ model::Judgement judged(const glm::dvec3& color) {
   for (glm::length_t i = 0; i < 3; ++i)
     of_all.holds = of_all.holds && inv(model::Fuente{{0, 0, 1}, exact(color[i]), 1}).front().holds;
   return of_all;
+}
+
+/// The lens of a camera, which looks along z here. A focus that the file leaves out is the distance of look_at.
+model::Lente lens_of(const scene::Camera& camera) {
+  const double focus = camera.focus > 0 ? camera.focus : glm::distance(camera.eye, camera.look_at);
+  return {{0, 0, 0}, {0, 0, 1}, exact(camera.aperture), exact(focus)};
 }
 
 std::optional<Warning> warning(const scene::Material& material) {
@@ -72,6 +79,10 @@ model::Judgements stage_invariants(const scene::Stage& stage) {
   for (const scene::Light& light : stage.lights) judge(lights, {judged(light.color)});
   for (const scene::DirectionalLight& light : stage.directional_lights) judge(lights, {judged(light.color)});
   all.insert(all.end(), lights.begin(), lights.end());
+  if (stage.camera && stage.camera->aperture > 0) {
+    const model::Judgements lens = inv(lens_of(*stage.camera));
+    all.insert(all.end(), lens.begin() + 1, lens.end());  // the axis is made a unit vector, up to rounding
+  }
   return all;
 }
 

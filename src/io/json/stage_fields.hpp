@@ -2,8 +2,9 @@
 /// Camera, light and material as tables of fields: what a scene file holds of them, read and written, and what the
 /// numbers must be, whatever file they come from.
 
-#include "durero/model/luz.hpp"
+#include "durero/model/distribuida.hpp"
 #include "durero/scene/stage.hpp"
+#include "extent_fields.hpp"
 #include "field.hpp"
 
 namespace durero::io {
@@ -34,6 +35,7 @@ inline constexpr Rule<glm::dvec3> share{is_share, "no share of light", "red, gre
 inline constexpr Rule<double> share_of_all{is_share_of_all, "", "a share of light, 0 to 1"};
 inline constexpr Rule<double> exponent{is_exponent, "", "a number from 0"};
 inline constexpr Rule<double> refractive_index{is_index, "", "a number above 0"};
+inline constexpr Rule<double> from_zero = exponent, above_zero = refractive_index;
 
 using scene::Camera;
 using scene::DirectionalLight;
@@ -41,14 +43,27 @@ using scene::Light;
 using scene::Material;
 using scene::Stage;
 
-inline constexpr std::tuple camera_fields = {Field<Camera, glm::dvec3>{"eye", &Camera::eye, any_triple},
-                                             Field<Camera, glm::dvec3>{"look_at", &Camera::look_at, any_triple},
-                                             Field<Camera, glm::dvec3>{"up", &Camera::up, direction},
-                                             Field<Camera, double>{"fov_y", &Camera::fov_y, view_angle}};
+inline constexpr std::tuple camera_fields = {
+    Field<Camera, glm::dvec3>{"eye", &Camera::eye, any_triple},
+    Field<Camera, glm::dvec3>{"look_at", &Camera::look_at, any_triple},
+    Field<Camera, glm::dvec3>{"up", &Camera::up, direction},
+    Field<Camera, double>{"fov_y", &Camera::fov_y, view_angle},
+    Field<Camera, double>{"aperture", &Camera::aperture, from_zero, &model::Lente_inv_2},
+    Field<Camera, double>{"focus", &Camera::focus, above_zero, &model::Lente_inv_3},
+    Field<Camera, double>{"shutter", &Camera::shutter, from_zero},
+    Field<Camera, glm::dvec3>{"motion", &Camera::motion, any_triple}};
+/// The first of them stand in every camera.
+inline constexpr std::size_t required_of_camera = 4;
 
 inline constexpr std::tuple light_fields = {
     Field<Light, glm::dvec3>{"position", &Light::position, any_triple},
-    Field<Light, glm::dvec3>{"color", &Light::color, light_color, &model::Fuente_inv_1}};
+    Field<Light, glm::dvec3>{"color", &Light::color, light_color, &model::Fuente_inv_1},
+    Field<Light, scene::LightExtent>{"disc", &Light::extent, as_read<scene::LightExtent>},
+    Field<Light, scene::LightExtent>{"sphere", &Light::extent, as_read<scene::LightExtent>},
+    Field<Light, scene::LightExtent>{"triangle", &Light::extent, as_read<scene::LightExtent>},
+    Field<Light, scene::LightExtent>{"rectangle", &Light::extent, as_read<scene::LightExtent>}};
+/// The first of them stand in every light, and one of the others at most.
+inline constexpr std::size_t required_of_light = 2;
 
 inline constexpr std::tuple directional_light_fields = {
     Field<DirectionalLight, glm::dvec3>{"direction", &DirectionalLight::direction, direction},
@@ -63,6 +78,7 @@ inline constexpr std::tuple material_fields = {
     Field<Material, double>{"e", &Material::e, exponent, &model::Material_inv_11},
     Field<Material, double>{"k_ps", &Material::k_ps, share_of_all, &model::Material_inv_4},
     Field<Material, glm::dvec3>{"M_PS", &Material::M_PS, share, &model::Material_inv_7},
+    Field<Material, double>{"gloss", &Material::gloss, from_zero},
     Field<Material, double>{"k_t", &Material::k_t, share_of_all, &model::Material_inv_5},
     Field<Material, glm::dvec3>{"M_T", &Material::M_T, share, &model::Material_inv_8},
     Field<Material, double>{"index", &Material::index, refractive_index, &model::Material_inv_12},

@@ -15,7 +15,7 @@ namespace durero::io {
 scene::Camera read_camera(json::Reader& in) {
   scene::Camera camera{};
   const std::size_t at = in.offset();
-  read_fields(in, "camera", camera_fields, camera);
+  read_fields(in, "camera", camera_fields, camera, required_of_camera);
   if (camera.eye == camera.look_at) in.fail(at, "the camera looks at its own eye", "expected look_at elsewhere");
   return camera;
 }
@@ -42,7 +42,7 @@ glm::dvec3 read_background(json::Reader& in) {
 
 std::vector<scene::Light> read_lights(json::Reader& in) {
   std::vector<scene::Light> lights;
-  in.array("lights", [&] { read_fields(in, "a light", light_fields, lights.emplace_back()); });
+  in.array("lights", [&] { read_fields(in, "a light", light_fields, lights.emplace_back(), required_of_light); });
   return lights;
 }
 

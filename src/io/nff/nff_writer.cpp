@@ -6,6 +6,7 @@
 #include "durero/io/number_text.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/stage.hpp"
+#include "io/blur_losses.hpp"
 #include "io/ends.hpp"
 #include "io/json/scene_elements.hpp"
 #include "io/json/stage_fields.hpp"
@@ -115,6 +116,7 @@ class NffWriter {
     if (scene_.stage().max_depth) out_.lost.emplace_back("1 max_depth left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
     add_loss(out_.lost, discs_, "disc", "discs", "left out: NFF has none");
+    add_blur_losses(out_.lost, scene_, "NFF");
     ends_.name_losses(out_.lost, "NFF");
   }
 

@@ -8,6 +8,7 @@
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/stage.hpp"
+#include "io/blur_losses.hpp"
 #include "io/ends.hpp"
 #include "io/json/scene_elements.hpp"
 #include "io/losses.hpp"
@@ -187,6 +188,7 @@ class PovWriter {
                  scene_.stage().materials,
                  [&](const scene::Material& m) { return m.bump && !patterns_.is_exact(*m.bump); })),
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
+    add_blur_losses(out_.lost, scene_, "POV-Ray");
     ends_.name_losses(out_.lost, "POV-Ray");
     add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");
   }

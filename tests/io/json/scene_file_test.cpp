@@ -30,12 +30,16 @@ std::string with_part(const std::string& part) {
 }
 
 const std::string sample = R"({"format":"durero-scene","version":1,
-"camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45},
+"camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,"aperture":0.5,"focus":3,"shutter":0.25,"motion":[1,0,0]},
 "resolution":[640,480],
 "background":[0.1,0.2,0.3],
 "lights":[
 {"position":[1,2,3],"color":[1,1,1]},
-{"position":[-1e+300,2,3],"color":[0,0,0.5]}],
+{"position":[-1e+300,2,3],"color":[0,0,0.5]},
+{"position":[0,9,0],"color":[1,1,1],"disc":{"radius":0.5,"normal":[0,-1,0]}},
+{"position":[0,9,0],"color":[1,1,1],"sphere":{"radius":0.5}},
+{"position":[0,9,0],"color":[1,1,1],"triangle":{"edges":[[1,0,0],[0,0,1]]}},
+{"position":[0,9,0],"color":[1,1,1],"rectangle":{"edges":[[1,0,0],[0,0,1]]}}],
 "directional_lights":[
 {"direction":[0,-1,2],"color":[0.5,0,1]}],
 "environment":{"gradient":[[0,0,0],[0.5,0.5,2]]},
@@ -44,12 +48,12 @@ const std::string sample = R"({"format":"durero-scene","version":1,
 "b":{"p6m":[[1,1,1],[0,0,0]]}},
 "materials":{
 "red":{"color":[1,0,0]},
-"rojo ñ":{"color":[1,0,0],"k_a":0.1,"k_d":0.2,"k_s":0.3,"e":20,"k_ps":0.4,"M_PS":[1,0.5,0],"k_t":0.5,"M_T":[0,1,1],"index":1.5,"emission":[2,0,0],"ambient":[0,0.1,0],"textures":{"color":"a","k_s":"b"},"bump":{"texture":"a","height":-0.5,"delta":0.25}}},
+"rojo ñ":{"color":[1,0,0],"k_a":0.1,"k_d":0.2,"k_s":0.3,"e":20,"k_ps":0.4,"M_PS":[1,0.5,0],"gloss":30,"k_t":0.5,"M_T":[0,1,1],"index":1.5,"emission":[2,0,0],"ambient":[0,0.1,0],"textures":{"color":"a","k_s":"b"},"bump":{"texture":"a","height":-0.5,"delta":0.25}}},
 "max_depth":7,
 "elementos":[
 {"id":"c1","tipo":"cilindro","centro":[0,0,0],"radio":0.5,"vector":[0,1,0],"altura":2},
 {"id":"k1","tipo":"cono","centro":[0,0,0],"proporcion":0.5,"vector":[0,1,0],"altura":2,"material":"rojo ñ"},
-{"id":"s1","tipo":"esfera","centro":[0,-0,5e-324],"radio":1,"material":"red"}
+{"id":"s1","tipo":"esfera","centro":[0,-0,5e-324],"radio":1,"material":"red","motion":[0,0.5,0]}
 ]}
 )";
 
@@ -178,7 +182,7 @@ TEST_CASE("Errors of an element stand at its value or key") {
       {sphere(R"("radio":1,^"color":2)"),
        "unknown key \"color\" in an element; expected one of id, tipo (type), centro (center), radio (radius), vector, "
        "altura (height), proporcion (proportion), "
-       "vertices, material, uv, tangents, normals"},
+       "vertices, material, uv, tangents, normals, motion"},
       {sphere(R"("radio":1,^"radio":1)"), "key \"radio\" (radius) stands twice; expected it once"},
       {sphere(R"("radio":1,^"altura":1)"),
        "unknown key \"altura\" (height) in an element of tipo esfera (sphere); expected the attributes of its tipo "
@@ -380,4 +384,44 @@ TEST_CASE("what is wrong with a texture, an environment or what a material has o
   CHECK(material(R"("bump":^{"height":1})") == "key \"texture\" is missing in bump; expected it");
   CHECK(material(R"("bump":{"texture":"a","delta":^0})") == "delta is 0; expected a number above 0");
   CHECK(material(R"("textures":{"k_a":^""})") == "k_a is empty; expected the name of a texture");
+}
+
+TEST_CASE("what blurs a picture is read, and each number is where it belongs") {
+  const scene::Scene scene = io::read_scene(io::Source("f", sample));
+  const scene::Camera& camera = *scene.stage().camera;
+  CHECK(
+      (camera.aperture == 0.5 && camera.focus == 3 && camera.shutter == 0.25 && camera.motion == glm::dvec3(1, 0, 0)));
+  const auto& lights = scene.stage().lights;
+  REQUIRE(lights.size() == 6);
+  CHECK(lights[0].extent.shape == scene::LightShape::point);
+  CHECK((lights[2].extent.shape == scene::LightShape::disc && lights[2].extent.normal == glm::dvec3(0, -1, 0)));
+  CHECK((lights[3].extent.shape == scene::LightShape::sphere && lights[3].extent.radius == 0.5));
+  CHECK((lights[4].extent.shape == scene::LightShape::triangle && lights[4].extent.edges[1] == glm::dvec3(0, 0, 1)));
+  CHECK(lights[5].extent.shape == scene::LightShape::rectangle);
+  CHECK(scene.stage().materials[1].gloss == 30);
+  CHECK(*scene.motion(*scene.find("s1")) == glm::dvec3(0, 0.5, 0));
+  CHECK(scene.motion(*scene.find("c1")) == nullptr);
+}
+
+TEST_CASE("errors of what blurs a picture stand at the value") {
+  const auto camera = [](const std::string& keys) {
+    return error_at(with_part(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,)" + keys + "}"));
+  };
+  CHECK(camera(R"("aperture":^-1)") == "aperture is -1; expected a number from 0 (Lente.inv.2)");
+  CHECK(camera(R"("focus":^0)") == "focus is 0; expected a number above 0 (Lente.inv.3)");
+  CHECK(camera(R"("shutter":^-0.5)") == "shutter is -0.5; expected a number from 0");
+  CHECK(camera(R"("motion":^[1,2])") == "motion has 2 items; expected three numbers");
+  const auto light = [](const std::string& keys) {
+    return error_at(with_part(R"("lights":[{"position":[0,0,0],"color":[1,1,1],)" + keys + "}]"));
+  };
+  CHECK(light(R"("sphere":{"radius":^0})") == "radius is 0; expected a number above 0");
+  CHECK(light(R"("disc":{"radius":1,"normal":^[0,0,0]})") == "normal is the null vector; expected a direction");
+  CHECK(light(R"("disc":^{"radius":1})").starts_with("key \"normal\" is missing"));
+  CHECK(light(R"("rectangle":{"edges":^[[1,0,0],[2,0,0]]})") ==
+        "edges is two parallel vectors; expected edges with an area between them");
+  CHECK(light(R"("triangle":{"edges":^[[1,0,0]]})") == "edges has 1 items; expected two edges");
+  CHECK(light(R"("sphere":{"radius":1},^"disc":{"radius":1,"normal":[0,1,0]})") ==
+        "a light has two shapes; expected one");
+  CHECK(error_at(with_part(R"("materials":{"m":{"color":[1,1,1],"gloss":^-1}})")) ==
+        "gloss is -1; expected a number from 0");
 }

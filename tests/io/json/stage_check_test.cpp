@@ -113,3 +113,16 @@ TEST_CASE("a check tells of both: labels with their verdict, and warnings that c
   CHECK(wrong.findings[0].broken->label == "Material.inv.4");
   CHECK(wrong.findings[0].message == "k_ps is 1.5; expected a share of light, 0 to 1 (Material.inv.4)");
 }
+
+TEST_CASE("a lens is one of the text, and a pinhole is none") {
+  scene::Stage stage{};
+  stage.camera = scene::Camera{{0, 0, -5}, {0, 0, 0}, {0, 1, 0}, 45};
+  CHECK(io::stage_invariants(stage).empty());
+  stage.camera->aperture = 0.5;
+  CHECK(io::stage_invariants(stage).size() == 2);
+  CHECK(broken(stage).empty());
+  stage.camera->focus = -1;  // as if it were left out: the distance of look_at
+  CHECK(broken(stage).empty());
+  stage.camera->look_at = stage.camera->eye;
+  CHECK(broken(stage) == std::vector<std::string_view>{"Lente.inv.3"});
+}

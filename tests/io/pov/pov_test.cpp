@@ -206,3 +206,15 @@ TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are cou
                                  "1 relief drawn by the differences of POV-Ray: only those of waves are slopes"});
   CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } normal { function { 0.25 + (Image1("));
 }
+
+TEST_CASE("what blurs a picture is left out, and named") {
+  const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,
+"aperture":0.5,"shutter":1,"motion":[1,0,0]},"materials":{"m":{"color":[1,1,1],"gloss":9}},
+"lights":[{"position":[0,9,0],"color":[1,1,1],"sphere":{"radius":1}},{"position":[1,9,0],"color":[1,1,1]}],
+"elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"m","motion":[0,1,0]}])");
+  CHECK(out.lost == std::vector<std::string>{"1 lens left out: not written to POV-Ray",
+                                             "1 shutter left out: not written to POV-Ray",
+                                             "2 motions left out: not written to POV-Ray",
+                                             "1 shape of a light left out: not written to POV-Ray",
+                                             "1 gloss left out: not written to POV-Ray"});
+}
