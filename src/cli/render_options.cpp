@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 
@@ -76,6 +78,10 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
 }
 
 void add_depth_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("--integrator", options.integrator,
+                  "Whitted's algorithm, or paths: light that comes by way of all things; without it, whitted")
+      ->check(one_of("integrator", words(render::integrator_names)));
   add_max_depth(command, options.max_depth);
   command
       .add_option("--min-weight", options.min_weight,
@@ -85,17 +91,21 @@ void add_depth_options(CLI::App& command, RenderOptions& options) {
 
 void add_sample_options(CLI::App& command, RenderOptions& options) {
   command
-      .add_option(
-          "--sampling", options.sampling,
-          "Points of a pixel that rays go through: a grid, one in each square of a grid, or as many as it takes; "
-          "without it, grid")
+      .add_option("--sampling", options.sampling,
+                  "Points of a pixel that rays go through: a grid, one in each square of a grid, each by itself, or as "
+                  "many as it "
+                  "takes; "
+                  "without it, grid")
       ->check(one_of("sampling", words(render::sampling_names)));
   command
-      .add_option("--samples", options.samples,
-                  fmt::format("How many: a square number, 1 without it; of statistical the most, {} without it; of a "
-                              "preview how many passes",
-                              statistical_samples))
+      .add_option(
+          "--samples", options.samples,
+          fmt::format("How many: of a grid a square number; 1 without it; of statistical the most, {} without it; of a "
+                      "preview how many passes",
+                      statistical_samples))
       ->check(whole_number(1, render::greatest_samples));
+  command.add_option("--seed", options.seed, "Chooses among the random numbers; without it, 0")
+      ->check(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
   command
       .add_option("--width", options.width, "Of statistical: how far off a linear component may be; without it, 0.05")
       ->check(number_between(0, 1));
@@ -173,11 +183,13 @@ void check_together(const RenderOptions& options) {
   refuse(options.width && !options.is_statistical(), "--width: of one sampling alone; expected --sampling statistical");
   refuse(options.confidence && !options.is_statistical(),
          "--confidence: of one sampling alone; expected --sampling statistical");
+  refuse(options.min_weight && options.integrator == render::integrator_names[1],
+         "--min-weight: of one integrator alone; expected --integrator whitted");
   check_together(options.wide, option_of_lines(options));
   if (options.preview || !options.samples) return;
   const double side = std::sqrt(*options.samples);
   refuse(
-      !options.is_statistical() && side != std::floor(side),
+      !options.is_statistical() && options.sampling != "independent" && side != std::floor(side),
       fmt::format("--samples {}: no square number; expected 1, 4, 9, … or --sampling statistical", *options.samples));
   refuse(options.is_statistical() && *options.samples < render::least_samples,
          fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling statistical",
@@ -191,8 +203,10 @@ render::RenderSettings frame_of(const RenderOptions& options) {
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
   frame.max_depth = options.max_depth;
   frame.min_weight = options.min_weight.value_or(0);
+  frame.integrator = value_of_name<render::Integrator>(render::integrator_names, options.integrator);
   frame.samples.sampling = value_of_name<render::Sampling>(render::sampling_names, options.sampling);
   frame.samples.most = options.samples.value_or(options.is_statistical() ? statistical_samples : 1);
+  frame.samples.seed = options.seed.value_or(0);
   frame.samples.width = options.width.value_or(frame.samples.width);
   frame.samples.confidence = options.confidence.value_or(frame.samples.confidence);
   return frame;
@@ -215,7 +229,8 @@ std::vector<render::Note> notes_of(const RenderOptions& options, const scene::St
   call += fmt::format(" --size {}x{}", size.width, size.height);
   if (const auto& crop = frame.crop; crop && crop->size != size)
     call += fmt::format(" --crop {},{},{},{}", crop->x, crop->y, crop->size.width, crop->size.height);
-  call += fmt::format(" --max-depth {}", frame.max_depth.value_or(render::depth_of(stage)));
+  if (frame.integrator != render::Integrator{}) call += " --integrator " + options.integrator;
+  call += fmt::format(" --max-depth {}", frame.max_depth.value_or(render::depth_of(stage, frame.integrator)));
   if (frame.min_weight > 0) call += fmt::format(" --min-weight {}", frame.min_weight);
   const render::Samples& samples = frame.samples;
   if (passes) {
@@ -225,6 +240,7 @@ std::vector<render::Note> notes_of(const RenderOptions& options, const scene::St
         fmt::format(" --sampling {} --samples {}", render::sampling_names[std::size_t(samples.sampling)], samples.most);
     if (options.is_statistical()) call += fmt::format(" --width {} --confidence {}", samples.width, samples.confidence);
   }
+  if (samples.seed != 0) call += fmt::format(" --seed {}", samples.seed);
   if (tone_of(options) != render::Tone::clamp) call += " --tone " + options.tone;
   if (options.aov) call += " --aov";
   return {{"Software", std::string("Durero ") + DURERO_VERSION}, {"Comment", call}};

@@ -20,8 +20,8 @@ namespace durero::cli {
 struct RenderOptions {
   std::string scene, out, size, crop;
   std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
-  std::string tone, sampling;
-  std::optional<std::uint32_t> samples, max_depth;
+  std::string tone, sampling, integrator;
+  std::optional<std::uint32_t> samples, max_depth, seed;
   std::optional<double> min_weight, width, confidence;
   std::size_t threads = 0;
   bool aov = false, preview = false, quiet = false;

@@ -36,6 +36,11 @@ SceneTracer::SceneTracer(const std::string& file, std::string_view engine, std::
   input_ = std::move(input);
 }
 
+std::unique_ptr<const engine::Engine> SceneTracer::prepare(const scene::Scene& then) const {
+  if (row_ == nullptr) throw std::domain_error("an element moves beside those of a Z text; expected none with motion");
+  return row_->prepare(then);
+}
+
 void SceneTracer::require_origins(std::string_view why) const {
   if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
 }

@@ -145,7 +145,8 @@ checks=$((checks + 1))
 absent new.exr
 
 # Samples: the same bytes whatever the threads and the engine; and calls that make no sense.
-for how in '--samples 4' '--sampling stratified --samples 4' '--sampling statistical --samples 40 --width 0.2'; do
+for how in '--samples 4' '--sampling stratified --samples 4' '--sampling independent --samples 5' \
+  '--integrator path --samples 4' '--sampling statistical --samples 40 --width 0.2'; do
   run 0 render scene.json -o one.png $how --threads 1
   run 0 render scene.json -o three.png $how --threads 3 --engine exact
   same one.png three.png
@@ -156,6 +157,10 @@ lines out 1
 has out ' rays from the eye a pixel; '
 has out ' of 48 pixels not known within 0.2 with confidence 0.95'
 refused '--samples 5: no square number; expected 1, 4, 9' render scene.json -o new.png --samples 5
+refused '--min-weight: of one integrator alone; expected --integrator whitted' \
+  render scene.json -o new.png --integrator path --min-weight 0.1
+refused 'render: --integrator radiosity: no such integrator; expected one of whitted, path' \
+  render scene.json -o new.png --integrator radiosity
 refused '--samples 1: too few to tell anything; expected 4 or more' \
   render scene.json -o new.png --samples 1 --sampling statistical
 refused '--width: of one sampling alone; expected --sampling statistical' render scene.json -o new.png --width 0.1
@@ -164,6 +169,21 @@ for width in 0 1 -1 nan x; do
   refused "render: --width $width: no number from 0 to 1, neither of them; expected one" \
     render scene.json -o new.png --sampling statistical --width $width
 done
+
+# Lens, shutter, a light of some size and gloss: the same bytes whatever the threads and the engine, others by another seed,
+# and the note of a picture draws it again.
+sed -e 's/"fov_y":\([0-9.]*\)/"fov_y":\1,"aperture":0.5,"shutter":1,"motion":[0.25,0,0]/' scene.json >blurred.json
+run 0 render blurred.json -o one.png --samples 9 --threads 1
+run 0 render blurred.json -o three.png --samples 9 --threads 3 --engine exact
+same one.png three.png
+run 0 render blurred.json -o other.png --samples 9 --seed 7
+has other.png '--samples 9 --seed 7'
+checks=$((checks + 1))
+cmp -s one.png other.png && fail 'another seed draws no other picture'
+run 0 render blurred.json -o path.png --integrator path
+has path.png '--integrator path --max-depth 1000'
+refused 'render: --seed -1: ' render blurred.json -o new.png --seed -1
+absent new.png
 
 # A preview: k passes are the same picture whenever it ends, the file is whole at any time, and an interrupted one is kept.
 run 0 render scene.json -o first.png --preview --samples 1

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "durero/engine/engine.hpp"
+#include "durero/render/light/integrator.hpp"
 #include "durero/render/output/picture.hpp"
 #include "durero/render/sample/sampling.hpp"
 #include "durero/scene/camera.hpp"
@@ -36,6 +38,9 @@ struct RenderSettings {
   std::optional<std::uint32_t> max_depth{};  ///< the most rays in a row; else depth_of()
   double min_weight = 0;                     ///< the least weight of a followed ray, as PathLimits says
   Samples samples{};                         ///< the points of each pixel
+  Integrator integrator{};                   ///< the way of following light
+  /// Prepares an engine for a moving scene at another time; without it, the default engine is prepared.
+  std::function<std::unique_ptr<const engine::Engine>(const scene::Scene&)> prepare{};
 };
 
 /// The counts of a picture's rays.

@@ -25,6 +25,8 @@ std::vector<KnownMeeting> met(const BeamTree& tree, std::uint32_t region) {
 BeamPicture by_beams(const scene::Scene& scene, const engine::Engine& engine, const Progress& progress,
                      const RenderSettings& frame) {
   const View view(scene, engine, frame);
+  if (view.rays.has_lens() || scene::moves(scene))
+    throw std::domain_error("beams are through one point, of a scene at rest; expected a camera without aperture and motion");
   const scene::Resolution size = view.crop.size;
   BeamPicture drawn{Picture(size),
                     beam_tree(scene, view.rays, outline_of({view.crop.x, view.crop.y}, size), view.limits.max_depth)};
@@ -37,7 +39,8 @@ BeamPicture by_beams(const scene::Scene& scene, const engine::Engine& engine, co
       const std::size_t i = std::size_t(y) * size.width + x;
       guided.guide(met(drawn.tree, regions[i]));
       const scene::Query query{view.rays.ray(view.crop.x + x, view.crop.y + y)};
-      drawn.picture.rgb[i] = follower.brought(std::span(&query, 1)).front().color;
+      const SampleSource source = view.sample(x, y, {0, 0}, view.key(x, y), 0).source;
+      drawn.picture.rgb[i] = follower.brought({&query, 1}, {&source, 1}).front().color;
     }
     asked += guided.asked();
   });

@@ -45,8 +45,9 @@ std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const PathLimits
 TracingContext::TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to)
     : scene(of), engine(by), limits(to), looks(of.stage()), most(most_brought(of.stage(), to)) {}
 
-std::uint32_t depth_of(const scene::Stage& stage) {
+std::uint32_t depth_of(const scene::Stage& stage, Integrator integrator) {
   if (stage.max_depth) return *stage.max_depth;
+  if (integrator == Integrator::path) return scene::greatest_depth;
   constexpr std::uint32_t most = 15;
   constexpr double half_a_step = 1.0 / 510;
   double share = 0;  // the greatest share that one meeting sends on

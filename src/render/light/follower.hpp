@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "durero/render/light/whitted.hpp"
+#include "render/sample/points.hpp"
 
 namespace durero::render {
 
@@ -16,8 +17,8 @@ class Follower {
   Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits);
   ~Follower();
 
-  /// The colours of these rays, as render::brought() gives them.
-  std::vector<PathRadiance> brought(std::span<const scene::Query> rays) const;
+  /// The colours of these rays, as render::brought() gives them, with a sample for each.
+  std::vector<PathRadiance> brought(std::span<const scene::Query> rays, std::span<const SampleSource> samples) const;
 
  private:
   struct Held;

@@ -17,7 +17,8 @@ struct Path {
   glm::dvec3 weight;
   std::uint32_t depth = 1;
   Media media{};
-  double way = 0;  ///< the length from the eye to the start of this ray
+  double way = 0;            ///< the length from the eye to the start of this ray
+  std::uint64_t branch = 1;  ///< the turns that led here, in binary: 0 for a mirror, 1 for what lies behind
 };
 
 /// Paths with a query each.

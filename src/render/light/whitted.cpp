@@ -12,34 +12,24 @@
 #include "durero/model/tipos.hpp"
 #include "durero/render/light/directions.hpp"
 #include "durero/render/light/environment.hpp"
+#include "durero/render/light/extent.hpp"
+#include "durero/render/sample/maps.hpp"
+#include "durero/render/sample/sampling.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/surface/surfaces.hpp"
+#include "encounter.hpp"
 #include "followed.hpp"
-#include "follower.hpp"
-#include "front.hpp"
 #include "paths.hpp"
 #include "shadows.hpp"
-#include "smooth_normal.hpp"
+#include "tracer.hpp"
 
 namespace durero::render {
 namespace {
 
 /// A meeting of a path with a surface.
-struct PathVertex {
+struct PathVertex : Encounter {
   const Path& path;
-  const scene::Query& query;
-  const scene::Hit& hit;
-  const Look& look;
-  glm::dvec3 normal;  ///< the unit normal on the side of the ray
-  glm::dvec3 facing;  ///< that normal as the vertices and the relief turn it
-  glm::dvec3 d;       ///< the unit direction of the ray
-  double way;         ///< the length from the eye to here
 };
-
-/// The tangents without their parts along a unit normal.
-Tangents across(const Tangents& t, const glm::dvec3& n) {
-  return {t.u - glm::dot(t.u, n) * n, t.v - glm::dot(t.v, n) * n};
-}
 
 /// The factor of S in the local model: the share of a light from that unit direction that is sent towards the ray, by
 /// Lambert's law (k_d) and Phong's highlight (k_s, e). A relief sees no light that the surface has its back to.
@@ -55,10 +45,10 @@ glm::dvec3 sent(const PathVertex& at, const glm::dvec3& l, double cosine) {
   return sum;
 }
 
-/// A tracer follows rays, some at a time, and keeps its memory from one call to the next.
-class Tracer {
+/// The tracer of Whitted's algorithm.
+class WhittedTracer : public Tracer {
  public:
-  explicit Tracer(const TracingContext& followed)
+  explicit WhittedTracer(const TracingContext& followed)
       : followed_(followed),
         scene_(followed.scene),
         engine_(followed.engine),
@@ -66,8 +56,10 @@ class Tracer {
         shadows_(followed.scene.stage()) {}
 
   /// Adds what each ray brings to its sum.
-  void follow(std::span<const scene::Query> rays, std::span<PathRadiance> sums) {
+  void follow(std::span<const scene::Query> rays, std::span<const SampleSource> samples,
+              std::span<PathRadiance> sums) override {
     sums_ = sums;
+    samples_ = samples;
     now_.clear();
     for (std::uint32_t i = 0; i < rays.size(); ++i) now_.paths.push_back({.ray = i, .weight = glm::dvec3(1)});
     meet_all(rays);
@@ -123,39 +115,14 @@ class Tracer {
     ++sum.rays;
     sum.depth = std::max(sum.depth, path.depth);
     if (hit.resultado != model::Resultado::hit) {
-      sum.color += path.weight * from_nowhere(query.rayo.v().xyz());
+      sum.color += path.weight * from_nowhere(scene_.stage(), query.rayo.v().xyz());
       return;
     }
-    const scene::ElementRef element = front(scene_, hit.elementos);
-    const auto index = scene_.material(element);
-    glm::dvec3 n = engine_.normal(scene_, element, hit.punto);
-    const glm::dvec3 d = unit(query.rayo.v().xyz());
-    const bool enters = !(glm::dot(n, d) > 0);
-    const double way = path.way + glm::distance(query.rayo.p().xyz(), hit.punto);
-    const TexturedMaterial& worn = followed_.looks.of(index);
-    const Look* look = &worn.plain;
-    glm::dvec3 facing = smooth_normal(scene_, element, hit.punto, n);
-    if (!worn.is_bare()) {
-      const TextureCoordinates coordinates = render::coordinates(scene_, element, hit.punto);
-      if (worn.varies) look = &varied_.emplace(worn.look(coordinates, way));
-      if (worn.relief) {
-        Tangents along = tangents(scene_, element, coordinates);
-        if (facing != n) along = across(along, facing);
-        facing = worn.normal(along, facing, coordinates);
-      }
-    }
-    if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
-    if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen
-    const PathVertex at{path, query, hit, *look, n, facing, d, way};
+    const PathVertex at{encounter_of(followed_, query, hit, path.way, varied_), path};
     sum.color += path.weight * (at.look.emission + at.look.ambient);
     ask_lights(at);
     if (path.depth == limits_.max_depth || !at.look.sends_rays_on()) return;
-    send_on(at, *index, enters);
-  }
-
-  glm::dvec3 from_nowhere(const glm::dvec3& v) const {
-    const scene::Stage& stage = scene_.stage();
-    return stage.environment ? environment_at(*stage.environment, v) : stage.background.value_or(default_background);
+    send_on(at);
   }
 
   /// flatten compiles into this function and send() all that they call: a ray whose numbers pass through memory on
@@ -164,7 +131,7 @@ class Tracer {
     const scene::Stage& stage = scene_.stage();
     for (std::size_t i = 0; i < stage.lights.size(); ++i) {
       const scene::Light& light = stage.lights[i];
-      const glm::dvec3 to_light = light.position - at.hit.punto;
+      const glm::dvec3 to_light = place_of(light, i, at) - at.hit.punto;
       if (to_light == glm::dvec3(0)) continue;  // the light is at the point itself
       const double length = glm::length(to_light);
       const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.facing) / length);
@@ -178,31 +145,33 @@ class Tracer {
     }
   }
 
-  void send_on(const PathVertex& at, std::uint32_t material, bool enters) {
+  /// The place of light i, as this sample of the ray sees it from there.
+  glm::dvec3 place_of(const scene::Light& light, std::size_t i, const PathVertex& at) const {
+    if (light.extent.shape == scene::LightShape::point) return light.position;
+    return point_of(light, samples_[at.path.ray].pair(of_meeting(at.path.branch) + 1 + i));
+  }
+
+  /// The mirrored direction, or one of its lobe: what would lead through the surface is mirrored once more, in it.
+  glm::dvec3 glossy_way(const PathVertex& at) const {
+    const glm::dvec3 way = mirrored_way(at);
+    if (std::isinf(at.look.gloss)) return way;
+    const glm::dvec3 turned = in_lobe(samples_[at.path.ray].pair(of_meeting(at.path.branch)), unit(way), at.look.gloss);
+    return glm::dot(turned, at.normal) > 0 ? turned : mirrored(turned, at.normal);
+  }
+
+  void send_on(const PathVertex& at) {
     const Look& m = at.look;
     glm::dvec3 mirror = m.k_ps * m.M_PS;
     if (m.k_t > 0) {
-      Media beyond = at.path.media;
-      const double here = beyond.index(scene_.stage());
-      const bool was_in = enters || beyond.leave(material);
-      if (enters) beyond.enter(material);
-      const double ratio = (was_in ? here : m.index) / beyond.index(scene_.stage());
+      auto [media, ratio] = beyond_of(at, at.path.media, scene_.stage());
       if (ratio == 1 && is_sheet(at))
-        go_on(at, m.k_t * m.M_T, std::move(beyond));
+        go_on(at, m.k_t * m.M_T, std::move(media));
       else if (const auto t = through(at, ratio))
-        send(at, m.k_t * m.M_T, *t, std::move(beyond));
+        send(at, m.k_t * m.M_T, *t, std::move(media), 1);
       else
         mirror += m.k_t * m.M_T;
     }
-    const glm::dvec3 r = mirrored(at.d, at.facing);
-    send(at, mirror, glm::dot(r, at.normal) > 0 ? r : mirrored(at.d, at.normal), at.path.media);
-  }
-
-  /// Whether all elements met are flat, and met for the first time.
-  static bool is_sheet(const PathVertex& at) {
-    const scene::Origin start(at.query.en);
-    return std::ranges::all_of(at.hit.elementos,
-                               [&](scene::ElementRef e) { return surface::is_flat(e.tipo) && !start.contains(e); });
+    send(at, mirror, glossy_way(at), at.path.media, 0);
   }
 
   /// Continues the same ray behind a sheet that does not bend it. Its query names the sheet as an origin too, and so it
@@ -211,29 +180,23 @@ class Tracer {
   void go_on(const PathVertex& at, const glm::dvec3& share, Media media) {
     scene::ElementSet on;
     std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on));
-    send(at, share, at.query.rayo, on, std::move(media), at.path.way);
-  }
-
-  /// The refracted direction. Where a relief would send it back through the surface, the direction that the surface
-  /// alone gives; likewise for the mirrored one.
-  static std::optional<glm::dvec3> through(const PathVertex& at, double ratio) {
-    const auto t = refracted(at.d, at.facing, ratio);
-    return t && !(glm::dot(*t, at.normal) < 0) ? refracted(at.d, at.normal, ratio) : t;
+    send(at, share, at.query.rayo, on, std::move(media), at.path.way, 1);
   }
 
   /// Sends a ray in a direction from the point of the meeting.
-  [[gnu::flatten]] void send(const PathVertex& at, const glm::dvec3& share, const glm::dvec3& v, Media media) {
-    send(at, share, {model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos, std::move(media), at.way);
+  [[gnu::flatten]] void send(const PathVertex& at, const glm::dvec3& share, const glm::dvec3& v, Media media,
+                             std::uint64_t turn) {
+    send(at, share, {model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos, std::move(media), at.way, turn);
   }
   void send(const PathVertex& at, const glm::dvec3& share, const model::Rayo& ray, const scene::ElementSet& en,
-            Media media, double way) {
+            Media media, double way, std::uint64_t turn) {
     const glm::dvec3 weight = at.path.weight * share;
     if (weight == glm::dvec3(0)) return;
     if (std::max({weight.x, weight.y, weight.z}) < limits_.min_weight) {
       sums_[at.path.ray].left_out += weight * followed_.most[limits_.max_depth - at.path.depth];
       return;
     }
-    born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), way}, ray, en);
+    born_.push({at.path.ray, weight, at.path.depth + 1, std::move(media), way, 2 * at.path.branch + turn}, ray, en);
   }
 
   const TracingContext& followed_;
@@ -241,9 +204,10 @@ class Tracer {
   const engine::Engine& engine_;
   const PathLimits limits_;
   std::span<PathRadiance> sums_;
-  Paths now_, born_;            ///< the paths that are followed, and the paths that these send on
-  std::vector<Paths> waiting_;  ///< the waiting paths of each ray, the next ones last
-  std::size_t held_ = 0;        ///< the number of waiting paths
+  std::span<const SampleSource> samples_;  ///< one for each ray that is asked for
+  Paths now_, born_;                       ///< the paths that are followed, and the paths that these send on
+  std::vector<Paths> waiting_;             ///< the waiting paths of each ray, the next ones last
+  std::size_t held_ = 0;                   ///< the number of waiting paths
   std::vector<scene::Hit> hits_;
   std::optional<Look> varied_;  ///< the look of the last meeting, where its material has textures
   Shadows shadows_;
@@ -251,44 +215,8 @@ class Tracer {
 
 }  // namespace
 
-/// The data of a follower.
-struct Follower::Held {
-  TracingContext followed;
-  std::mutex mutex{};
-  std::vector<std::unique_ptr<Tracer>> idle{};  ///< tracers whose memory is used again
-
-  /// A tracer that no other call uses: a thread that waits within one call may begin another.
-  std::unique_ptr<Tracer> taken() {
-    const std::lock_guard lock(mutex);
-    if (idle.empty()) return std::make_unique<Tracer>(followed);
-    std::unique_ptr<Tracer> one = std::move(idle.back());
-    idle.pop_back();
-    return one;
-  }
-  void give_back(std::unique_ptr<Tracer> one) {
-    const std::lock_guard lock(mutex);
-    idle.push_back(std::move(one));
-  }
-};
-
-Follower::Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits) {
-  if (limits.max_depth > 0) held_.reset(new Held{.followed{scene, engine, limits}});
-}
-
-Follower::~Follower() = default;
-
-std::vector<PathRadiance> Follower::brought(std::span<const scene::Query> rays) const {
-  std::vector<PathRadiance> sums(rays.size());
-  if (!held_) return sums;
-  std::unique_ptr<Tracer> tracer = held_->taken();
-  tracer->follow(rays, sums);
-  held_->give_back(std::move(tracer));
-  return sums;
-}
-
-std::vector<PathRadiance> brought(const scene::Scene& scene, const engine::Engine& engine,
-                                  std::span<const scene::Query> rays, const PathLimits& limits) {
-  return Follower(scene, engine, limits).brought(rays);
+std::unique_ptr<Tracer> whitted_tracer(const TracingContext& context) {
+  return std::make_unique<WhittedTracer>(context);
 }
 
 }  // namespace durero::render

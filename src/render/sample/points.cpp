@@ -47,6 +47,9 @@ std::uint32_t pascal_digits(std::uint32_t i) {
   return digits;
 }
 
+/// The shuffled number of a sample: turned digit by digit by those before it, the first digits stay together.
+std::uint32_t shuffled(std::uint32_t i, std::uint64_t key) { return scrambled(i << 16, key) >> 16; }
+
 }  // namespace
 
 std::uint64_t key_of(std::uint32_t x, std::uint32_t y, std::uint32_t set) {
@@ -66,6 +69,22 @@ glm::dvec2 in_strata(std::uint32_t side, std::uint32_t i, std::uint64_t key) {
 
 glm::dvec2 in_net(std::uint32_t i, std::uint64_t key) {
   return {coordinate(scrambled(mirrored_digits(i), key)), coordinate(scrambled(pascal_digits(i), mixed(key)))};
+}
+
+glm::dvec2 SampleSource::pair(std::uint64_t dimension) const {
+  const std::uint64_t own = mixed(key ^ mixed(dimension));
+  if (independent) {
+    const std::uint64_t first = mixed(own ^ number);
+    return {coordinate(high(first)) + 0.5, coordinate(high(mixed(first))) + 0.5};
+  }
+  return in_net(shuffled(number, mixed(own + 1)), own) + 0.5;
+}
+
+std::uint64_t of_meeting(std::uint64_t branch) { return mixed(branch) & ~std::uint64_t{0xFFFF}; }
+
+double time_of(std::uint32_t number, std::uint64_t seed) {
+  const std::uint64_t key = mixed(seed);
+  return coordinate(scrambled(mirrored_digits(shuffled(number, mixed(key))), key)) + 0.5;
 }
 
 }  // namespace durero::render

@@ -19,12 +19,12 @@ void Refined::pass(const Progress& progress) {
   const std::uint32_t width = view.crop.size.width;
   Picture next(view.crop.size);
   by_rows(view.crop.size.height, progress, [&](std::uint32_t y) {
-    std::vector<glm::dvec2> points(width);
+    std::vector<EyeSample> eye(width);
     for (std::uint32_t x = 0; x < width; ++x) {
-      const auto key = [&] { return key_of(view.crop.x + x, view.crop.y + y, 0); };
-      points[x] = view.point(x, y, passes_ == 0 ? glm::dvec2(0) : in_net(passes_, key()));
+      const std::uint64_t key = view.key(x, y);
+      eye[x] = view.sample(x, y, passes_ == 0 ? glm::dvec2(0) : in_net(passes_, key), key, passes_);
     }
-    const std::vector<PathRadiance> found = view.brought_by(points);
+    const std::vector<PathRadiance> found = view.brought_by(eye);
     for (std::uint32_t x = 0; x < width; ++x) {
       const std::size_t at = std::size_t(y) * width + x;
       next.rgb[at] = sums_.rgb[at] + found[x].color;

@@ -72,9 +72,9 @@ Statistical::Statistical(const View& view, const Samples& samples)
       corners_(std::size_t(corners_in_row_) * (view.crop.size.height + 3)) {
   std::mutex mutex;
   by_rows(view.crop.size.height + 3, {}, [&](std::uint32_t y) {
-    std::vector<glm::dvec2> points(corners_in_row_);
-    for (std::uint32_t x = 0; x < corners_in_row_; ++x) points[x] = view.point(x, y, {-1.5, -1.5});
-    const std::vector<PathRadiance> found = view.brought_by(points);
+    std::vector<EyeSample> eye(corners_in_row_);
+    for (std::uint32_t x = 0; x < corners_in_row_; ++x) eye[x] = view.sample(x, y, {-1.5, -1.5}, view.key(x, y), 0);
+    const std::vector<PathRadiance> found = view.brought_by(eye);
     for (std::uint32_t x = 0; x < corners_in_row_; ++x) corners_[std::size_t(y) * corners_in_row_ + x] = found[x].color;
     const std::lock_guard lock(mutex);
     corner_reach_.samples += found.size();
@@ -110,15 +110,17 @@ bool Statistical::is_settled(const Estimate& estimate) const {
 void Statistical::take_points(std::uint32_t y, std::span<const std::uint32_t> open, std::vector<Estimate>& row) const {
   const std::uint32_t begin = row[open.front()].points, end = std::max(least_samples, 2 * begin);
   for (const std::uint32_t x : open) row[x].grow_to(end);
-  std::vector<glm::dvec2> points(open.size() * least_samples);
+  std::vector<EyeSample> eye(open.size() * least_samples);
   // Each turn takes so many points of each pixel: neighbours meet the same elements, and few rays wait.
   for (std::uint32_t i = begin; i < end; i += least_samples) {
     const auto pixel = [&](std::size_t k) { return open[k / least_samples]; };
     const auto number = [&](std::size_t k) { return i + static_cast<std::uint32_t>(k % least_samples); };
-    for (std::size_t k = 0; k < points.size(); ++k)
-      points[k] = view_.point(pixel(k), y, in_net(number(k), key_of(view_.crop.x + pixel(k), view_.crop.y + y, 0)));
-    const std::vector<PathRadiance> found = view_.brought_by(points);
-    for (std::size_t k = 0; k < points.size(); ++k) row[pixel(k)].take(number(k), found[k]);
+    for (std::size_t k = 0; k < eye.size(); ++k) {
+      const std::uint64_t key = view_.key(pixel(k), y);
+      eye[k] = view_.sample(pixel(k), y, in_net(number(k), key), key, number(k));
+    }
+    const std::vector<PathRadiance> found = view_.brought_by(eye);
+    for (std::size_t k = 0; k < eye.size(); ++k) row[pixel(k)].take(number(k), found[k]);
   }
 }
 

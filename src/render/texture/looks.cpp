@@ -64,6 +64,7 @@ Look::Look(const scene::Material& m)
       e(m.e),
       k_ps(m.k_ps),
       M_PS(m.M_PS),
+      gloss(m.gloss),
       k_t(m.k_t),
       M_T(m.M_T),
       index(m.index),

@@ -20,6 +20,7 @@ struct Look {
   glm::dvec3 color;
   double k_a, k_d, k_s, e, k_ps;
   glm::dvec3 M_PS;
+  double gloss;
   double k_t;
   glm::dvec3 M_T;
   double index;

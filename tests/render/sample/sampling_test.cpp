@@ -313,3 +313,42 @@ TEST_CASE("as many pixels as the confidence says are within the width, and it ta
   const double pixels = double(truth.rgb.size());
   CHECK(double(off) <= 0.05 * pixels + 3 * std::sqrt(0.05 * 0.95 * pixels));
 }
+
+TEST_CASE("each dimension of a sample is a net of its own, block by block") {
+  for (const std::uint64_t dimension :
+       {std::uint64_t{0}, render::of_lens, render::of_meeting(1), render::of_meeting(6)})
+    for (std::uint32_t m = 0; m <= 6; ++m)
+      for (std::uint32_t a = 0; a <= m; ++a)
+        for (const std::uint32_t block : {0U, 5U}) {
+          std::set<std::pair<double, double>> taken;
+          for (std::uint32_t i = 0; i < 1U << m; ++i) {
+            const glm::dvec2 p = render::SampleSource{render::key_of(3, 4, 0), (block << m) + i}.pair(dimension);
+            CHECK((p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1));
+            taken.emplace(std::floor(std::ldexp(p.x, int(a))), std::floor(std::ldexp(p.y, int(m - a))));
+          }
+          CHECK(taken.size() == 1U << m);
+        }
+}
+
+TEST_CASE("dimensions are in orders of their own: the numbers of two of them do not go together") {
+  double together = 0;
+  constexpr std::uint32_t pixels = 64, points = 64;
+  for (std::uint32_t pixel = 0; pixel < pixels; ++pixel)
+    for (std::uint32_t i = 0; i < points; ++i) {
+      const render::SampleSource sample{render::key_of(pixel, 9, 0), i};
+      together += (sample.pair(render::of_lens).x - 0.5) * (sample.pair(render::of_meeting(1)).x - 0.5);
+    }
+  // Each product has the variance 1/144: the sum is beyond five deviations once in a million keys.
+  CHECK(std::abs(together) < 5 * std::sqrt(pixels * points / 144.0));
+}
+
+TEST_CASE("times are in as many equal parts as there are samples, and the seed turns them") {
+  for (const std::uint64_t seed : {0, 1}) {
+    std::set<double> parts;
+    for (std::uint32_t i = 0; i < 64; ++i) parts.insert(std::floor(64 * render::time_of(i, seed)));
+    CHECK(parts.size() == 64);
+    CHECK(*parts.begin() == 0);
+    CHECK(*parts.rbegin() == 63);
+  }
+  CHECK(render::time_of(3, 0) != render::time_of(3, 1));
+}

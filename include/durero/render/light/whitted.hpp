@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "durero/engine/engine.hpp"
+#include "durero/render/light/integrator.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/scene/stage.hpp"
@@ -19,14 +20,12 @@ inline constexpr glm::dvec3 default_background{0, 0, 0};
 inline constexpr glm::dvec3 default_color{0.8, 0.8, 0.8};
 /// @}
 
-/// The number of rays in a row that a picture of this stage needs, where it names none: one where no material sends
-/// rays on; else so many that what comes later weighs less than half a step of a picture's 255, and at most 15.
-std::uint32_t depth_of(const scene::Stage& stage);
-
 /// The limits on the rays that are followed.
 struct PathLimits {
   std::uint32_t max_depth;  ///< rays in a row, the first one being of depth 1; black where it is 0
   double min_weight = 0;    ///< a ray is not sent where it would count for less than this share of red, green and blue
+  Integrator integrator = Integrator::whitted;         ///< the way of following light; paths know no min_weight
+  LightSampling light_sampling = LightSampling::both;  ///< of paths
 };
 
 /// The colour that a ray brings, and its counts.

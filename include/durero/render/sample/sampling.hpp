@@ -8,24 +8,27 @@
 
 namespace durero::render {
 
-/// The way of choosing the points. They depend on the pixel's place in the whole picture and on nothing else.
+/// The way of choosing the points. They depend on the pixel's place in the whole
+/// picture and on the seed, and on nothing else.
 enum class Sampling {
-  grid,        ///< the centres of equal squares; one point is the centre of the pixel
-  stratified,  ///< a random point in each of equal squares
-  statistical  ///< as many points as it takes to know the mean within a width, with a confidence
+  grid,         ///< the centres of equal squares; one point is the centre of the pixel
+  stratified,   ///< a random point in each of equal squares
+  independent,  ///< random points anywhere, each by itself
+  statistical   ///< as many points as it takes to know the mean within a width, with a confidence
 };
 
 /// Their names, in the order of Sampling.
-inline constexpr std::array<std::string_view, 3> sampling_names{"grid", "stratified", "statistical"};
+inline constexpr std::array<std::string_view, 4> sampling_names{"grid", "stratified", "independent", "statistical"};
 
 /// The points of each pixel.
 struct Samples {
   Sampling sampling = Sampling::grid;  ///< the way of choosing them
-  /// The number of points, a square number, for grid and stratified; the greatest number for statistical, at least
+  /// The number of points, a square number for grid and stratified; the greatest number for statistical, at least
   /// least_samples.
   std::uint32_t most = 1;
   double width = 0.05;  ///< statistical: the greatest half of the confidence interval of each linear component, above 0
   double confidence = 0.95;  ///< statistical: the confidence for the three components together, above 0 and below 1
+  std::uint32_t seed = 0;    ///< chooses among the random numbers
 };
 
 /// @{ Statistical sampling parts the points of a pixel into so many blocks, whose means tell how far apart they are:
