@@ -1,8 +1,10 @@
 #include "durero/render/bundle/beams.hpp"
 
 #include <atomic>
+#include <stdexcept>
 #include <vector>
 
+#include "durero/scene/motion.hpp"
 #include "guided.hpp"
 #include "located.hpp"
 #include "render/light/follower.hpp"
@@ -26,7 +28,8 @@ BeamPicture by_beams(const scene::Scene& scene, const engine::Engine& engine, co
                      const RenderSettings& frame) {
   const View view(scene, engine, frame);
   if (view.rays.has_lens() || scene::moves(scene))
-    throw std::domain_error("beams are through one point, of a scene at rest; expected a camera without aperture and motion");
+    throw std::domain_error(
+        "beams are through one point, of a scene at rest; expected a camera without aperture and motion");
   const scene::Resolution size = view.crop.size;
   BeamPicture drawn{Picture(size),
                     beam_tree(scene, view.rays, outline_of({view.crop.x, view.crop.y}, size), view.limits.max_depth)};
