@@ -1473,4 +1473,67 @@ Definition Eliminar_Elemento_Total_conj_1 : Prop :=
   -> exists (s' : Escena) (r_out : Respuesta), Eliminar_Elemento_Total s s' e_in r_out.
   (* Eliminar_Elemento_Total.conj.1 *)
 
+(** * proyeccion.tex *)
+
+Definition entre (x y q : Punto) : Prop :=
+  exists s1 : R, s1 ∈ Rmas /\ s1 < 1 /\ Punto_x q = Punto_x x + s1 * (Punto_x y - Punto_x x)
+  /\ Punto_y q = Punto_y x + s1 * (Punto_y y - Punto_y x)
+  /\ Punto_z q = Punto_z x + s1 * (Punto_z y - Punto_z x). (* entre.def.1 *)
+
+Definition sombra (y : Punto) (ps : set Punto) : set Punto :=
+  fun x => exists q : Punto, q ∈ ps /\ entre x y q. (* sombra.def.1 *)
+
+Definition iluminada (y : Punto) (ps : set Punto) (otros : set (set Punto)) : set Punto :=
+  fun x => x ∈ ps /\ forall qs : set Punto, qs ∈ otros -> x ∉ sombra y qs. (* iluminada.def.1 *)
+
+Definition proyectado (y p centro : Punto) (dir : Vector) (x : Punto) : Prop :=
+  x ∈ puntos_plano centro dir /\ exists t : R, t ∈ Rmas /\ Punto_x x = Punto_x y + t * (Punto_x p - Punto_x y)
+  /\ Punto_y x = Punto_y y + t * (Punto_y p - Punto_y y)
+  /\ Punto_z x = Punto_z y + t * (Punto_z p - Punto_z y). (* proyectado.def.1 *)
+
+Definition profundidad (rayo : Rayo) (ps : set Punto) (d : R) : Prop :=
+  exists q : Punto, q ∈ interseccion (puntos_de_rayo rayo) ps /\ d = distancia q (Rayo_p rayo)
+  /\ forall otro : Punto, otro ∈ interseccion (puntos_de_rayo rayo) ps
+  -> d <= distancia otro (Rayo_p rayo). (* profundidad.def.1 *)
+
+Definition oscura (d : R) (q y : Punto) : Prop := d < distancia q y. (* oscura.def.1 *)
+
+Definition mezcla (m : Material) (propio I : R) : R :=
+  propio + Material_k_t m * Material_M_T m * I. (* mezcla.def.1 *)
+
+Definition iluminada_conj_1 : Prop :=
+  forall (s : Escena) (e : Elemento) (p q : Punto), Escena_ok s -> e ∈ dom (mi_vertices s)
+  -> p ∈ puntos_de_elemento s e -> (exists v1, v1 ∈ potencia s e q /\ v1 <> 0)
+  -> visible s p q ⦃e⦄ <-> p ∈ iluminada q (puntos_de_elemento s e) (fun y1 => exists o : Elemento, o ∈ elementos s
+  /\ o <> e /\ y1 ≡ puntos_de_elemento s o). (* iluminada.conj.1 *)
+
+Definition proyectado_conj_1 : Prop :=
+  forall (y a b u v centro : Punto) (dir : Vector) (h d : R), dir ∈ Unitario -> proyectado y a centro dir u
+  -> proyectado y b centro dir v -> h = avance y centro dir -> d = avance a centro dir -> d = avance b centro dir
+  -> (h - d) * (Punto_x v - Punto_x u) = h * (Punto_x b - Punto_x a)
+  /\ (h - d) * (Punto_y v - Punto_y u) = h * (Punto_y b - Punto_y a)
+  /\ (h - d) * (Punto_z v - Punto_z u) = h * (Punto_z b - Punto_z a). (* proyectado.conj.1 *)
+
+Definition oscura_conj_1 : Prop :=
+  forall (rayo : Rayo) (ps : set Punto) (d : R) (q : Punto), rayo ∈ Rayo_ok -> q ∈ ps -> q ∈ puntos_de_rayo rayo
+  -> profundidad rayo ps d -> oscura d q (Rayo_p rayo) <-> q ∈ sombra (Rayo_p rayo) ps. (* oscura.conj.1 *)
+
+Definition oscura_conj_2 : Prop :=
+  exists (rayo : Rayo) (ps : set Punto) (d : R) (q : Punto), rayo ∈ Rayo_ok /\ q ∈ ps /\ profundidad rayo ps d
+  /\ oscura d q (Rayo_p rayo) /\ q ∉ sombra (Rayo_p rayo) ps. (* oscura.conj.2 *)
+
+Definition mezcla_conj_1 : Prop :=
+  forall (m : Material) (suma r t : R), m ∈ Material_ok -> Material_k_ps m = 0
+  -> radiancia m suma r t = mezcla m (Material_emisividad m + Material_A_G m + suma) t. (* mezcla.conj.1 *)
+
+Definition mezcla_conj_2 : Prop :=
+  forall (m o : Material) (I : R), m ∈ Material_ok -> o ∈ Material_ok
+  -> mezcla m 0 (mezcla o 0 I) = mezcla o 0 (mezcla m 0 I). (* mezcla.conj.2 *)
+
+Definition mezcla_conj_3 : Prop :=
+  forall (m o : Material) (x y z : R), m ∈ Material_ok -> o ∈ Material_ok
+  -> 2 * (Material_k_t m * Material_M_T m) = 1 -> 4 * (Material_k_t o * Material_M_T o) = 1 -> 10 * x = 8
+  -> 10 * y = 2 -> 10 * z = 1 -> 100 * mezcla o z (mezcla m y x) = 25 /\ 1000 * mezcla m z (mezcla o x y) = 525
+  /\ 100 * mezcla m y (mezcla o z x) = 35. (* mezcla.conj.3 *)
+
 End Especificacion.

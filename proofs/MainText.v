@@ -20,6 +20,7 @@ From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
   Iluminacion Power Luz Haces.
   Iluminacion Power Luz Distribuida.
+  Iluminacion Power Luz Proyeccion.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -453,4 +454,15 @@ Proof.
     Distribuida.nothing_is_seen_outside_its_circle (conj Distribuida.the_circle_is_that_of_thin_lenses (conj
     Distribuida.whatever_moves_keeps_its_shape (conj Distribuida.shared_means_add_to_the_sum
     Distribuida.roulette_keeps_the_mean))))))))).
+(** Of rasters, from spec/proyeccion.tex: a point of a triangle sees a light exactly where it lies in no shadow; a parallel shadow
+    has its polygon's shape; a depth map is right in the direction that it was asked in, and has a plane shadow itself beside it;
+    what is drawn over what, and when the order counts. *)
+Theorem the_conjectures_of_projection_hold (Elemento : Type) :
+  iluminada_conj_1 Elemento /\ proyectado_conj_1 /\ oscura_conj_1 /\ oscura_conj_2 /\ mezcla_conj_1 /\ mezcla_conj_2
+  /\ mezcla_conj_3.
+Proof.
+  exact (conj (Proyeccion.clipping_by_shadows_is_sending_rays Elemento) (conj
+    Proyeccion.a_parallel_shadow_is_larger_by_the_heights (conj Proyeccion.in_its_very_direction_a_depth_map_is_right (conj
+    Proyeccion.asked_beside_it_finds_a_plane_to_shadow_itself (conj Proyeccion.drawing_over_is_following_the_ray_straight_on
+    (conj Proyeccion.without_own_colours_the_order_is_free Proyeccion.with_own_colours_the_order_counts)))))).
 Qed.

@@ -331,6 +331,16 @@ constexpr SpanishName names[] = {
     {"desplazado", "displaced", "where a moving point is at a time"},
     {"repartida", "shared", "a sum that two draws share out by weights"},
     {"ruleta", "roulette", "what survives with a chance, and what it then counts"},
+    // spec/proyeccion.tex
+    {"entre", "between", "the points between two others, without these"},
+    {"sombra", "shadow", "the points that have a point of a polygon between them and the light"},
+    {"iluminada", "lit", "the part of a polygon that lies in no shadow"},
+    {"otros", "others", "the polygons that throw shadows"},
+    {"proyectado", "projected", "the projection of a point on a plane, from the light or the eye"},
+    {"profundidad", "depth", "what a depth map holds: the distance of the nearest point in a direction"},
+    {"oscura", "dark", "the points that the test of a depth map takes for shadowed"},
+    {"mezcla", "blend", "what a transparent polygon makes of the colour behind it"},
+    {"propio", "own", "the colour that a transparent polygon has itself"},
 };
 
 }  // namespace

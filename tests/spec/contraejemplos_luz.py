@@ -161,6 +161,21 @@ class Errata(unittest.TestCase):
         self.assertEqual(irradiance(one), irradiance(other))
         self.assertNotEqual(one[mirrored(left, UP)], other[mirrored(left, UP)])
 
+    def test_ER14_another_order_that_is_none(self):
+        """Neither order in which two sheets can be drawn over what is behind gives the second of the printed sums."""
+        x, y, z = Fraction(8, 10), Fraction(2, 10), Fraction(1, 10)
+        share = {1: Fraction(1, 2), 2: Fraction(1, 4)}
+        own = {1: y, 2: z}
+
+        def drawn(order):
+            colour = x
+            for sheet in order:
+                colour = own[sheet] + share[sheet] * colour
+            return colour
+        self.assertEqual(Fraction(25, 100), z + share[2] * y + share[1] * share[2] * x)
+        self.assertEqual(Fraction(525, 1000), z + share[1] * x + share[2] * share[1] * y)
+        self.assertEqual([Fraction(25, 100), Fraction(35, 100)], [drawn((1, 2)), drawn((2, 1))])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -19,7 +19,7 @@ import contraejemplos_luz
 
 Source = namedtuple("Source", "count digits module")
 SOURCES = {"E": Source(35, 2, contraejemplos), "EA": Source(12, 1, contraejemplos_aceleracion),
-           "ER": Source(13, 1, contraejemplos_luz)}
+           "ER": Source(14, 1, contraejemplos_luz)}
 FORM = ["Printed", "Defect", "Correction", "Proof"]
 UNPROVED = "nothing proves this yet"
 BY_READING = {"E15", "E25"}  # names that occur once, and a change of no meaning: the printed text is what shows it
@@ -150,7 +150,7 @@ def unseen(tree):
             shown=tree.shown - {"EA12"}),
         "EA1 with evidence, called unproved": changed("EA1", "- Proof: ", f"- Proof: {UNPROVED}; "),
         "ER8 cites another label": changed("ER8", "`puntos_disco.def.1`", "`puntos_disco.def.9`"),
-        "ER14 is cited": tree._replace(cited=tree.cited | {"ER14"}),
+        "ER15 is cited": tree._replace(cited=tree.cited | {"ER15"}),
     }
     for path in sorted(tree.cases):
         planted[f"{path} lost its tests"] = tree._replace(cases={**tree.cases, path: set()})
