@@ -1,0 +1,73 @@
+#include "durero/raster/scene_polygons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <string_view>
+
+#include "durero/number/rational.hpp"
+#include "durero/render/light/whitted.hpp"
+
+namespace durero::raster {
+namespace {
+
+const scene::Material plain{.color = render::default_color};
+
+/// The reason that a look is not drawn; empty where it is.
+std::string_view not_drawn(const scene::Material& m, Opacity opacity) {
+  if (m.k_ps > 0) return "is a mirror";
+  if (m.textures.any()) return "has a texture";
+  if (m.bump) return "has a relief";
+  if (opacity == Opacity::opaque && m.k_t > 0) return "is seen through";
+  if (m.k_t > 0 && m.index != 1) return "bends light";
+  return {};
+}
+
+}  // namespace
+
+polygon::RationalPoint exact(const glm::dvec3& point) {
+  return {number::exact(point.x), number::exact(point.y), number::exact(point.z)};
+}
+
+glm::dvec3 rounded(const polygon::RationalPoint& point) {
+  return {number::round_to_binary64(point.x), number::round_to_binary64(point.y), number::round_to_binary64(point.z)};
+}
+
+std::vector<ScenePolygon> polygons_of(const scene::Scene& scene, Opacity opacity) {
+  std::vector<ScenePolygon> polygons;
+  scene.for_each([&]<class Shape>(scene::ElementRef element, const Shape& shape) {
+    const std::string& name = scene.name(element).name();
+    if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+      const auto& [a, b, c] = shape.vertices;
+      const auto material = scene.material(element);
+      const scene::Material& look = material ? scene.stage().materials[*material] : plain;
+      if (const std::string_view why = not_drawn(look, opacity); !why.empty())
+        throw std::domain_error(fmt::format("element {} {}; expected looks that this technique draws", name, why));
+      polygons.push_back({element, {exact(a), exact(b), exact(c)}, glm::normalize(glm::cross(b - a, c - a)), look});
+    } else {
+      throw std::domain_error(fmt::format("element {} is of the type {}; expected triangles alone", name, Shape::word));
+    }
+  });
+  std::ranges::sort(polygons, [&](const ScenePolygon& one, const ScenePolygon& other) {
+    return scene.name(one.element) < scene.name(other.element);
+  });
+  return polygons;
+}
+
+std::vector<polygon::Polygon> corners_of(const std::vector<ScenePolygon>& polygons) {
+  std::vector<polygon::Polygon> corners;
+  for (const ScenePolygon& one : polygons) corners.push_back(one.corners);
+  return corners;
+}
+
+std::vector<polygon::Apex> apexes_of(const scene::Stage& stage) {
+  std::vector<polygon::Apex> apexes;
+  for (const scene::Light& light : stage.lights) apexes.push_back({exact(light.position)});
+  for (const scene::DirectionalLight& light : stage.directional_lights)
+    apexes.push_back({exact(-light.direction), true});
+  return apexes;
+}
+
+}  // namespace durero::raster
