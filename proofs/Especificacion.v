@@ -435,6 +435,62 @@ Definition Hay_Interseccion_conj_1 : Prop :=
   Elemento) (t_out : R) (punto_out : Punto), Hay_Interseccion s s' rayo_in en_in resultado_out elementos_out t_out
   punto_out -> en_in ≡ ∅ -> elementos_out ≡ de_que_elemento s punto_out. (* Hay_Interseccion.conj.1 *)
 
+(** * distancias.tex *)
+
+Definition cercanos (ps : set Punto) (p : Punto) : set Punto :=
+  fun w => w ∈ ps /\ forall otro : Punto, otro ∈ ps -> distancia w p <= distancia otro p. (* cercanos.def.1 *)
+
+Definition a_distancia (ps : set Punto) (p : Punto) (r : R) : Prop :=
+  exists w : Punto, w ∈ cercanos ps p /\ r = distancia w p. (* a_distancia.def.1 *)
+
+Definition con_signo (s : Escena) (e : Elemento) (p : Punto) (r : R) : Prop :=
+  e ∈ elementos s /\ (exists v1, (e, v1) ∈ de_que_tipo s /\ v1 = soy_esfera)
+  /\ exists d : R, a_distancia (puntos_de_elemento s e) p d
+  /\ ((exists v1, v1 ∈ potencia s e p /\ v1 < 0) /\ r + d = 0 \/ (exists v1, v1 ∈ potencia s e p /\ v1 >= 0)
+  /\ r = d). (* con_signo.def.1 *)
+
+Definition antes (a b : Punto) : Prop :=
+  Punto_x a < Punto_x b \/ Punto_x a = Punto_x b
+  /\ (Punto_y a < Punto_y b \/ Punto_y a = Punto_y b /\ Punto_z a <= Punto_z b). (* antes.def.1 *)
+
+Definition mas_cercano (s : Escena) (p : Punto) (d : R) (w : Punto) (en : set Elemento) : Prop :=
+  w ∈ cercanos (puntos_de_escena s) p /\ d = distancia w p
+  /\ (forall otro : Punto, otro ∈ cercanos (puntos_de_escena s) p -> antes w otro)
+  /\ en ≡ (fun e => e ∈ elementos s /\ a_distancia (puntos_de_elemento s e) p d). (* mas_cercano.def.1 *)
+
+Definition a_distancia_conj_1 : Prop :=
+  forall (ps : set Punto) (p : Punto) (r s1 : R), a_distancia ps p r -> a_distancia ps p s1
+  -> r = s1. (* a_distancia.conj.1 *)
+
+Definition a_distancia_conj_2 : Prop :=
+  forall (ps : set Punto) (p w : Punto) (r : R), a_distancia ps p r -> distancia w p < r
+  -> w ∉ ps. (* a_distancia.conj.2 *)
+
+Definition a_distancia_conj_3 : Prop :=
+  forall (ps : set Punto) (p q : Punto) (r s1 : R), a_distancia ps p r -> a_distancia ps q s1
+  -> r <= s1 + distancia p q. (* a_distancia.conj.3 *)
+
+Definition a_distancia_conj_4 : Prop :=
+  forall (ps : set Punto) (rayo : Rayo) (q w : Punto) (r t u : R), rayo ∈ Rayo_ok
+  -> Punto_x q = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
+  -> Punto_y q = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
+  -> Punto_z q = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo)
+  -> Punto_x w = Punto_x (Rayo_p rayo) + u * Vector_x (Rayo_v rayo)
+  -> Punto_y w = Punto_y (Rayo_p rayo) + u * Vector_y (Rayo_v rayo)
+  -> Punto_z w = Punto_z (Rayo_p rayo) + u * Vector_z (Rayo_v rayo) -> a_distancia ps q r -> t <= u
+  -> (u - t) * raizcuadrada (producto (Rayo_v rayo) (Rayo_v rayo)) < r -> w ∉ ps. (* a_distancia.conj.4 *)
+
+Definition con_signo_conj_1 : Prop :=
+  forall (s : Escena) (e : Elemento) (p : Punto) (r : R), Escena_ok s -> e ∈ elementos s
+  -> (exists v1, (e, v1) ∈ de_que_tipo s /\ v1 = soy_esfera)
+  -> con_signo s e p r <-> (exists v1 v2, (e, v1) ∈ mi_centro s /\ (e, v2) ∈ mi_radio s
+  /\ r = distancia p v1 - v2). (* con_signo.conj.1 *)
+
+Definition mas_cercano_conj_1 : Prop :=
+  forall (s : Escena) (p w : Punto) (d r : R) (en : set Elemento) (e : Elemento), Escena_ok s
+  -> mas_cercano s p d w en -> e ∈ elementos s -> a_distancia (puntos_de_elemento s e) p r -> d <= r
+  /\ (e ∈ en <-> r = d). (* mas_cercano.conj.1 *)
+
 (** * iluminacion.tex *)
 
 Definition reflexion (v n r : Vector) : Prop :=

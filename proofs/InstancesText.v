@@ -6,7 +6,7 @@
     not_there e         == e is no element of the seven *)
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Operaciones Exacto InstanceScene InstanceSearch.
-From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata MainModels MainText.
+From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata Distancias MainModels MainText.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -195,3 +195,12 @@ Proof. exists (row_of 2 (shape_at 2)); apply rows_of; exists (shape_at 2); split
 Definition instance_of_the_segment_is_of_a_generator :=
   MainText.the_segment_is_of_a_generator along_the_cylinder (is_ray _ _ _ ray_along_the_cylinder) nat s none ok 2%nat
     the_cylinder_is_there it_starts_in_the_cylinder.
+
+(** ** Distances *)
+
+(** About (3, 0, 0) the ball of radius two holds no point of the sphere of radius one at the origin. *)
+Theorem instance_of_the_conjectures_of_distance_hold w : distancia w (mk_Punto 3 0 0) < 2 -> w ∉ puntos_esfera origin 1.
+Proof.
+  destruct (MainText.the_conjectures_of_distance_hold nat) as (_ & Ball & _).
+  exact (Ball _ _ w _ Distancias.a_sphere_has_a_distance).
+Qed.

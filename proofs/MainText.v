@@ -21,6 +21,7 @@ From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador
   Iluminacion Power Luz Haces.
   Iluminacion Power Luz Distribuida.
   Iluminacion Power Luz Proyeccion.
+  Iluminacion Power Luz Distancias.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -389,6 +390,20 @@ Proof.
   exact (conj a_mirror_keeps_length_and_angle (conj the_refracted_direction_is_a_unit_vector_beyond (conj
     the_refracted_direction_obeys_Snell (conj refraction_exists_but_in_total_reflection (conj
     equal_indices_leave_the_direction light_goes_back_the_way_it_came))))).
+Qed.
+
+(** Of the distance of a point from a set of points: there is one at most, the ball of that radius holds no point of the set,
+    it changes no faster than the point moves, and a step of sphere tracing passes nothing. That of a sphere is the distance
+    of its centre less the radius, which has the sign; that of a scene is the least of those of its elements. *)
+Theorem the_conjectures_of_distance_hold (Elemento : Type) :
+  a_distancia_conj_1 /\ a_distancia_conj_2 /\ a_distancia_conj_3 /\ a_distancia_conj_4
+  /\ con_signo_conj_1 Elemento /\ mas_cercano_conj_1 Elemento.
+Proof.
+  exact (conj Distancias.a_set_has_one_distance (conj Distancias.the_ball_of_the_distance_is_empty (conj
+    Distancias.the_distance_changes_no_faster_than_the_point_moves (conj
+    Distancias.a_step_of_sphere_tracing_passes_nothing (conj
+    (Distancias.a_sphere_is_as_far_as_its_centre_less_the_radius Elemento)
+    (Distancias.a_scene_is_as_far_as_its_nearest_element Elemento)))))).
 Qed.
 
 (** Of the power: it has the laws of the text, and whatever has them is it. *)

@@ -248,6 +248,12 @@ constexpr SpanishName names[] = {
     {"raices", "roots", "the roots of a polynomial of degree two"},
     {"punto_en", "point_at", "the point of a ray at a parameter"},
     {"recorte", "clip", "the parameters at which a ray is between the bounds of an element"},
+    // spec/distancias.tex
+    {"cercanos", "nearest", "the points of a set that are nearest to a point"},
+    {"a_distancia", "at_distance", "the sets, points and numbers of which the number is the distance of the two"},
+    {"con_signo", "with_sign", "the distance of a closed shape, negative inside"},
+    {"antes", "before", "the order of points by x, then y, then z"},
+    {"mas_cercano", "nearest_of_all", "the distance of a point from a scene, with the point and the elements there"},
     // spec/iluminacion.tex
     {"reflexion", "reflection", "the direction that a mirror sends to"},
     {"incidencia", "incidence", "the directions and normals of which refraction is said"},
