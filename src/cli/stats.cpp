@@ -1,5 +1,5 @@
-// durero stats SCENE [RAYS] [--engine E]… [--hierarchy H] [--bounds] [--format F] [--no-times]: what each structure
-// costs, and what it saves.
+// durero stats SCENE [RAYS] [--engine E]… [--hierarchy H] [--bounds] [--sphere-tracing] [--format F] [--no-times]: what
+// each structure costs, and what it saves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,6 +22,7 @@
 #include "engines.hpp"
 #include "progress.hpp"
 #include "stats_bounds.hpp"
+#include "stats_sphere_tracing.hpp"
 
 namespace durero::cli {
 namespace {
@@ -31,7 +32,7 @@ using engine::Figures;
 struct StatsOptions {
   std::string scene, rays, format = "text", hierarchy;
   std::vector<std::string> engines;
-  bool bounds = false, no_times = false, quiet = false;
+  bool bounds = false, sphere_tracing = false, no_times = false, quiet = false;
 };
 
 /// The number of rays that are drawn where no file is named.
@@ -125,11 +126,14 @@ std::string branchings(const std::vector<Measured>& all) {
   return text;
 }
 
-/// The figures of bounding volumes, where they are asked for.
-using Bounds = std::optional<engine::BoundsFigures>;
+/// The figures that are asked for besides.
+struct MoreFigures {
+  std::optional<engine::BoundsFigures> bounds;
+  std::vector<engine::SphereTracingFigures> sphere_tracing;
+};
 
 void print_text(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
-                const std::vector<Measured>& all, const Bounds& bounds) {
+                const std::vector<Measured>& all, const MoreFigures& more) {
   constexpr auto head = "{:<19}{:<14}{:>8}{:>8}{:>11}{:>10}{:>10}{:>11}{:>11}";
   std::string text = fmt::format("{}: {} elementos, {} rays\n", text::escaped(options.scene), scene.size(), rays);
   text += fmt::format(head, "engine", "asked", "nodes", "cells", "bytes", "n/ray", "m/ray", "nodes/ray", "cells/ray");
@@ -142,7 +146,8 @@ void print_text(const StatsOptions& options, const scene::Scene& scene, std::siz
                         per_ray(work.nodes, work.rays), per_ray(work.cells, work.rays));
     text += options.no_times ? "\n" : times(of) + "\n";
   }
-  io::print(text + branchings(all) + (bounds ? bounds_text(*bounds, scene, options.no_times) : ""));
+  text += branchings(all) + (more.bounds ? bounds_text(*more.bounds, scene, options.no_times) : "");
+  io::print(text + sphere_tracing_text(more.sphere_tracing));
 }
 
 struct NamedCount {
@@ -194,7 +199,7 @@ void write(io::json::Writer& out, const Measured& of, bool no_times) {
 }
 
 void print_json(const StatsOptions& options, const scene::Scene& scene, std::size_t rays,
-                const std::vector<Measured>& all, const Bounds& bounds) {
+                const std::vector<Measured>& all, const MoreFigures& more) {
   std::string text;
   io::json::Writer out(text);
   write_version(out.begin_object(), conform::stats_format);
@@ -208,7 +213,8 @@ void print_json(const StatsOptions& options, const scene::Scene& scene, std::siz
   out.end_object().new_line().key("engines").begin_array();
   for (const Measured& of : all) write(out, of, options.no_times);
   out.end_array();
-  if (bounds) write_bounds(out, *bounds, scene, options.no_times);
+  if (more.bounds) write_bounds(out, *more.bounds, scene, options.no_times);
+  write_sphere_tracing(out, more.sphere_tracing);
   out.end_object();
   io::print(text + "\n");
 }
@@ -218,8 +224,10 @@ int run(const StatsOptions& options) {
   const scene::Scene& scene = input.scene;
   const std::vector<scene::Query> rays = rays_of(options, scene);
   const std::vector<Measured> all = measured(options, input, rays);
-  const Bounds bounds = options.bounds ? Bounds(engine::bounds_figures(scene, rays, !options.no_times)) : std::nullopt;
-  (options.format == "json" ? print_json : print_text)(options, scene, rays.size(), all, bounds);
+  MoreFigures more;
+  if (options.bounds) more.bounds = engine::bounds_figures(scene, rays, !options.no_times);
+  if (options.sphere_tracing) more.sphere_tracing = sphere_tracing_figures(scene, rays);
+  (options.format == "json" ? print_json : print_text)(options, scene, rays.size(), all, more);
   return 0;
 }
 
@@ -236,6 +244,8 @@ void add_stats(CLI::App& app, int& status) {
   command->add_option("--hierarchy", options->hierarchy, "Of bvh: this alone; without it, both where there are groups")
       ->check(one_of("hierarchy", {std::string(engine::automatic), std::string(engine::by_hand)}));
   command->add_flag("--bounds", options->bounds, "Of bounding volumes besides: fit, choice and cost of each element's");
+  command->add_flag("--sphere-tracing", options->sphere_tracing,
+                    "Of the engine sdf besides: which rays it loses, at its epsilon and at greater ones");
   command->add_option("--format", options->format, "How the answer is printed")
       ->check(one_of("format", {"text", "json"}))
       ->capture_default_str();

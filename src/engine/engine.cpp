@@ -20,6 +20,7 @@
 #include "fast.hpp"
 #include "one_by_one.hpp"
 #include "rescaled.hpp"
+#include "sphere_traced.hpp"
 #include "structured.hpp"
 #include "unit.hpp"
 
@@ -95,6 +96,11 @@ constexpr std::array rows = {
     EngineRow{"exact", "exact arithmetic throughout: slow, and what all others are held against", true, true, exact},
     EngineRow{"analytic", "closed forms in binary64, certified, exact where they cannot tell", true, true, analytic,
               "A §1.2", measured<accel::LinearList>},
+    EngineRow{
+        "sdf",
+        "sphere tracing by distances, until one is below a millionth of the scene: takes what it passes closely for "
+        "met, and gives a ray up after 1000 steps",
+        false, true, sphere_traced},
     EngineRow{
         "volumes",
         "each element in the bounding volume of the kind that costs least: slower than analytic, which scans eight at "

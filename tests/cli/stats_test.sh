@@ -128,4 +128,12 @@ has out 'empty.json: 0 elementos, 0 rays'
 refused 'stats: --engine exact: no such engine; expected ' stats scene.json --engine exact
 refused 'stats: --format sarif: no such format; expected one of text, json' stats scene.json --format sarif
 refused 'absent.txt: cannot be read' stats scene.json absent.txt
+# Sphere tracing: at four epsilons, the engine's own last; no ray goes on beyond its hit.
+run 0 stats scene.json --engine analytic --sphere-tracing --no-times
+has out 'sdf, epsilon'
+[ "$(sed '1,/sdf, epsilon/d' out | awk '{ right += $3; passed += $7 } END { print NR, (right > 3000), passed }')" = '4 1 0' ] ||
+  fail 'the figures of sphere tracing are not four lines of which nearly all rays are right'
+run 0 stats scene.json --engine analytic --sphere-tracing --no-times --format json
+has out '"sphere_tracing":['
+has out '"passed":0}'
 finish
