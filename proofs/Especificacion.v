@@ -809,114 +809,6 @@ Definition rayo_de_pixel_conj_1 : Prop :=
   -> centro_de_pixel w x y q -> q <> Ventana_ojo w -> exists rayo : Rayo, rayo ∈ Rayo_ok
   /\ rayo_de_pixel w x y rayo. (* rayo_de_pixel.conj.1 *)
 
-(** * haces.tex *)
-
-Definition cono_de_rayos (eje rayo : Rayo) (c : R) : Prop :=
-  Rayo_p rayo = Rayo_p eje /\ producto (Rayo_v eje) (Rayo_v rayo) > 0
-  /\ cuadrado (producto (Rayo_v eje) (Rayo_v rayo)) >= c * producto (Rayo_v eje) (Rayo_v eje) * producto (Rayo_v rayo)
-  (Rayo_v rayo). (* cono_de_rayos.def.1 *)
-
-Definition cubierto (s : Escena) (eje rayo : Rayo) (c : R) (e : Elemento) : Prop :=
-  cono_de_rayos eje rayo c /\ e ∈ elementos s /\ ~ (alcance s rayo ∅ e ≡ ∅). (* cubierto.def.1 *)
-
-Definition haz (o : Punto) (base : set Punto) (rayo : Rayo) : Prop :=
-  Rayo_p rayo = o /\ exists q : Punto, q ∈ base /\ q ∈ puntos_de_rayo rayo. (* haz.def.1 *)
-
-Definition seccion (o : Punto) (base : set Punto) (a : Punto) (n : Vector) (w : Punto) : Prop :=
-  avance w a n = 0 /\ exists rayo : Rayo, rayo ∈ Rayo_ok /\ haz o base rayo
-  /\ w ∈ puntos_de_rayo rayo. (* seccion.def.1 *)
-
-Definition imagen (a : Punto) (n : Vector) (p q : Punto) : Prop :=
-  producto n n > 0 /\ producto n n * (Punto_x q - Punto_x p) + 2 * avance p a n * Vector_x n = 0
-  /\ producto n n * (Punto_y q - Punto_y p) + 2 * avance p a n * Vector_y n = 0
-  /\ producto n n * (Punto_z q - Punto_z p) + 2 * avance p a n * Vector_z n = 0. (* imagen.def.1 *)
-
-Record Desvio := mk_Desvio {
-  Desvio_x : R;
-  Desvio_y : R;
-  Desvio_u : R;
-  Desvio_v : R
-}.
-
-Record Matriz := mk_Matriz {
-  Matriz_x : Desvio;
-  Matriz_y : Desvio;
-  Matriz_u : Desvio;
-  Matriz_v : Desvio
-}.
-
-Record Pincel := mk_Pincel {
-  Pincel_eje : Rayo;
-  Pincel_m : Matriz
-}.
-
-Record Pincel_ok (s : Pincel) : Prop := {
-  Pincel_decl_eje : Pincel_eje s ∈ Rayo_ok
-}.
-
-Definition aplicado (m : Matriz) (d e : Desvio) : Prop :=
-  Desvio_x e = Desvio_x (Matriz_x m) * Desvio_x d + Desvio_y (Matriz_x m) * Desvio_y d
-  + Desvio_u (Matriz_x m) * Desvio_u d + Desvio_v (Matriz_x m) * Desvio_v d
-  /\ Desvio_y e = Desvio_x (Matriz_y m) * Desvio_x d + Desvio_y (Matriz_y m) * Desvio_y d
-  + Desvio_u (Matriz_y m) * Desvio_u d + Desvio_v (Matriz_y m) * Desvio_v d
-  /\ Desvio_u e = Desvio_x (Matriz_u m) * Desvio_x d + Desvio_y (Matriz_u m) * Desvio_y d
-  + Desvio_u (Matriz_u m) * Desvio_u d + Desvio_v (Matriz_u m) * Desvio_v d
-  /\ Desvio_v e = Desvio_x (Matriz_v m) * Desvio_x d + Desvio_y (Matriz_v m) * Desvio_y d
-  + Desvio_u (Matriz_v m) * Desvio_u d + Desvio_v (Matriz_v m) * Desvio_v d. (* aplicado.def.1 *)
-
-Definition traslado (t : R) (d e : Desvio) : Prop :=
-  Desvio_x e = Desvio_x d + t * Desvio_u d /\ Desvio_y e = Desvio_y d + t * Desvio_v d /\ Desvio_u e = Desvio_u d
-  /\ Desvio_v e = Desvio_v d. (* traslado.def.1 *)
-
-Definition refraccion_paraxial (r razon : R) (d e : Desvio) : Prop :=
-  Desvio_x e = Desvio_x d /\ Desvio_y e = Desvio_y d
-  /\ r * (Desvio_u e - razon * Desvio_u d) = (razon - 1) * Desvio_x d
-  /\ r * (Desvio_v e - razon * Desvio_v d) = (razon - 1) * Desvio_y d. (* refraccion_paraxial.def.1 *)
-
-Definition cono_de_rayos_conj_1 : Prop :=
-  forall eje rayo : Rayo, eje ∈ Rayo_ok -> rayo ∈ Rayo_ok -> cono_de_rayos eje rayo 1
-  -> puntos_de_rayo rayo ≡ puntos_de_rayo eje. (* cono_de_rayos.conj.1 *)
-
-Definition cono_de_rayos_conj_2 : Prop :=
-  forall (eje rayo : Rayo) (c d : R), eje ∈ Rayo_ok -> rayo ∈ Rayo_ok -> c ∈ Parte -> d ∈ Parte
-  -> cono_de_rayos eje rayo c -> d <= c -> cono_de_rayos eje rayo d. (* cono_de_rayos.conj.2 *)
-
-Definition imagen_conj_1 : Prop :=
-  forall (a p q : Punto) (n : Vector), imagen a n p q -> imagen a n q p. (* imagen.conj.1 *)
-
-Definition imagen_conj_2 : Prop :=
-  forall (a o i q : Punto) (n v r : Vector), imagen a n o i -> avance q a n = 0
-  -> Vector_x v = Punto_x o - Punto_x q -> Vector_y v = Punto_y o - Punto_y q -> Vector_z v = Punto_z o - Punto_z q
-  -> Vector_x r = Punto_x q - Punto_x i -> Vector_y r = Punto_y q - Punto_y i -> Vector_z r = Punto_z q - Punto_z i
-  -> reflexion v n r. (* imagen.conj.2 *)
-
-Definition haz_conj_1 : Prop :=
-  forall (a o i : Punto) (n : Vector) (base : set Punto) (rayo otro : Rayo), rayo ∈ Rayo_ok -> otro ∈ Rayo_ok
-  -> imagen a n o i -> haz o base rayo -> Rayo_p otro = i
-  -> (forall p q : Punto, p ∈ puntos_de_rayo rayo -> imagen a n p q -> q ∈ puntos_de_rayo otro)
-  -> haz i (fun q => exists p : Punto, p ∈ base /\ imagen a n p q) otro. (* haz.conj.1 *)
-
-Definition haz_conj_2 : Prop :=
-  forall (o : Punto) (n : Vector) (base : set Punto) (rayo : Rayo), rayo ∈ Rayo_ok -> haz o base rayo
-  -> ~ (haz o (fun q => q ∈ base /\ avance q o n >= 0) rayo <-> haz o (fun q => q ∈ base
-  /\ avance q o n < 0) rayo). (* haz.conj.2 *)
-
-Definition aplicado_conj_1 : Prop :=
-  forall m n : Matriz, exists p : Matriz, forall d e f : Desvio, aplicado m d e -> aplicado n e f
-  -> aplicado p d f. (* aplicado.conj.1 *)
-
-Definition traslado_conj_1 : Prop :=
-  forall t : R, exists m : Matriz, forall d e : Desvio, traslado t d e <-> aplicado m d e. (* traslado.conj.1 *)
-
-Definition traslado_conj_2 : Prop :=
-  forall (s1 t : R) (d e f : Desvio), traslado s1 d e -> traslado t e f
-  -> traslado (s1 + t) d f. (* traslado.conj.2 *)
-
-Definition refraccion_paraxial_conj_1 : Prop :=
-  forall (r n k s1 : R) (a b c d e : Desvio), r ∈ Rmas -> n ∈ Rmas -> k ∈ Rmas -> n > 1 -> n * k = 1
-  -> 2 * (n - 1) * (s1 + r) = n * r -> Desvio_u a = 0 -> Desvio_v a = 0 -> refraccion_paraxial r k a b
-  -> traslado (2 * r) b c -> refraccion_paraxial (0 - r) n c d -> traslado s1 d e -> Desvio_x e = 0
-  /\ Desvio_y e = 0. (* refraccion_paraxial.conj.1 *)
 (** * distribuida.tex *)
 
 Record Sorteo := mk_Sorteo {
@@ -1041,6 +933,115 @@ Definition ruleta_conj_1 : Prop :=
   forall (s1 : Sorteo) (z : rel R R) (c x y m : R), s1 ∈ Sorteo_ok -> z ∈ integers ⟶ univ -> ruleta c x y
   -> Sorteo_n s1 = 2 -> (exists v1, (0, v1) ∈ Sorteo_p s1 /\ v1 = c) -> (exists v1, (0, v1) ∈ z /\ v1 = y)
   -> (exists v1, (1, v1) ∈ z /\ v1 = 0) -> media s1 z m -> m = x. (* ruleta.conj.1 *)
+
+(** * haces.tex *)
+
+Definition cono_de_rayos (eje rayo : Rayo) (c : R) : Prop :=
+  Rayo_p rayo = Rayo_p eje /\ producto (Rayo_v eje) (Rayo_v rayo) > 0
+  /\ cuadrado (producto (Rayo_v eje) (Rayo_v rayo)) >= c * producto (Rayo_v eje) (Rayo_v eje) * producto (Rayo_v rayo)
+  (Rayo_v rayo). (* cono_de_rayos.def.1 *)
+
+Definition cubierto (s : Escena) (eje rayo : Rayo) (c : R) (e : Elemento) : Prop :=
+  cono_de_rayos eje rayo c /\ e ∈ elementos s /\ ~ (alcance s rayo ∅ e ≡ ∅). (* cubierto.def.1 *)
+
+Definition haz (o : Punto) (base : set Punto) (rayo : Rayo) : Prop :=
+  Rayo_p rayo = o /\ exists q : Punto, q ∈ base /\ q ∈ puntos_de_rayo rayo. (* haz.def.1 *)
+
+Definition seccion (o : Punto) (base : set Punto) (a : Punto) (n : Vector) (w : Punto) : Prop :=
+  avance w a n = 0 /\ exists rayo : Rayo, rayo ∈ Rayo_ok /\ haz o base rayo
+  /\ w ∈ puntos_de_rayo rayo. (* seccion.def.1 *)
+
+Definition imagen (a : Punto) (n : Vector) (p q : Punto) : Prop :=
+  producto n n > 0 /\ producto n n * (Punto_x q - Punto_x p) + 2 * avance p a n * Vector_x n = 0
+  /\ producto n n * (Punto_y q - Punto_y p) + 2 * avance p a n * Vector_y n = 0
+  /\ producto n n * (Punto_z q - Punto_z p) + 2 * avance p a n * Vector_z n = 0. (* imagen.def.1 *)
+
+Record Desvio := mk_Desvio {
+  Desvio_x : R;
+  Desvio_y : R;
+  Desvio_u : R;
+  Desvio_v : R
+}.
+
+Record Matriz := mk_Matriz {
+  Matriz_x : Desvio;
+  Matriz_y : Desvio;
+  Matriz_u : Desvio;
+  Matriz_v : Desvio
+}.
+
+Record Pincel := mk_Pincel {
+  Pincel_eje : Rayo;
+  Pincel_m : Matriz
+}.
+
+Record Pincel_ok (s : Pincel) : Prop := {
+  Pincel_decl_eje : Pincel_eje s ∈ Rayo_ok
+}.
+
+Definition aplicado (m : Matriz) (d e : Desvio) : Prop :=
+  Desvio_x e = Desvio_x (Matriz_x m) * Desvio_x d + Desvio_y (Matriz_x m) * Desvio_y d
+  + Desvio_u (Matriz_x m) * Desvio_u d + Desvio_v (Matriz_x m) * Desvio_v d
+  /\ Desvio_y e = Desvio_x (Matriz_y m) * Desvio_x d + Desvio_y (Matriz_y m) * Desvio_y d
+  + Desvio_u (Matriz_y m) * Desvio_u d + Desvio_v (Matriz_y m) * Desvio_v d
+  /\ Desvio_u e = Desvio_x (Matriz_u m) * Desvio_x d + Desvio_y (Matriz_u m) * Desvio_y d
+  + Desvio_u (Matriz_u m) * Desvio_u d + Desvio_v (Matriz_u m) * Desvio_v d
+  /\ Desvio_v e = Desvio_x (Matriz_v m) * Desvio_x d + Desvio_y (Matriz_v m) * Desvio_y d
+  + Desvio_u (Matriz_v m) * Desvio_u d + Desvio_v (Matriz_v m) * Desvio_v d. (* aplicado.def.1 *)
+
+Definition traslado (t : R) (d e : Desvio) : Prop :=
+  Desvio_x e = Desvio_x d + t * Desvio_u d /\ Desvio_y e = Desvio_y d + t * Desvio_v d /\ Desvio_u e = Desvio_u d
+  /\ Desvio_v e = Desvio_v d. (* traslado.def.1 *)
+
+Definition refraccion_paraxial (r razon : R) (d e : Desvio) : Prop :=
+  Desvio_x e = Desvio_x d /\ Desvio_y e = Desvio_y d
+  /\ r * (Desvio_u e - razon * Desvio_u d) = (razon - 1) * Desvio_x d
+  /\ r * (Desvio_v e - razon * Desvio_v d) = (razon - 1) * Desvio_y d. (* refraccion_paraxial.def.1 *)
+
+Definition cono_de_rayos_conj_1 : Prop :=
+  forall eje rayo : Rayo, eje ∈ Rayo_ok -> rayo ∈ Rayo_ok -> cono_de_rayos eje rayo 1
+  -> puntos_de_rayo rayo ≡ puntos_de_rayo eje. (* cono_de_rayos.conj.1 *)
+
+Definition cono_de_rayos_conj_2 : Prop :=
+  forall (eje rayo : Rayo) (c d : R), eje ∈ Rayo_ok -> rayo ∈ Rayo_ok -> c ∈ Parte -> d ∈ Parte
+  -> cono_de_rayos eje rayo c -> d <= c -> cono_de_rayos eje rayo d. (* cono_de_rayos.conj.2 *)
+
+Definition imagen_conj_1 : Prop :=
+  forall (a p q : Punto) (n : Vector), imagen a n p q -> imagen a n q p. (* imagen.conj.1 *)
+
+Definition imagen_conj_2 : Prop :=
+  forall (a o i q : Punto) (n v r : Vector), imagen a n o i -> avance q a n = 0
+  -> Vector_x v = Punto_x o - Punto_x q -> Vector_y v = Punto_y o - Punto_y q -> Vector_z v = Punto_z o - Punto_z q
+  -> Vector_x r = Punto_x q - Punto_x i -> Vector_y r = Punto_y q - Punto_y i -> Vector_z r = Punto_z q - Punto_z i
+  -> reflexion v n r. (* imagen.conj.2 *)
+
+Definition haz_conj_1 : Prop :=
+  forall (a o i : Punto) (n : Vector) (base : set Punto) (rayo otro : Rayo), rayo ∈ Rayo_ok -> otro ∈ Rayo_ok
+  -> imagen a n o i -> haz o base rayo -> Rayo_p otro = i
+  -> (forall p q : Punto, p ∈ puntos_de_rayo rayo -> imagen a n p q -> q ∈ puntos_de_rayo otro)
+  -> haz i (fun q => exists p : Punto, p ∈ base /\ imagen a n p q) otro. (* haz.conj.1 *)
+
+Definition haz_conj_2 : Prop :=
+  forall (o : Punto) (n : Vector) (base : set Punto) (rayo : Rayo), rayo ∈ Rayo_ok -> haz o base rayo
+  -> ~ (haz o (fun q => q ∈ base /\ avance q o n >= 0) rayo <-> haz o (fun q => q ∈ base
+  /\ avance q o n < 0) rayo). (* haz.conj.2 *)
+
+Definition aplicado_conj_1 : Prop :=
+  forall m n : Matriz, exists p : Matriz, forall d e f : Desvio, aplicado m d e -> aplicado n e f
+  -> aplicado p d f. (* aplicado.conj.1 *)
+
+Definition traslado_conj_1 : Prop :=
+  forall t : R, exists m : Matriz, forall d e : Desvio, traslado t d e <-> aplicado m d e. (* traslado.conj.1 *)
+
+Definition traslado_conj_2 : Prop :=
+  forall (s1 t : R) (d e f : Desvio), traslado s1 d e -> traslado t e f
+  -> traslado (s1 + t) d f. (* traslado.conj.2 *)
+
+Definition refraccion_paraxial_conj_1 : Prop :=
+  forall (r n k s1 : R) (a b c d e : Desvio), r ∈ Rmas -> n ∈ Rmas -> k ∈ Rmas -> n > 1 -> n * k = 1
+  -> 2 * (n - 1) * (s1 + r) = n * r -> Desvio_u a = 0 -> Desvio_v a = 0 -> refraccion_paraxial r k a b
+  -> traslado (2 * r) b c -> refraccion_paraxial (0 - r) n c d -> traslado s1 d e -> Desvio_x e = 0
+  /\ Desvio_y e = 0. (* refraccion_paraxial.conj.1 *)
 
 (** * operaciones.tex *)
 

@@ -309,7 +309,7 @@ constexpr SpanishName names[] = {
     {"rayo_de_pixel", "ray_of_pixel", "the ray from the eye through the middle of a pixel"},
     // spec/haces.tex
     {"cono_de_rayos", "cone_of_rays", "the rays that make no greater angle with an axis than a given one"},
-    {"eje", "axis", "the ray in the middle of a cone or of a pencil"},
+    {"eje", "axis", "the ray in the middle of a cone or of a pencil, or the direction of a lens"},
     {"cubierto", "covered", "the rays of a cone that meet an element"},
     {"haz", "beam", "the rays from a point through those of a base"},
     {"base", "base", "the points that the rays of a beam lead through"},
@@ -326,7 +326,6 @@ constexpr SpanishName names[] = {
     {"media", "mean", "the mean of what the outcomes of a draw bring"},
     {"de_luz_extensa", "of_extended_light", "what a light of some size gives a point: the mean over its points"},
     {"Lente", "Lens", "a thin lens: its middle, its axis, its diameter and the distance in focus"},
-    {"eje", "axis", "the unit vector along which a camera looks"},
     {"abertura", "aperture", "the diameter of the lens"},
     {"foco", "focus", "the distance of the plane that the lens shows sharply"},
     {"puntos_de_lente", "points_of_lens", "the points that a lens lets light through"},

@@ -32,7 +32,7 @@ constexpr std::uint64_t of_direction = 0, of_choices = 1, of_emitter = 2, of_rou
 constexpr std::uint32_t before_roulette = 4;
 
 /// A path on its way.
-struct Walk {
+struct PathWalk {
   std::uint32_t ray = 0;
   glm::dvec3 weight{1};
   std::uint32_t depth = 1;
@@ -73,14 +73,14 @@ class PathTracer : public Tracer {
   void meet_all() {
     hits_.resize(queries_.size());
     context_.engine.first_hits(queries_, hits_);
-    std::vector<Walk> now = std::exchange(walks_, {});
+    std::vector<PathWalk> now = std::exchange(walks_, {});
     const std::vector<scene::Query> asked = std::exchange(queries_, {});
     for (std::size_t i = 0; i < now.size(); ++i) meet(now[i], asked[i], hits_[i]);
     shadows_.add_light(context_.engine, sums_);
     add_emitters();
   }
 
-  void meet(Walk& walk, const scene::Query& query, const scene::Hit& hit) {
+  void meet(PathWalk& walk, const scene::Query& query, const scene::Hit& hit) {
     PathRadiance& sum = sums_[walk.ray];
     ++sum.rays;
     sum.depth = std::max(sum.depth, walk.depth);
@@ -101,7 +101,7 @@ class PathTracer : public Tracer {
     if (walk.depth == context_.limits.max_depth) return;  // emitters are met by the next ray of the row
     const glm::dvec2 choices = sample.pair(dimension + of_choices);
     if (scattering.is_smooth()) ask_emitters(walk, at, scattering, choices.x, dimension);
-    Walk next = walk;
+    PathWalk next = walk;
     next.depth = walk.depth + 1;
     next.way = at.way;
     glm::dvec3 v = scattering.mirrored();
@@ -128,14 +128,14 @@ class PathTracer : public Tracer {
   }
 
   /// The weight of the emission that a direction leads to, beside points of the emitter that might have been drawn.
-  double weight_of_direction(const Walk& walk, const Encounter& at) const {
+  double weight_of_direction(const PathWalk& walk, const Encounter& at) const {
     if (walk.density == sharp || context_.limits.light_sampling == LightSampling::directions) return 1;
     const double other = emitters_.density(at.query.rayo.p().xyz(), at.query.en, at.element, at.hit.punto, at.normal);
     if (context_.limits.light_sampling == LightSampling::lights) return other > 0 ? 0 : 1;
     return walk.density / (walk.density + other);
   }
 
-  void ask_lights(const Walk& walk, const Encounter& at, const Scattering& scattering, std::uint64_t dimension) {
+  void ask_lights(const PathWalk& walk, const Encounter& at, const Scattering& scattering, std::uint64_t dimension) {
     const auto seen = [&](const glm::dvec3& color, const glm::dvec3& l) {
       return walk.weight * color * scattering.of_light(l);
     };
@@ -151,7 +151,7 @@ class PathTracer : public Tracer {
     }
   }
 
-  void ask_emitters(const Walk& walk, const Encounter& at, const Scattering& scattering, double choice,
+  void ask_emitters(const PathWalk& walk, const Encounter& at, const Scattering& scattering, double choice,
                     std::uint64_t dimension) {
     if (emitters_.empty() || context_.limits.light_sampling == LightSampling::directions) return;
     const glm::dvec3& from = at.hit.punto;
@@ -184,7 +184,7 @@ class PathTracer : public Tracer {
   }
 
   /// Continues the same ray behind a sheet that does not bend it, as Whitted's algorithm does.
-  void go_on(Walk next, const Encounter& at, double way) {
+  void go_on(PathWalk next, const Encounter& at, double way) {
     scene::ElementSet on;
     std::ranges::set_union(at.query.en, at.hit.elementos, std::back_inserter(on));
     next.way = way;
@@ -192,7 +192,7 @@ class PathTracer : public Tracer {
   }
 
   /// Sends a path on, or ends it by Russian roulette, with a chance that is no less than its weight.
-  void go(Walk next, scene::Query query) {
+  void go(PathWalk next, scene::Query query) {
     double chance = std::max({next.weight.x, next.weight.y, next.weight.z});
     if (!(chance > 0)) return;
     if (next.depth > before_roulette && chance < 1) {
@@ -208,7 +208,7 @@ class PathTracer : public Tracer {
   const Emitters emitters_;
   std::span<PathRadiance> sums_;
   std::span<const SampleSource> samples_;
-  std::vector<Walk> walks_;
+  std::vector<PathWalk> walks_;
   std::vector<scene::Query> queries_, light_queries_;
   std::vector<scene::Hit> hits_, light_hits_;
   std::vector<WaitingLight> waiting_;
