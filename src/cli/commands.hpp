@@ -42,6 +42,7 @@ void add_export(CLI::App& app, int& status);
 void add_help(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_man(CLI::App& app, int& status);
+void add_raster(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);
 void add_stats(CLI::App& app, int& status);

@@ -71,8 +71,7 @@ Value value_of_name(const std::array<std::string_view, count>& names, const std:
 }
 
 void add_size_options(CLI::App& command, RenderOptions& options) {
-  command.add_option("--size", options.size, "Width and height in pixels; without it, the scene's, or else 640x360")
-      ->check(CLI::Validator(check_size, ""));
+  add_size(command, options.size);
   command.add_option("--crop", options.crop, "These pixels of the picture alone: upper left one, width and height")
       ->check(CLI::Validator(check_crop, ""));
 }
@@ -150,6 +149,17 @@ std::string name_without_folder(const std::string& path) {
 
 }  // namespace
 
+void add_size(CLI::App& command, std::string& size) {
+  command.add_option("--size", size, "Width and height in pixels; without it, the scene's, or else 640x360")
+      ->check(CLI::Validator(check_size, ""));
+}
+
+std::optional<scene::Resolution> size_in(const std::string& size) {
+  const auto sides = numbers_in<2>(size, 'x', read_side);
+  if (!sides) return std::nullopt;
+  return scene::Resolution{(*sides)[0], (*sides)[1]};
+}
+
 void add_render_options(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scene, "Scene file (JSON), with a camera")->required();
   command.add_option("-o,--output", options.out, "The picture, OUT.png, or OUT.exr in linear light")->required();
@@ -198,7 +208,7 @@ void check_together(const RenderOptions& options) {
 
 render::RenderSettings frame_of(const RenderOptions& options) {
   render::RenderSettings frame;
-  if (const auto size = numbers_in<2>(options.size, 'x', read_side)) frame.size = {(*size)[0], (*size)[1]};
+  frame.size = size_in(options.size);
   if (const auto crop = numbers_in<4>(options.crop, ',', read_side))
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
   frame.max_depth = options.max_depth;
