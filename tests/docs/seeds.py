@@ -32,7 +32,7 @@ ROWS = [f"{text}{number}" for text, (count, _, _) in TEXTS.items() for number in
 # Options behind which a call names what it writes.
 WRITTEN = {"-o", "--output", "--tree"}
 # Options behind which a call has one of a few words.
-CHOSEN = {"--engine", "--hierarchy", "--rays", "--sampling", "--tone", "--as", "--format"}
+CHOSEN = {"--engine", "--hierarchy", "--rays", "--sampling", "--tone", "--as", "--format", "--bias", "--order"}
 
 durero, root = sys.argv[1], pathlib.Path(sys.argv[2])
 
@@ -167,7 +167,7 @@ def wrong_call(call):
     words = shlex.split(call)
     if words[:1] != ["durero"] or len(words) < 2:
         return "no call of durero"
-    nested = 2 if words[1] in ("spec", "conform") else 1
+    nested = 2 if words[1] in ("spec", "conform", "raster") else 1
     command = tuple(words[1 : 1 + nested])
     text = help_of(command)
     if not text:
