@@ -37,6 +37,8 @@ constexpr std::array rows = {
     ArgumentRow{"--given", Kind::text, "SET=MEMBERS"}, ArgumentRow{"--let", Kind::text, "NAME=VALUE"},
     ArgumentRow{"--replay", Kind::file, "TRACE"},      ArgumentRow{"--with", Kind::file, "FILE"},
     ArgumentRow{"--with", Kind::file, "TEXT"},         ArgumentRow{"--from", Kind::text, "X,Y,Z"},
+    ArgumentRow{"--picture", Kind::file, "PICTURE"},   ArgumentRow{"--towards", Kind::text, "X,Y,Z"},
+    ArgumentRow{"--mirror", Kind::text, "NAME"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.

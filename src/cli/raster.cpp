@@ -31,13 +31,6 @@ std::string check_place(const std::string& text) {
   return fmt::format("{}: no point; expected X,Y,Z, three finite numbers", text);
 }
 
-std::string check_samples(const std::string& text) {
-  const auto value = read_whole_number(text);
-  for (std::uint64_t root = 1; root <= 16; ++root)
-    if (value == root * root) return "";
-  return fmt::format("{}: no square number from 1 to 256; expected one", text);
-}
-
 /// The picture whose pixels are the means of finer × finer ones.
 render::Picture means(const render::Picture& fine, std::uint32_t finer) {
   render::Picture picture({fine.resolution.width / finer, fine.resolution.height / finer});
@@ -138,6 +131,9 @@ int draw_pictures(const RasterOptions& options, const RasterCommand& row) {
 }
 
 int run(const RasterOptions& options, const RasterCommand& row) {
+  if (options.finer() * options.finer() != options.samples)
+    throw std::invalid_argument(
+        fmt::format("raster {}: --samples {}: no square number; expected 1, 4, 9, …", row.name, options.samples));
   const ThreadLimit limit(options.threads);
   if (row.drawing != nullptr && io::ends_in(options.out, ".svg")) return draw_areas(options, row);
   if (io::ends_in(options.out, ".png")) return draw_pictures(options, row);
@@ -207,8 +203,10 @@ void add_technique(CLI::App& raster, const RasterCommand& row, int& status) {
       ->required();
   command->add_flag("--beside", options->beside, "Write one picture: the three of them side by side");
   add_size(*command, options->size);
-  command->add_option("--samples", options->samples, "Points of each pixel, a square number, of which it is the mean")
-      ->check(CLI::Validator(check_samples, "a square number, 1 to 256"));
+  command
+      ->add_option("--samples", options->samples,
+                   "How many points of each pixel it is the mean of: a square number, 1 without it")
+      ->check(whole_number(1, 256));
   row.add_options(*command, *options);
   add_engine(*command, options->engine);
   add_threads(*command, options->threads);

@@ -33,7 +33,7 @@ while read -r path; do
     sed -n "/^    '$path')/,/;;/p" bash | grep -qE -e "[ ']--$option[ ']" || fail "$path: bash knows no --$option"
     grep -qF "__durero_at '\\''$path'\\'''" fish && grep -F "__durero_at '\\''$path'\\'''" fish | grep -qF -e " -l $option " ||
       fail "$path: fish knows no --$option"
-    sed -n "/^_durero_$(echo "$path" | tr ' ' _)() {/,/^}/p" zsh | grep -qE -e "--$option(=|\[)" || fail "$path: zsh knows no --$option"
+    sed -n "/^_durero_$(echo "$path" | tr ' -' __)() {/,/^}/p" zsh | grep -qE -e "--$option(=|\[)" || fail "$path: zsh knows no --$option"
   done
 done <paths
 [ "$options" -ge 60 ] || fail "only $options options"
