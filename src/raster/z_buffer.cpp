@@ -25,12 +25,26 @@ std::optional<glm::dvec2> RasterView::place(const glm::dvec3& point) const {
                     glm::dot(within, step_y_) / glm::dot(step_y_, step_y_));
 }
 
-// One pixel more on every side than the corners ask for, as places are rounded; all where a corner has none.
-RasterView::PixelBox RasterView::box_of(const polygon::Polygon& corners) const {
+// A point of a ray lies as far before the eye as its parameter says. Behind it by more than a millionth of its distance
+// from the eye, a corner is there for certain; where all are, so is the polygon.
+bool RasterView::is_behind(const std::vector<glm::dvec3>& corners) const {
+  const glm::dvec3 forward = glm::normalize(glm::cross(step_x_, step_y_));
+  const double side = glm::dot(forward, first_) < 0 ? -1 : 1;
+  return std::ranges::all_of(corners, [&](const glm::dvec3& corner) {
+    const glm::dvec3 to = corner - eye_;
+    return side * glm::dot(forward, to) < -1e-6 * glm::length(to);
+  });
+}
+
+// One pixel more on every side than the corners ask for, as places are rounded; all where some corner has none.
+RasterView::PixelBox RasterView::box_of(const polygon::Polygon& polygon) const {
+  std::vector<glm::dvec3> corners;
+  for (const polygon::RationalPoint& corner : polygon) corners.push_back(rounded(corner));
+  if (is_behind(corners)) return {0, 0, 0, 0};
   const auto [width, height] = resolution();
   glm::dvec2 least(width, height), greatest(-1, -1);
-  for (const polygon::RationalPoint& corner : corners) {
-    const auto at = place(rounded(corner));
+  for (const glm::dvec3& corner : corners) {
+    const auto at = place(corner);
     if (!at || !std::isfinite(at->x + at->y)) return {0, width, 0, height};
     least = glm::min(least, *at);
     greatest = glm::max(greatest, *at);

@@ -47,7 +47,8 @@ class RasterView {
   struct PixelBox {
     std::uint32_t left, right, top, bottom;
   };
-  PixelBox box_of(const polygon::Polygon& corners) const;
+  bool is_behind(const std::vector<glm::dvec3>& corners) const;
+  PixelBox box_of(const polygon::Polygon& polygon) const;
 
   scene::PrimaryRays rays_;
   glm::dvec3 eye_, first_, step_x_, step_y_;
