@@ -204,3 +204,22 @@ Proof.
   destruct (MainText.the_conjectures_of_distance_hold nat) as (_ & Ball & _).
   exact (Ball _ _ w _ Distancias.a_sphere_has_a_distance).
 Qed.
+
+(** ** What a raster answers *)
+
+(** The middle of the triangle's height, and a light at the origin, off its plane: all that is asked of the two. *)
+Theorem instance_of_the_conjectures_of_projection_hold :
+  let p := mk_Punto 36 0 0 in let light := mk_Punto 0 0 0 in
+  visible s p light ⦃7%nat⦄ <-> p ∈ iluminada light (puntos_de_elemento s 7%nat) (fun ps => exists o, o ∈ elementos s
+    /\ o <> 7%nat /\ ps ≡ puntos_de_elemento s o).
+Proof.
+  intros p light.
+  assert (T : is_triangulo nat s 7%nat (vertices 2 (v3 72 (-8) (-8)) (v3 72 8 (-8)) (v3 72 0 8))).
+  { apply (shape_in_scene 2 seven 7%nat (Triangle _ _ _)). cbn. tauto. }
+  destruct (Interseccion.triangulo_of_scene nat s ok 7%nat _ T) as [Points [Power _]].
+  destruct (MainText.the_conjectures_of_projection_hold nat) as [Lit _]. apply Lit.
+  - exact ok.
+  - exists (vertices 2 (v3 72 (-8) (-8)) (v3 72 8 (-8)) (v3 72 0 8)). apply T.
+  - apply Points. unfold p. split; [unfold prisma, lado, escalar | unfold potencia_triangulo]; cbn; unfold over; lra.
+  - eexists. split; [apply Power; reflexivity |]. unfold light, potencia_triangulo. cbn. unfold over. lra.
+Qed.
