@@ -186,7 +186,7 @@ constexpr std::array commands{
                   add_depth_map_options,
                   "raster depth-map demo/gallery/raster-blocks.json -o blocks.png --map 256 --bias none"},
     RasterCommand{"projected", "A light that throws a picture", projected_technique, nullptr, add_projected_options,
-                  "raster projected demo/gallery/raster-blocks.json -o blocks.png --picture demo/gallery/whitted.png"},
+                  "raster projected demo/gallery/raster-blocks.json -o blocks.png --picture demo/gallery/slide.png"},
     RasterCommand{"transparent", "Transparent polygons drawn over what lies behind them", transparent_technique,
                   nullptr, add_transparent_options, "raster transparent demo/gallery/raster-sheets.json -o sheets.png"},
     RasterCommand{"mirror", "A flat mirror by a second camera behind it", mirror_technique, nullptr, add_mirror_options,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "durero/render/light/whitted.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/query.hpp"
+#include "raster/still_scene.hpp"
 
 namespace durero::raster {
 namespace {
@@ -39,8 +41,9 @@ const scene::Material& look_of(const scene::Scene& scene, scene::ElementRef elem
   if (!material || scene.stage().materials[*material].k_ps == 0)
     throw std::domain_error(fmt::format("element {} mirrors nothing; expected a material with k_ps", name));
   const scene::Material& look = scene.stage().materials[*material];
-  if (look.k_t > 0 || look.textures.any() || look.bump)
-    throw std::domain_error(fmt::format("element {} is more than a mirror; expected one color and k_t of 0", name));
+  if (look.k_t > 0 || std::isfinite(look.gloss) || look.textures.any() || look.bump)
+    throw std::domain_error(
+        fmt::format("element {} is more than a mirror; expected one color, no gloss and k_t of 0", name));
   return look;
 }
 
@@ -60,10 +63,10 @@ struct MirrorPasses {
   PixelRays others, mirror, behind;
 };
 
-MirrorPasses passes_of(const scene::Scene& scene, const engine::Engine& engine, scene::Resolution size,
+MirrorPasses passes_of(const engine::Engine& engine, scene::Resolution size, const scene::Camera& camera,
                        scene::ElementRef element, const MirrorPlane& plane) {
-  const scene::PrimaryRays first(*scene.stage().camera, size);
-  const render::SecondCamera second(*scene.stage().camera, size, plane.point, plane.normal);
+  const scene::PrimaryRays first(camera, size);
+  const render::SecondCamera second(camera, size, plane.point, plane.normal);
   std::vector<scene::Query> rays;
   for (std::uint32_t y = 0; y < size.height; ++y)
     for (std::uint32_t x = 0; x < size.width; ++x) rays.push_back({first.ray(x, y)});
@@ -86,7 +89,7 @@ MirrorPasses passes_of(const scene::Scene& scene, const engine::Engine& engine, 
 
 render::Picture by_second_camera(const scene::Scene& scene, const engine::Engine& engine, scene::Resolution size,
                                  std::string_view mirror, std::uint32_t max_depth) {
-  if (!scene.stage().camera) throw std::domain_error("the scene has no camera; expected one");
+  const scene::Camera& camera = still_camera(scene);
   const auto element = scene.find(mirror);
   if (!element) throw std::domain_error(fmt::format("no element is called {}; expected the name of a mirror", mirror));
   const scene::Material& look = look_of(scene, *element, mirror);
@@ -94,7 +97,7 @@ render::Picture by_second_camera(const scene::Scene& scene, const engine::Engine
   if (!plane)
     throw std::domain_error(fmt::format("element {} is not flat; expected a plano, disco or triangulo", mirror));
 
-  const MirrorPasses passes = passes_of(scene, engine, size, *element, *plane);
+  const MirrorPasses passes = passes_of(engine, size, camera, *element, *plane);
   render::Picture picture(size);
   const auto add = [&](const PixelRays& of, const glm::dvec3& share, std::uint32_t depth) {
     const auto brought = render::brought(scene, engine, of.rays, {depth});

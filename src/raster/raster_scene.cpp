@@ -6,14 +6,14 @@
 #include "durero/model/tipos.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/trace/first_element.hpp"
+#include "raster/still_scene.hpp"
 
 namespace durero::raster {
 namespace {
 
-const scene::Camera& camera_of(const scene::Stage& stage) {
-  if (!stage.camera) throw std::domain_error("the scene has no camera; expected one");
-  if (stage.environment) throw std::domain_error("an environment surrounds the scene; expected a background");
-  return *stage.camera;
+const scene::Camera& camera_of(const scene::Scene& scene) {
+  if (scene.stage().environment) throw std::domain_error("an environment surrounds the scene; expected a background");
+  return still_camera(scene);
 }
 
 /// The Z-buffer of the opaque polygons alone: the others are seen, and hide nothing.
@@ -40,7 +40,7 @@ RasterScene::RasterScene(const scene::Scene& scene, scene::Resolution size, Opac
     : scene_(&scene),
       polygons_(polygons_of(scene, opacity)),
       corners_(corners_of(polygons_)),
-      view_(camera_of(scene.stage()), size),
+      view_(camera_of(scene), size),
       buffer_(drawn_opaque(polygons_, corners_, view_)) {}
 
 RasterPoint RasterScene::point(std::size_t polygon, std::uint32_t x, std::uint32_t y) const {

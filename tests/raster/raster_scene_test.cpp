@@ -44,3 +44,22 @@ TEST_CASE("a scene without a camera is refused, and one that an environment surr
   scene.stage().environment = scene::Environment{};
   CHECK_THROWS_WITH(RasterScene(scene, {2, 2}, Opacity::opaque), Catch::Contains("environment"));
 }
+
+TEST_CASE("a lens, a motion, a light with an extent and normals of vertices are refused") {
+  std::mt19937_64 random(4);
+  scene::Scene scene = grid_scene(random, 2, 1);
+  const auto draw = [&] { return RasterScene(scene, {2, 2}, Opacity::opaque); };
+  scene.stage().camera->aperture = 0.5;
+  CHECK_THROWS_WITH(draw(), Catch::Contains("the camera has a lens"));
+  scene.stage().camera->aperture = 0;
+  scene.stage().camera->shutter = 1;
+  CHECK(draw().polygons().size() == 2);  // all rests
+  scene.stage().camera->motion = {1, 0, 0};
+  CHECK_THROWS_WITH(draw(), Catch::Contains("something moves"));
+  scene.stage().camera->shutter = 0;
+  scene.stage().lights[0].extent = {.shape = scene::LightShape::sphere, .radius = 1};
+  CHECK_THROWS_WITH(draw(), Catch::Contains("a light has an extent"));
+  scene.stage().lights[0].extent = {};
+  scene.set_vertex_normals(*scene.find("t100"), {glm::dvec3(0, 1, 0), {0, 1, 0}, {1, 1, 0}});
+  CHECK_THROWS_WITH(draw(), Catch::Contains("element t100 is shaded by normals of its own"));
+}

@@ -18,8 +18,8 @@ namespace durero::raster {
 /// The polygons of a scene that outlives it, drawn into a Z-buffer.
 class RasterScene {
  public:
-  /// Draws the opaque polygons. Throws std::domain_error as polygons_of() does, without a camera, and where an
-  /// environment surrounds the scene.
+  /// Draws the opaque polygons. Throws std::domain_error as polygons_of() does, without a camera, with a lens, where
+  /// something moves, where a light has an extent, and where an environment surrounds the scene.
   RasterScene(const scene::Scene& scene, scene::Resolution size, Opacity opacity);
 
   /// @{ The parts.

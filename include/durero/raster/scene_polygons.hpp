@@ -33,7 +33,8 @@ enum class Opacity {
 };
 
 /// The triangles of a scene, ascending by name. Throws std::domain_error, with the half of a message before its file's
-/// name: for another shape, and for a look that the technique does not draw (a mirror, a texture, a relief, glass).
+/// name: for another shape, for normals of vertices, and for a look that the technique does not draw (a mirror, a
+/// texture, a relief, glass).
 std::vector<ScenePolygon> polygons_of(const scene::Scene& scene, Opacity opacity);
 
 /// The corners alone, in their order.
