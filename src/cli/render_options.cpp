@@ -91,17 +91,17 @@ void add_depth_options(CLI::App& command, RenderOptions& options) {
 void add_sample_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--sampling", options.sampling,
-                  "Points of a pixel that rays go through: a grid, one in each square of a grid, each by itself, or as "
-                  "many as it "
-                  "takes; "
-                  "without it, grid")
+                  "Points of a pixel that rays go through: a grid, one in each square of a grid, a scrambled net, each "
+                  "by itself, "
+                  "or as many as it takes; without it, grid, and net for paths")
       ->check(one_of("sampling", words(render::sampling_names)));
   command
       .add_option(
           "--samples", options.samples,
-          fmt::format("How many: of a grid a square number; 1 without it; of statistical the most, {} without it; of a "
-                      "preview how many passes",
-                      statistical_samples))
+          fmt::format(
+              "How many: in squares a square number; 1 without it; of statistical the most, {} without it; of a "
+              "preview how many passes",
+              statistical_samples))
       ->check(whole_number(1, render::greatest_samples));
   command.add_option("--seed", options.seed, "Chooses among the random numbers; without it, 0")
       ->check(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
@@ -121,6 +121,13 @@ void add_file_options(CLI::App& command, RenderOptions& options) {
                   "without it, clamp")
       ->check(one_of("tone", words(render::tone_names)));
   command.add_flag("--aov", options.aov, "Write depth, normal, element and deciding level into OUT.exr besides");
+}
+
+/// The points of a pixel: without a word for them a grid, whose bytes are simple to know, or for paths a net, which has
+/// no bias.
+render::Sampling sampling_of(const RenderOptions& options) {
+  if (options.sampling.empty() && options.integrator == render::integrator_names[1]) return render::Sampling::net;
+  return value_of_name<render::Sampling>(render::sampling_names, options.sampling);
 }
 
 /// A word as a shell reads it.
@@ -198,8 +205,10 @@ void check_together(const RenderOptions& options) {
   check_together(options.wide, option_of_lines(options));
   if (options.preview || !options.samples) return;
   const double side = std::sqrt(*options.samples);
+  const render::Sampling sampling = sampling_of(options);
+  const bool in_squares = sampling == render::Sampling::grid || sampling == render::Sampling::stratified;
   refuse(
-      !options.is_statistical() && options.sampling != "independent" && side != std::floor(side),
+      in_squares && side != std::floor(side),
       fmt::format("--samples {}: no square number; expected 1, 4, 9, … or --sampling statistical", *options.samples));
   refuse(options.is_statistical() && *options.samples < render::least_samples,
          fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling statistical",
@@ -214,7 +223,7 @@ render::RenderSettings frame_of(const RenderOptions& options) {
   frame.max_depth = options.max_depth;
   frame.min_weight = options.min_weight.value_or(0);
   frame.integrator = value_of_name<render::Integrator>(render::integrator_names, options.integrator);
-  frame.samples.sampling = value_of_name<render::Sampling>(render::sampling_names, options.sampling);
+  frame.samples.sampling = sampling_of(options);
   frame.samples.most = options.samples.value_or(options.is_statistical() ? statistical_samples : 1);
   frame.samples.seed = options.seed.value_or(0);
   frame.samples.width = options.width.value_or(frame.samples.width);

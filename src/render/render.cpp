@@ -59,6 +59,7 @@ void draw(const View& view, const Samples& samples, const Progress& progress, Pi
   switch (samples.sampling) {
     case Sampling::grid:
     case Sampling::stratified:
+    case Sampling::net:
     case Sampling::independent:
       by_tiles(size, progress, [&](const auto& pixels) { drawn.add(pixels, sampled(view, samples, pixels)); });
       return;

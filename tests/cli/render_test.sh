@@ -146,7 +146,8 @@ absent new.exr
 
 # Samples: the same bytes whatever the threads and the engine; and calls that make no sense.
 for how in '--samples 4' '--sampling stratified --samples 4' '--sampling independent --samples 5' \
-  '--integrator path --samples 4' '--sampling statistical --samples 40 --width 0.2'; do
+  '--sampling net --samples 5' '--integrator path --samples 5' \
+  '--integrator path --sampling grid --samples 4' '--sampling statistical --samples 40 --width 0.2'; do
   run 0 render scene.json -o one.png $how --threads 1
   run 0 render scene.json -o three.png $how --threads 3 --engine exact
   same one.png three.png
@@ -181,7 +182,7 @@ has other.png '--samples 9 --seed 7'
 checks=$((checks + 1))
 cmp -s one.png other.png && fail 'another seed draws no other picture'
 run 0 render blurred.json -o path.png --integrator path
-has path.png '--integrator path --max-depth 1000'
+has path.png '--integrator path --max-depth 1000 --sampling net --samples 1'
 refused 'render: --seed -1: ' render blurred.json -o new.png --seed -1
 absent new.png
 

@@ -42,8 +42,9 @@ inline Tangents across(const Tangents& t, const glm::dvec3& n) {
 
 /// The encounter of a hit, behind a way of that length. `varied` holds the look of a material with textures.
 /// Precondition: the hit has a point.
-inline Encounter encounter_of(const TracingContext& context, const scene::Query& query, const scene::Hit& hit,
-                              double behind, std::optional<Look>& varied) {
+[[gnu::always_inline]] inline Encounter encounter_of(const TracingContext& context, const scene::Query& query,
+                                                     const scene::Hit& hit, double behind,
+                                                     std::optional<Look>& varied) {
   const scene::ElementRef element = front(context.scene, hit.elementos);
   const auto index = context.scene.material(element);
   glm::dvec3 n = context.engine.normal(context.scene, element, hit.punto);
@@ -99,7 +100,7 @@ struct Passage {
 };
 
 /// The media of a ray that was in `media` and passes the surface. Precondition: the element has a material.
-inline Passage beyond_of(const Encounter& at, Media media, const scene::Stage& stage) {
+[[gnu::always_inline]] inline Passage beyond_of(const Encounter& at, Media media, const scene::Stage& stage) {
   const double here = media.index(stage);
   const bool was_in = at.enters || media.leave(*at.material);
   if (at.enters) media.enter(*at.material);

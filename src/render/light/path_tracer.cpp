@@ -90,41 +90,56 @@ class PathTracer : public Tracer {
     }
     const Encounter at = encounter_of(context_, query, hit, walk.way, varied_);
     if (at.look.emission != glm::dvec3(0)) sum.color += walk.weight * at.look.emission * weight_of_direction(walk, at);
-    const auto beyond = at.look.k_t > 0 ? std::optional(beyond_of(at, walk.media, stage_)) : std::nullopt;
-    const bool is_straight = beyond && beyond->ratio == 1 && is_sheet(at);
-    const auto refracted = beyond ? through(at, beyond->ratio) : std::nullopt;
-    const Scattering scattering(at, refracted.has_value());
+    const FarSide behind = far_side(walk, at);
+    const Scattering scattering(at, behind.way.has_value());
     if (scattering.is_black()) return;
-    const SampleSource& sample = samples_[walk.ray];
     const std::uint64_t dimension = of_meeting(walk.depth);
     if (scattering.is_smooth()) ask_lights(walk, at, scattering, dimension);
     if (walk.depth == context_.limits.max_depth) return;  // emitters are met by the next ray of the row
-    const glm::dvec2 choices = sample.pair(dimension + of_choices);
+    const glm::dvec2 choices = samples_[walk.ray].pair(dimension + of_choices);
     if (scattering.is_smooth()) ask_emitters(walk, at, scattering, choices.x, dimension);
+    send_on(walk, at, scattering, choices.y, behind);
+  }
+
+  /// The far side of a surface, where light may go on.
+  struct FarSide {
+    Media media{};
+    std::optional<glm::dvec3> way{};  ///< the refracted direction
+    bool is_straight = false;         ///< whether the same ray goes on, behind a sheet that does not bend it
+  };
+
+  FarSide far_side(const PathWalk& walk, const Encounter& at) const {
+    if (!(at.look.k_t > 0)) return {};
+    auto [media, ratio] = beyond_of(at, walk.media, stage_);
+    return {std::move(media), through(at, ratio), ratio == 1 && is_sheet(at)};
+  }
+
+  /// Sends a path on along one lobe of the surface.
+  void send_on(const PathWalk& walk, const Encounter& at, const Scattering& scattering, double choice,
+               const FarSide& behind) {
     PathWalk next = walk;
     next.depth = walk.depth + 1;
     next.way = at.way;
+    next.density = sharp;
     glm::dvec3 v = scattering.mirrored();
-    switch (scattering.chosen(choices.y)) {
-      case Scattering::Lobe::smooth: {
-        v = scattering.direction(choices.y, sample.pair(dimension + of_direction));
+    switch (scattering.chosen(choice)) {
+      case Scattering::Lobe::smooth:
+        v = scattering.direction(choice, samples_[walk.ray].pair(of_meeting(walk.depth) + of_direction));
         next.density = scattering.density(v);
         next.weight = next.density > 0 ? next.weight * scattering.sent(v) / next.density : glm::dvec3(0);
         break;
-      }
       case Scattering::Lobe::mirror:
-        next.density = sharp;
         next.weight *= scattering.of_mirror();
         break;
       case Scattering::Lobe::beyond:
-        next.density = sharp;  // behind a sheet too: it hides its emitters from points that are drawn
         next.weight *= scattering.of_beyond();
-        next.media = beyond->media;
-        v = *refracted;
-        if (is_straight) return go_on(std::move(next), at, walk.way);
+        next.media = behind.media;
+        v = *behind.way;
+        // Behind a sheet its density is that of a sharp lobe too: the sheet hides the points that are drawn.
+        if (behind.is_straight) return go_on(std::move(next), at, walk.way);
         break;
     }
-    go(std::move(next), {{model::Punto(hit.punto), model::Vector(v)}, hit.elementos});
+    go(std::move(next), {{model::Punto(at.hit.punto), model::Vector(v)}, at.hit.elementos});
   }
 
   /// The weight of the emission that a direction leads to, beside points of the emitter that might have been drawn.

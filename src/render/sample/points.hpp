@@ -27,8 +27,9 @@ glm::dvec2 in_net(std::uint32_t i, std::uint64_t key);
 ///
 ///   0                the place in the pixel, by in_net in the order of the numbers, or by another sampling
 ///   1                the place on the lens
-///   of_meeting(b)    the turn of a way of light at its meeting b with a surface, of a path's choices the first
-///   … + 1 + i        the place on light i, as that meeting sees it; of a path its further choices
+///   of_meeting(b)    of Whitted's way b: the direction of a lobe; then the place on each light
+///   of_meeting(n)    of meeting n of a path: the direction; its choices; the place on an emitter; roulette; and from
+///                    the 17th on the place on each light
 struct SampleSource {
   std::uint64_t key = 0;     ///< of the pixel and the seed
   std::uint32_t number = 0;  ///< of the sample, below 2¹⁶

@@ -29,6 +29,8 @@ glm::dvec2 place_of(const Samples& samples, std::uint32_t side, std::uint32_t i,
       return in_grid(side, i);
     case Sampling::stratified:
       return in_strata(side, i, key);
+    case Sampling::net:
+      return in_net(i, key);
     case Sampling::independent:
       return SampleSource{key, i, true}.pair(0) - 0.5;
     case Sampling::statistical:

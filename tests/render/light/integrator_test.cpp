@@ -230,8 +230,9 @@ TEST_CASE("64 seeds have the mean of one long run") {
   scene.stage().camera = scene::Camera{{1, 1, 0.1}, {1, 0.8, 2}, {0, 1, 0}, 80};
   const auto engine = engine::find("fast")->prepare(scene);
   const auto light = [&](std::uint32_t seed, std::uint32_t most) {
-    const render::RenderSettings frame{
-        .size = scene::Resolution{8, 6}, .samples = {.most = most, .seed = seed}, .integrator = Integrator::path};
+    const render::RenderSettings frame{.size = scene::Resolution{8, 6},
+                                       .samples = {.sampling = render::Sampling::net, .most = most, .seed = seed},
+                                       .integrator = Integrator::path};
     double sum = 0;
     for (const glm::dvec3& color : render::render(scene, *engine, {}, frame).rgb) sum += color.x;
     return sum / 48;

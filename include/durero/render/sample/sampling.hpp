@@ -13,12 +13,14 @@ namespace durero::render {
 enum class Sampling {
   grid,         ///< the centres of equal squares; one point is the centre of the pixel
   stratified,   ///< a random point in each of equal squares
+  net,          ///< the points of a scrambled net, one after the other
   independent,  ///< random points anywhere, each by itself
   statistical   ///< as many points as it takes to know the mean within a width, with a confidence
 };
 
 /// Their names, in the order of Sampling.
-inline constexpr std::array<std::string_view, 4> sampling_names{"grid", "stratified", "independent", "statistical"};
+inline constexpr std::array<std::string_view, 5> sampling_names{"grid", "stratified", "net", "independent",
+                                                                "statistical"};
 
 /// The points of each pixel.
 struct Samples {
