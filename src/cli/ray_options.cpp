@@ -14,7 +14,7 @@
 namespace durero::cli {
 namespace {
 
-constexpr std::array<std::string_view, 2> ray_names{"lines", "beams"};
+constexpr std::array<std::string_view, 3> ray_names{"lines", "beams", "pencils"};
 
 }  // namespace
 
@@ -27,7 +27,8 @@ void add_ray_options(CLI::App& command, RayOptions& options) {
   command
       .add_option(
           "--rays", options.rays,
-          "What is traced: lines, or beams, which are pyramids that triangles and planes cut; without it, lines")
+          "What is traced: lines; beams, pyramids that triangles and planes cut; or besides lines pencils, which "
+          "carry light through glass and over mirrors to matt surfaces; without it, lines")
       ->check(one_of("rays", std::vector<std::string>(ray_names.begin(), ray_names.end())));
   command.add_option("--tree", options.tree, "Of beams: the regions that they cut the picture into, OUT.svg");
 }
@@ -40,8 +41,10 @@ void check_together(const RayOptions& options, const std::string& named) {
          "--tree: of one kind of rays; expected --rays beams");
   refuse(!options.tree.empty() && !io::ends_in(options.tree, ".svg"),
          fmt::format("--tree {}: not a drawing's name; expected OUT.svg", options.tree));
-  refuse(options.are_wide() && !named.empty(),
+  refuse(options.kind() == RayKind::beams && !named.empty(),
          fmt::format("{}: of rays that are lines; expected it without --rays {}", named, options.rays));
+  refuse(options.kind() == RayKind::pencils && named == "--preview",
+         "--preview: not with pencils, which come before all passes; expected it without --rays pencils");
 }
 
 }  // namespace durero::cli

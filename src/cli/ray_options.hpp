@@ -8,14 +8,13 @@
 namespace durero::cli {
 
 /// The kinds of rays, in the order of their names.
-enum class RayKind : std::uint8_t { lines, beams };
+enum class RayKind : std::uint8_t { lines, beams, pencils };
 
 /// The options as they stand in the call.
 struct RayOptions {
   std::string rays, tree;
 
   RayKind kind() const;
-  bool are_wide() const { return kind() != RayKind::lines; }
 };
 
 /// Declares the options.

@@ -15,6 +15,8 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/polygon/convex.hpp"
 #include "durero/render/bundle/beams.hpp"
+#include "durero/render/bundle/caustics.hpp"
+#include "durero/render/light/whitted.hpp"
 #include "durero/render/output/exr.hpp"
 #include "durero/render/sample/refined.hpp"
 #include "durero/render/sample/seen.hpp"
@@ -104,6 +106,15 @@ class Drawing {
         if (tree) tree->write(render::svg(beams.tree, scene(), size_of(options_, scene().stage())));
         io::print(beams_text(beams));
         return std::move(beams.picture);
+      }
+      case RayKind::pencils: {
+        const std::uint32_t depth = frame_.max_depth.value_or(render::depth_of(scene().stage()));
+        const render::Caustics caustics(scene(), tracer_.engine(), depth);
+        render::RenderSettings frame = frame_;
+        frame.caustics = &caustics;
+        io::print(fmt::format("{} pencils, {} spots of light; left out: {:.2g} of the light\n", caustics.pencils(),
+                              caustics.spots().all().size(), caustics.left_out()));
+        return render::render(scene(), tracer_.engine(), show, frame, &reach);
       }
     }
     contract::unreachable();

@@ -202,6 +202,8 @@ void check_together(const RenderOptions& options) {
          "--confidence: of one sampling alone; expected --sampling statistical");
   refuse(options.min_weight && options.integrator == render::integrator_names[1],
          "--min-weight: of one integrator alone; expected --integrator whitted");
+  refuse(options.wide.kind() != RayKind::lines && options.integrator == render::integrator_names[1],
+         "--rays: of one integrator alone; expected --integrator whitted");
   check_together(options.wide, option_of_lines(options));
   if (options.preview || !options.samples) return;
   const double side = std::sqrt(*options.samples);
@@ -260,6 +262,7 @@ std::vector<render::Note> notes_of(const RenderOptions& options, const scene::St
     if (options.is_statistical()) call += fmt::format(" --width {} --confidence {}", samples.width, samples.confidence);
   }
   if (samples.seed != 0) call += fmt::format(" --seed {}", samples.seed);
+  if (options.wide.kind() == RayKind::pencils) call += " --rays pencils";
   if (tone_of(options) != render::Tone::clamp) call += " --tone " + options.tone;
   if (options.aov) call += " --aov";
   return {{"Software", std::string("Durero ") + DURERO_VERSION}, {"Comment", call}};

@@ -35,4 +35,18 @@ refused 'scene.json: element ' render scene.json -o new.png --rays beams --tree 
 is old.svg kept
 absent new.png
 absent new.svg
+
+# Pencils: the same for every number of threads, and more light than without them.
+glass=$tree/demo/gallery/glass-ball.json
+run 0 render "$glass" -o without.png --size 64x36
+run 0 render "$glass" -o pencils.png --size 64x36 --rays pencils --threads 1
+has out ' pencils, '
+has out 'left out: 0.0'
+run 0 render "$glass" -o other.png --size 64x36 --rays pencils --threads 3
+same pencils.png other.png
+checks=$((checks + 1))
+cmp -s pencils.png without.png && fail 'pencils bring no light'
+refused 'scene.json: no light shines on a finite element with k_ps or k_t' render scene.json -o new.png --rays pencils
+refused '--preview: not with pencils' render "$glass" -o new.png --rays pencils --preview
+absent new.png
 finish

@@ -17,6 +17,8 @@
 
 namespace durero::render {
 
+class Caustics;
+
 /// A receiver of the share of the picture that is done, 0 to 1, called now and then from one thread at a time. An
 /// exception that it throws ends the work, and leaves it.
 using Progress = std::function<void(double)>;
@@ -41,6 +43,7 @@ struct RenderSettings {
   Integrator integrator{};                   ///< the way of following light
   /// Prepares an engine for a moving scene at another time; without it, the default engine is prepared.
   std::function<std::unique_ptr<const engine::Engine>(const scene::Scene&)> prepare{};
+  const Caustics* caustics = nullptr;        ///< light that comes besides to matt surfaces
 };
 
 /// The counts of a picture's rays.

@@ -10,14 +10,17 @@
 
 namespace durero::render {
 
+class Caustics;
+
 /// The data are prepared once, from a scene and an engine that outlive this object unedited.
 struct TracingContext {
   /// Prepares the data. Throws as brought() does.
-  TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to);
+  TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to, const Caustics* also);
 
   const scene::Scene& scene;
   const engine::Engine& engine;
   const PathLimits limits;
+  const Caustics* caustics;  ///< null where no such light is to be drawn
   const Looks looks;
   const std::vector<glm::dvec3> most;  ///< bounds on the colour of a ray, by the number that it may still have in a row
 };

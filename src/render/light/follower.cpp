@@ -54,8 +54,9 @@ struct Follower::Held {
   }
 };
 
-Follower::Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits) {
-  if (limits.max_depth > 0) held_.reset(new Held{.followed{scene, engine, limits}});
+Follower::Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits,
+                   const Caustics* caustics) {
+  if (limits.max_depth > 0) held_.reset(new Held{.followed{scene, engine, limits, caustics}});
 }
 
 Follower::~Follower() = default;

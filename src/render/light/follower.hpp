@@ -10,11 +10,15 @@
 
 namespace durero::render {
 
+class Caustics;
+
 /// A follower of a scene's rays, which any number of threads may use at once.
 class Follower {
  public:
-  /// A follower for a scene and an engine that outlive it unedited. Throws as brought() does.
-  Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits);
+  /// A follower for a scene and an engine that outlive it unedited, and so do the caustics, where there are some.
+  /// Throws as brought() does.
+  Follower(const scene::Scene& scene, const engine::Engine& engine, const PathLimits& limits,
+           const Caustics* caustics = nullptr);
   ~Follower();
 
   /// The colours of these rays, as render::brought() gives them, with a sample for each.

@@ -67,7 +67,7 @@ View::View(const scene::Scene& drawn, const engine::Engine& asked, const RenderS
       limits{frame.max_depth.value_or(depth_of(drawn.stage(), frame.integrator)), frame.min_weight, frame.integrator},
       seed(frame.samples.seed),
       is_independent(frame.samples.sampling == Sampling::independent),
-      follower(scene, engine, limits),
+      follower(scene, engine, limits, frame.caustics),
       frame_(frame),
       moves_(scene::moves(drawn)) {}
 
