@@ -39,6 +39,7 @@ void add_edit(CLI::App& app, int& status);
 void add_engines(CLI::App& app, int& status);
 void add_environment(CLI::App& app, int& status);
 void add_export(CLI::App& app, int& status);
+void add_fractal(CLI::App& app, int& status);
 void add_help(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_man(CLI::App& app, int& status);

@@ -56,8 +56,8 @@ void add_commands(CLI::App& app, int& status) {
     }
   };
   group("Scenes", {add_check, add_edit, add_import, add_export});
-  group("Rays and pictures", {add_trace, add_distance, add_render, add_environment, add_raster, add_engines, add_stats,
-                              add_voxelise, add_agree});
+  group("Rays and pictures", {add_trace, add_distance, add_render, add_environment, add_raster, add_fractal,
+                              add_engines, add_stats, add_voxelise, add_agree});
   group("Other programs, and the specification", {add_conform, add_spec});
   group("This program", {add_help, add_version, add_man, add_completion});
 }

@@ -20,6 +20,7 @@
 #include "durero/render/output/tone.hpp"
 #include "durero/scene/camera.hpp"
 #include "engines.hpp"
+#include "picture_size.hpp"
 #include "raster_techniques.hpp"
 #include "render_options.hpp"
 
@@ -85,7 +86,7 @@ struct RasterWork {
   RasterWork(const RasterOptions& of, const RasterCommand& by)
       : options(of),
         row(by),
-        tracer(of.scene, of.engine, "automatic", "", size_in(of.size), Pictures::read),
+        tracer(of.scene, of.engine, "automatic", "", read_size(of.size), Pictures::read),
         size(tracer.scene().stage().resolution.value_or(scene::default_resolution)) {
     tracer.require_origins("shadow rays start on elements");
   }

@@ -18,29 +18,14 @@
 #include "durero/text/shown.hpp"
 #include "engines.hpp"
 #include "numbers.hpp"
+#include "picture_size.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-/// The most pixels of a side, as in scene files.
-constexpr std::uint32_t greatest_side = 65535;
-
 /// The points of statistical sampling that names no number.
 constexpr std::uint32_t statistical_samples = 1024;
-
-/// Pixels of a side.
-std::optional<std::uint32_t> read_side(std::string_view text) {
-  const auto value = read_whole_number(text);
-  if (!value || *value > greatest_side) return std::nullopt;
-  return static_cast<std::uint32_t>(*value);
-}
-
-std::string check_size(const std::string& text) {
-  const auto size = numbers_in<2>(text, 'x', read_side);
-  if (size && (*size)[0] > 0 && (*size)[1] > 0) return "";
-  return fmt::format("{}: no size; expected WxH, two whole numbers from 1 to {}", text, greatest_side);
-}
 
 std::string check_crop(const std::string& text) {
   const auto crop = numbers_in<4>(text, ',', read_side);
@@ -161,12 +146,6 @@ void add_size(CLI::App& command, std::string& size) {
       ->check(CLI::Validator(check_size, ""));
 }
 
-std::optional<scene::Resolution> size_in(const std::string& size) {
-  const auto sides = numbers_in<2>(size, 'x', read_side);
-  if (!sides) return std::nullopt;
-  return scene::Resolution{(*sides)[0], (*sides)[1]};
-}
-
 void add_render_options(CLI::App& command, RenderOptions& options) {
   command.add_option("SCENE", options.scene, "Scene file (JSON), with a camera")->required();
   command.add_option("-o,--output", options.out, "The picture, OUT.png, or OUT.exr in linear light")->required();
@@ -219,7 +198,7 @@ void check_together(const RenderOptions& options) {
 
 render::RenderSettings frame_of(const RenderOptions& options) {
   render::RenderSettings frame;
-  frame.size = size_in(options.size);
+  frame.size = read_size(options.size);
   if (const auto crop = numbers_in<4>(options.crop, ',', read_side))
     frame.crop = {(*crop)[0], (*crop)[1], {(*crop)[2], (*crop)[3]}};
   frame.max_depth = options.max_depth;

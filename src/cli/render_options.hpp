@@ -31,9 +31,8 @@ struct RenderOptions {
   bool is_statistical() const { return sampling == "statistical"; }
 };
 
-/// The option --size of a command that draws, and the size in its value; nothing in an empty one.
+/// The option --size of a command that draws.
 void add_size(CLI::App& command, std::string& size);
-std::optional<scene::Resolution> size_in(const std::string& size);
 
 /// Declares the options.
 void add_render_options(CLI::App& command, RenderOptions& options);
