@@ -46,7 +46,7 @@ from .elements import Cilindro, Cone, Cono, Cylinder, Disc, Disco, Element, Esfe
 from .elements import Triangulo, Tronco, TruncatedCone, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
-from .hits import HIT, Outcome, Resultado
+from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
 from .scene import Answer, Group, HitsWithElements, Scene
 
 __version__ = _durero.version
@@ -85,6 +85,7 @@ __all__ = [
     "Cilindro",
     "Cone",
     "Cono",
+    "Count",
     "Cylinder",
     "Disc",
     "Disco",
@@ -97,6 +98,7 @@ __all__ = [
     "HitsWithElements",
     "InputError",
     "Outcome",
+    "PROXIMITY",
     "Plane",
     "Plano",
     "Refused",

@@ -29,3 +29,25 @@ element   i4      the number of the element in scene.names, of several the first
 t         f8      the parameter of the point p + t·v, rounded once; NaN without a hit
 point     3 f8    each coordinate rounded once; NaN without a hit
 """
+
+
+class Count(enum.IntEnum):
+    """How many points of a scene are nearest to a point."""
+
+    none = 0
+    """The scene has no element."""
+    one = 1
+    """One point is nearest."""
+    many = 2
+    """Several are, or a whole ring or sphere of them."""
+
+
+PROXIMITY = _durero.proximity_dtype
+"""The dtype of an array of distances. A row has the fields
+
+count     u1      a Count
+tied      bool    whether more elements than one have the distance
+element   i4      the number of the element in scene.names, of several the first by name; -1 of an empty scene
+distance  f8      how far the nearest point is, rounded once; NaN of an empty scene
+point     3 f8    the nearest point, of many the first by x, y, z, each coordinate rounded once; NaN of an empty scene
+"""

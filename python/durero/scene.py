@@ -306,6 +306,23 @@ class Scene(Mapping[str, Element]):
             return HitsWithElements(*_durero.first_hits_with_elements(self._scene, rays, engine, en, hierarchy))
         raise ValueError(f'elements is {elements!r}; expected "first" or "all"')
 
+    def distance(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.void]:
+        """How far each point is from the scene: an array of durero.PROXIMITY, a row a point.
+
+        Points are float64 of shape (n, 3), C-contiguous and finite. Each number is the exact one, rounded once; elements
+        that tie do so exactly.
+
+        >>> import numpy as np
+        >>> scene = Scene.loads('{"format":"durero-scene","version":1,"elementos":'
+        ...                     '[{"id":"s1","tipo":"esfera","centro":[0,0,5],"radio":1}]}')
+        >>> near = scene.distance(np.array([[0, 0, 0], [0, 0, 5]], float))
+        >>> near["distance"].tolist(), near["point"].tolist(), near["count"].tolist()
+        ([4.0, 1.0], [[0.0, 0.0, 4.0], [-1.0, 0.0, 5.0]], [1, 2])
+
+        It runs on every processor, without Python's lock.
+        """
+        return _durero.distance(self._scene, points)
+
     @takes_english
     def occluded(
         self,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "c/handles.hpp"
+#include "durero/distance/distances.hpp"
 
 using namespace durero;
 using c::guarded;
@@ -162,4 +163,30 @@ const char* durero_element_name(const durero_engine* engine, uint32_t element) {
 uint32_t durero_element_number(const durero_engine* engine, const char* name) {
   const auto element = engine->scene->find(name);
   return element ? ElementNumbers(*engine->scene).of(*element) : DURERO_NO_ELEMENT;
+}
+
+durero_answer durero_distances(const durero_scene* scene, const double* xyz, size_t count, durero_proximity* answers) {
+  return guarded(DURERO_FAILED, [&] {
+    if (scene->value.text() != nullptr)
+      throw std::invalid_argument("the scene was read by a Z text, which tells no distances; expected another");
+    for (std::size_t i = 0; i < 3 * count; ++i)
+      if (!std::isfinite(xyz[i]))
+        throw std::invalid_argument("point " + std::to_string(i / 3) + ": no point; expected finite numbers");
+    const scene::Scene& of = scene->value.of().scene;
+    std::vector<glm::dvec3> points;
+    points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) points.emplace_back(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]);
+    std::vector<scene::Proximity> found(count);
+    distance::Distances(of).nearest(points, found);
+    const ElementNumbers numbers(of);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [nearest, distance, point, elementos] = found[i];
+      answers[i] = {static_cast<durero_count>(nearest),
+                    static_cast<std::uint32_t>(elementos.size()),
+                    elementos.empty() ? DURERO_NO_ELEMENT : numbers.of(elementos.front()),
+                    distance,
+                    {point.x, point.y, point.z}};
+    }
+    return DURERO_DONE;
+  });
 }

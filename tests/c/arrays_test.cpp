@@ -171,3 +171,31 @@ TEST_CASE("what is no ray in arrays fails with a line, and writes nothing") {
   rays.x[0] = std::numeric_limits<double>::infinity();
   refused(rays.arrays(), "ray 0: no ray; expected finite numbers and v other than 0");
 }
+
+TEST_CASE("distances: the nearest point, ties, and an empty scene") {
+  const Scene scene = some_scene();
+  const Engine engine = engine_of(scene);
+  const std::vector<double> xyz{0, 0, 5, 0, 0, -4, 0, 0, 1};
+  std::vector<durero_proximity> near(3);
+  REQUIRE(durero_distances(scene.get(), xyz.data(), 3, near.data()) == DURERO_DONE);
+  CHECK(near[0].count == DURERO_ONE);
+  CHECK(near[0].distance == 2);
+  CHECK(std::vector<double>(near[0].point, near[0].point + 3) == std::vector<double>{0, 0, 3});
+  CHECK(near[0].element == durero_element_number(engine.get(), "behind"));
+  CHECK(near[1].distance == 3);
+  CHECK(near[1].elements == 1);
+  CHECK(near[2].distance == 0);
+  CHECK(near[2].elements == 2);
+  CHECK(near[2].element == durero_element_number(engine.get(), "ball"));
+
+  const Scene empty = scene_of({});
+  REQUIRE(durero_distances(empty.get(), xyz.data(), 1, near.data()) == DURERO_DONE);
+  CHECK(near[0].count == DURERO_NONE);
+  CHECK(near[0].element == DURERO_NO_ELEMENT);
+
+  const std::vector<double> wrong{0, 0, std::numeric_limits<double>::infinity()};
+  near[0].distance = 7;
+  CHECK(durero_distances(scene.get(), wrong.data(), 1, near.data()) == DURERO_FAILED);
+  CHECK(std::string(durero_error()) == "point 0: no point; expected finite numbers");
+  CHECK(near[0].distance == 7);
+}

@@ -128,6 +128,26 @@ uint32_t durero_element_number(const durero_engine *engine, const char *name);
  * bytes; a name that has no room is left out. The number of elements, or -1 where the ray is none. */
 int durero_elements(const durero_engine *engine, const durero_ray *ray, char *names, size_t size);
 
+/** How many points of a scene are nearest to a point. */
+typedef enum durero_count {
+  DURERO_NONE = 0, /**< the scene has no element */
+  DURERO_ONE = 1, /**< one */
+  DURERO_MANY = 2 /**< several, or a whole ring or sphere of them */
+} durero_count;
+
+/** What is nearest to a point, rounded once from its exact value. Of an empty scene all but count and element is 0. */
+typedef struct durero_proximity {
+  durero_count count; /**< how many points are nearest */
+  uint32_t elements; /**< how many elements have the distance */
+  uint32_t element; /**< the least of them by number; DURERO_NO_ELEMENT of an empty scene */
+  double distance; /**< how far the nearest point is */
+  double point[3]; /**< the nearest point, of many the first by x, then y, then z */
+} durero_proximity;
+
+/** How far count points are from the scene, in order, on every processor; xyz has three numbers a point. DURERO_FAILED, and
+ * nothing written, where a number is not finite, and of a scene that was read by a Z text. */
+durero_answer durero_distances(const durero_scene *scene, const double *xyz, size_t count, durero_proximity *answers);
+
 #ifdef __cplusplus
 }
 #endif
