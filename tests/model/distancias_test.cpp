@@ -88,5 +88,5 @@ TEST_CASE("mas_cercano.def.1: the distance, the first of the nearest points, and
   CHECK(mas_cercano(escena, Punto(3, 0, 0), {0}, {3, 0, 0}, {esfera, nuevo}, some));
   CHECK_FALSE(mas_cercano(escena, Punto(3, 0, 0), {0}, {3, 0, 0}, {esfera}, some));
   CHECK(mas_cercano(escena, Punto(1, 0, 0), {4}, {-1, 0, 0}, {esfera, nuevo}, some));
-  CHECK_FALSE(mas_cercano(escena, Punto(1, 0, 0), {4}, {1, 2, 0}, {esfera}, some));  // another comes before
+  CHECK_FALSE(mas_cercano(escena, Punto(1, 0, 0), {4}, {1, 2, 0}, {esfera, nuevo}, some));  // another comes before
 }
