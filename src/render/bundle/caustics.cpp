@@ -23,7 +23,7 @@ namespace durero::render {
 namespace {
 
 /// The pencils across the square about an element, before any is divided.
-constexpr int across = 48;
+constexpr int pencils_across = 48;
 /// How often a cell is divided.
 constexpr int divisions = 3;
 /// The tolerance, and the blur of a spot, as parts of the radius of the element that gathers the light.
@@ -74,9 +74,9 @@ class CausticTracer {
 
   void trace(const LightWindow& window) {
     window_ = &window;
-    const double side = 2 * window.half / across;
-    for (int i = 0; i < across; ++i)
-      for (int k = 0; k < across; ++k)
+    const double side = 2 * window.half / pencils_across;
+    for (int i = 0; i < pencils_across; ++i)
+      for (int k = 0; k < pencils_across; ++k)
         trace(LightCell{(i + 0.5) * side - window.half, (k + 0.5) * side - window.half, side}, divisions);
   }
 

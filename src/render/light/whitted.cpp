@@ -122,7 +122,7 @@ class WhittedTracer : public Tracer {
     const PathVertex at{encounter_of(followed_, query, hit, path.way, varied_), path};
     sum.color += path.weight * (at.look.emission + at.look.ambient);
     if (followed_.caustics)
-      sum.color += path.weight * (at.look.k_d * at.look.color * followed_.caustics->irradiance(element, hit.punto));
+      sum.color += path.weight * (at.look.k_d * at.look.color * followed_.caustics->irradiance(at.element, hit.punto));
     ask_lights(at);
     if (path.depth == limits_.max_depth || !at.look.sends_rays_on()) return;
     send_on(at);
