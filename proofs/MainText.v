@@ -18,10 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
-  Iluminacion Power Luz Haces.
-  Iluminacion Power Luz Distribuida.
-  Iluminacion Power Luz Proyeccion.
-  Iluminacion Power Luz Distancias.
+  Iluminacion Power Luz Haces Distribuida Proyeccion Distancias.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -456,6 +453,8 @@ Proof.
     Haces.the_image_of_a_beam_is_the_beam_of_the_image (conj Haces.a_plane_through_its_origin_divides_a_beam (conj
     Haces.matrices_compose (conj Haces.the_way_along_the_axis_is_a_matrix (conj Haces.two_ways_are_the_way_of_their_sum
     Haces.a_ball_unites_what_comes_along_its_axis))))))))).
+Qed.
+
 (** Of the mean that a picture is: there are draws; it is one, and lies between the bounds; a light whose points stand in
     one place has no size; all rays of a direction meet in focus, nothing is seen outside its circle of confusion, which is
     that of the formula of thin lenses; what moves keeps its shape; two draws that share a sum add to it, and roulette
@@ -469,6 +468,8 @@ Proof.
     Distribuida.nothing_is_seen_outside_its_circle (conj Distribuida.the_circle_is_that_of_thin_lenses (conj
     Distribuida.whatever_moves_keeps_its_shape (conj Distribuida.shared_means_add_to_the_sum
     Distribuida.roulette_keeps_the_mean))))))))).
+Qed.
+
 (** Of rasters, from spec/proyeccion.tex: a point of a triangle sees a light exactly where it lies in no shadow; a parallel shadow
     has its polygon's shape; a depth map is right in the direction that it was asked in, and has a plane shadow itself beside it;
     what is drawn over what, and when the order counts. *)
