@@ -161,6 +161,8 @@ TEST_CASE("repartida.def.1: the means of two draws add to the sum, whatever the 
   Repartida other = r;
   other.o[0] += tiny;
   CHECK_FALSE(repartida(other));
+  other.y[0] = other.o[0] * other.f[0] / other.q.p[0];  // weights that add to more than one
+  CHECK_FALSE(repartida(other));
   other = r;
   other.x[2] += tiny;
   CHECK_FALSE(repartida(other));

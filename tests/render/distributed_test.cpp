@@ -167,13 +167,16 @@ TEST_CASE("a glossy mirror spreads what it shows, and keeps how much: a lobe of 
   for (const double gloss : {0.0, 3.0, 50.0}) {
     scene::Scene scene;
     scene.stage().background = glm::dvec3(0.5, 1, 2);
-    scene.stage().materials = {{.name = "satin", .color = {0, 0, 0}, .k_ps = 0.5, .gloss = gloss}};
+    scene.stage().materials = {{.name = "satin", .color = {0, 0, 0}, .k_ps = 0.5, .gloss = gloss},
+                               {.name = "soot", .color = {0, 0, 0}}};
     scene.apply(model::Agregar_Plano{model::Elemento("floor"), {0, 0, 0}, {0, 1, 0}});
+    scene.apply(model::Agregar_Plano{model::Elemento("cellar"), {0, -1, 0}, {0, 1, 0}});
     scene.set_material(*scene.find("floor"), 0);
+    scene.set_material(*scene.find("cellar"), 1);
     const auto engine = engine::find("fast")->prepare(scene);
     const std::vector<scene::Query> rays(64, {{{0, 1, 0}, {3, -1, 0}}});
     for (const render::PathRadiance& one : render::brought(scene, *engine, rays, {2}))
-      CHECK(one.color == glm::dvec3(0.25, 0.5, 1));  // no way leads through the floor
+      CHECK(one.color == glm::dvec3(0.25, 0.5, 1));  // no way leads through the floor: black
   }
 }
 
