@@ -436,7 +436,7 @@ TEST_CASE("The scenes of demo/ come back as they were exported: elements, looks,
       ++scenes;
     }
   }
-  CHECK(scenes >= 9);
+  CHECK(scenes >= 13);
 }
 
 TEST_CASE("What was exported reads back, number for number where no loss is named") {
