@@ -291,7 +291,9 @@ def main():
         "format": "durero-scene", "version": 1,
         "camera": {"eye": seen([1.95, 1.75, -3.25]), "look_at": seen([0.78, 0.98, 0.1]), "up": [0, 1, 0], "fov_y": 38},
         "resolution": [1280, 800], "max_depth": 4,
-        "lights": [{"position": seen([-1.6, 2.6, -2.4]), "color": [0.66, 0.63, 0.57]}, {"position": seen([2.2, 2.9, -2.2]), "color": [0.32, 0.32, 0.34]}],
+        "lights": [
+            {"position": seen([-1.6, 2.7, -2.4]), "color": [0.66, 0.63, 0.57], "disc": {"radius": 0.45, "normal": seen([0.5, -0.7, 0.6])}},
+            {"position": seen([2.2, 2.9, -2.2]), "color": [0.32, 0.32, 0.34], "disc": {"radius": 0.6, "normal": seen([-0.5, -0.7, 0.6])}}],
         "textures": {"tiles": {"checker": [[0.62, 0.5, 0.4], [0.4, 0.3, 0.24]], "repeat": [2, 2]}},
         "materials": MATERIALS,
     }
