@@ -199,7 +199,7 @@ Definition instance_of_the_segment_is_of_a_generator :=
 (** ** Distances *)
 
 (** About (3, 0, 0) the ball of radius two holds no point of the sphere of radius one at the origin. *)
-Theorem instance_of_the_conjectures_of_distance_hold w : distancia w (mk_Punto 3 0 0) < 2 -> w ∉ puntos_esfera origin 1.
+Theorem no_point_of_a_sphere_lies_in_a_ball_before_it w : distancia w (mk_Punto 3 0 0) < 2 -> w ∉ puntos_esfera origin 1.
 Proof.
   destruct (MainText.the_conjectures_of_distance_hold nat) as (_ & Ball & _).
   exact (Ball _ _ w _ Distancias.a_sphere_has_a_distance).
@@ -208,7 +208,7 @@ Qed.
 (** ** What a raster answers *)
 
 (** The middle of the triangle's height, and a light at the origin, off its plane: all that is asked of the two. *)
-Theorem instance_of_the_conjectures_of_projection_hold :
+Theorem the_triangle_of_the_seven_and_a_light :
   let p := mk_Punto 36 0 0 in let light := mk_Punto 0 0 0 in
   visible s p light ⦃7%nat⦄ <-> p ∈ iluminada light (puntos_de_elemento s 7%nat) (fun ps => exists o, o ∈ elementos s
     /\ o <> 7%nat /\ ps ≡ puntos_de_elemento s o).
