@@ -43,7 +43,7 @@ struct RenderSettings {
   Integrator integrator{};                   ///< the way of following light
   /// Prepares an engine for a moving scene at another time; without it, the default engine is prepared.
   std::function<std::unique_ptr<const engine::Engine>(const scene::Scene&)> prepare{};
-  const Caustics* caustics = nullptr;        ///< light that comes besides to matt surfaces
+  const Caustics* caustics = nullptr;  ///< light that comes besides to matt surfaces
 };
 
 /// The counts of a picture's rays.
