@@ -43,6 +43,7 @@ constexpr std::array techniques = {
     Technique{fewer, "ray classification", "A §1.6", "classification"},
     Technique{fewer_rays, "statistical antialiasing", "A §1.1", "render --sampling statistical"},
     Technique{fewer_rays, "adaptive depth control", "A §1.7", "render --min-weight"},
+    Technique{wider_rays, "cones", "A §1.1", "render --rays cones"},
     Technique{wider_rays, "beams", "A §1.1", "render --rays beams"},
     Technique{wider_rays, "pencils", "A §1.1", "render --rays pencils"},
 };

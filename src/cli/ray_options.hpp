@@ -3,16 +3,18 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace durero::cli {
 
 /// The kinds of rays, in the order of their names.
-enum class RayKind : std::uint8_t { lines, beams, pencils };
+enum class RayKind : std::uint8_t { lines, cones, beams, pencils };
 
 /// The options as they stand in the call.
 struct RayOptions {
   std::string rays, tree;
+  std::optional<double> spread;  ///< of cones, in parts of their part of a pixel
 
   RayKind kind() const;
 };

@@ -16,10 +16,12 @@
 #include "durero/polygon/convex.hpp"
 #include "durero/render/bundle/beams.hpp"
 #include "durero/render/bundle/caustics.hpp"
+#include "durero/render/bundle/cones.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/render/output/exr.hpp"
 #include "durero/render/sample/refined.hpp"
 #include "durero/render/sample/seen.hpp"
+#include "durero/scene/motion.hpp"
 #include "durero/scene/stage.hpp"
 #include "engines.hpp"
 #include "interrupted.hpp"
@@ -101,6 +103,8 @@ class Drawing {
     switch (options_.wide.kind()) {
       case RayKind::lines:
         return render::render(scene(), tracer_.engine(), show, frame_, &reach);
+      case RayKind::cones:
+        return render::by_cones(scene(), tracer_.engine(), show, frame_, options_.wide.spread.value_or(1));
       case RayKind::beams: {
         render::BeamPicture beams = render::by_beams(scene(), tracer_.engine(), show, frame_);
         if (tree) tree->write(render::svg(beams.tree, scene(), size_of(options_, scene().stage())));
@@ -108,6 +112,7 @@ class Drawing {
         return std::move(beams.picture);
       }
       case RayKind::pencils: {
+        if (scene::moves(scene())) throw std::domain_error("the scene moves; expected one at rest with pencils");
         const std::uint32_t depth = frame_.max_depth.value_or(render::depth_of(scene().stage()));
         const render::Caustics caustics(scene(), tracer_.engine(), depth);
         render::RenderSettings frame = frame_;

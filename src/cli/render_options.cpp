@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "durero/io/file_name.hpp"
+#include "durero/render/bundle/cones.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/render/sample/sampling.hpp"
 #include "durero/scene/stage.hpp"
@@ -131,6 +132,7 @@ std::string shell_word(const std::string& text) {
 std::string option_of_lines(const RenderOptions& options) {
   if (options.preview) return "--preview";
   if (options.min_weight) return fmt::format("--min-weight {}", *options.min_weight);
+  if (!options.integrator.empty()) return "--integrator " + options.integrator;
   if (!options.sampling.empty()) return "--sampling " + options.sampling;
   return options.samples ? fmt::format("--samples {}", *options.samples) : "";
 }
@@ -241,6 +243,9 @@ std::vector<render::Note> notes_of(const RenderOptions& options, const scene::St
     if (options.is_statistical()) call += fmt::format(" --width {} --confidence {}", samples.width, samples.confidence);
   }
   if (samples.seed != 0) call += fmt::format(" --seed {}", samples.seed);
+  const double spread = options.wide.spread.value_or(1);
+  if (options.wide.kind() == RayKind::cones && !render::cones_are_rays(stage, spread))
+    call += fmt::format(" --rays cones --spread {}", spread);
   if (options.wide.kind() == RayKind::pencils) call += " --rays pencils";
   if (tone_of(options) != render::Tone::clamp) call += " --tone " + options.tone;
   if (options.aov) call += " --aov";

@@ -60,17 +60,18 @@ done <<'TECHNIQUES'
 1.6 ray classification
 1.1 statistical antialiasing
 1.7 adaptive depth control
+1.1 cones
 1.1 beams
 1.1 pencils
 TECHNIQUES
-[ "$(grep -c '^  .* (A §' listed)" -eq 12 ] || fail 'durero engines has a technique that is not in the list here'
-grep -A1 '^rays that are more than lines:' listed | grep -q '^  beams (A §1.1): render --rays beams$' ||
+[ "$(grep -c '^  .* (A §' listed)" -eq 13 ] || fail 'durero engines has a technique that is not in the list here'
+grep -A1 '^rays that are more than lines:' listed | grep -q '^  cones (A §1.1): render --rays cones$' ||
   fail 'rays that are more than lines'
 grep -q '^of each in this list durero stats counts nodes, cells and bytes' listed || fail 'durero engines says nothing of counters'
 run 0 render --help
 cp out rendering
 sed -n 's/.*: render \(--[a-z-]*\).*/\1/p' listed >options
-lines options 4
+lines options 5
 while read -r option; do
   checks=$((checks + 1))
   grep -q -e "$option " rendering || fail "durero engines names $option, which durero render has not"

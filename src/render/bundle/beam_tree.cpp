@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <stdexcept>
 #include <type_traits>
@@ -62,6 +63,8 @@ void require_followed(const scene::Scene& scene) {
       refuse(fmt::format("material {} lets light through, which bends beams; expected k_t 0 with beams", m.name));
     if (m.k_ps > 0 && m.bump)
       refuse(fmt::format("material {} is a mirror with a relief; expected a flat mirror with beams", m.name));
+    if (m.k_ps > 0 && std::isfinite(m.gloss))
+      refuse(fmt::format("material {} is a dull mirror; expected none with beams", m.name));
   }
 }
 
@@ -74,6 +77,9 @@ std::vector<FlatElement> flat_elements(const scene::Scene& scene) {
       const RationalPoint a = exact_point(shape.vertices[0]), b = exact_point(shape.vertices[1]),
                           c = exact_point(shape.vertices[2]);
       all.push_back({e, a, polygon::cross(b - a, c - a), {a, b, c}});
+      const auto material = scene.material(e);
+      if (material && scene.stage().materials[*material].k_ps > 0 && scene.vertex_normals(e))
+        refuse(fmt::format("element {} is a smooth mirror; expected flat ones with beams", scene.name(e).name()));
     } else {
       refuse(fmt::format("element {} is neither a triangle nor a plane; expected these alone with beams",
                          scene.name(e).name()));

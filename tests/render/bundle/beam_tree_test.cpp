@@ -183,6 +183,9 @@ TEST_CASE("what beams do not follow is refused by name") {
   scene::Scene waves = triangle_stage();
   waves.stage().materials[1].bump = scene::Bump{};
   CHECK(said(waves).starts_with("material mirror is a mirror with a relief"));
+  scene::Scene dull = triangle_stage();
+  dull.stage().materials[1].gloss = 50;
+  CHECK(said(dull).starts_with("material mirror is a dull mirror"));
 }
 
 TEST_CASE("the drawing has a polygon for each region") {

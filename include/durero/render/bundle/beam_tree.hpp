@@ -35,9 +35,9 @@ using BeamTree = std::vector<BeamRegion>;
 polygon::Polygon outline_of(scene::Pixel first, scene::Resolution size);
 
 /// The beam tree of the part of a picture within an outline, with at most so many beams in a row. An element that is
-/// seen edge-on has no region. Throws std::domain_error where the scene has an element that is no
-/// triangle and no plane, or a material that beams do not follow: one that lets light through, or a mirror with a
-/// relief.
+/// seen edge-on has no region. Throws std::domain_error where the scene has what beams do not follow: an
+/// element that is no triangle and no plane; a material that lets light through; a mirror that is dull or smooth, or
+/// has a relief.
 BeamTree beam_tree(const scene::Scene& scene, const scene::PrimaryRays& rays, const polygon::Polygon& outline,
                    std::uint32_t max_depth);
 
