@@ -59,7 +59,7 @@ AcrossFrame frame_across(const Vec& n) {
 }
 
 /// The point of the disc of radius 1 for a point of the square: equal areas become equal areas.
-glm::dvec2 in_disc(const glm::dvec2& square) {
+glm::dvec2 on_lens(const glm::dvec2& square) {
   const double radius = std::sqrt(square.x + 0.5);
   const auto [sine, cosine] = half_turn(square.y);
   return {radius * (1 - 2 * sine * sine), radius * 2 * sine * cosine};
@@ -87,7 +87,7 @@ class FractalPaths {
       if (!met) return light + share * sky(direction);
       share *= met->albedo;
       light += share * sunlight * lit(*met, draw(1 + 2 * bounce));
-      const glm::dvec2 across = in_disc(draw(2 + 2 * bounce));
+      const glm::dvec2 across = on_lens(draw(2 + 2 * bounce));
       const auto [one, other] = frame_across(met->normal);
       direction = across.x * one + across.y * other +
                   std::sqrt(std::max(0.0, 1 - across.x * across.x - across.y * across.y)) * met->normal;
@@ -125,7 +125,7 @@ class FractalPaths {
 
   /// How much of the sun a surface has: the cosine of a direction to its disc, where nothing stands in it.
   double lit(const Met& met, const glm::dvec2& square) const {
-    const glm::dvec2 at = in_disc(square);
+    const glm::dvec2 at = on_lens(square);
     const auto [one, other] = frame_across(sun);
     const Vec direction = glm::normalize(sun + sun_radius * (at.x * one + at.y * other));
     const double cosine = glm::dot(direction, met.normal);
