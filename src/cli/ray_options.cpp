@@ -52,7 +52,7 @@ void check_together(const RayOptions& options, const std::string& named) {
                               ? !named.empty()
                               : options.kind() == RayKind::cones && !named.empty() && !named.starts_with("--samples ");
   refuse(is_refused, fmt::format("{}: of rays that are lines; expected it without --rays {}", named, options.rays));
-  refuse(options.kind() == RayKind::pencils && (named == "--preview" || named.starts_with("--integrator ")),
+  refuse(options.kind() == RayKind::pencils && named == "--preview",
          fmt::format("{}: not with pencils, which come before all else; expected it without --rays pencils", named));
 }
 

@@ -132,7 +132,6 @@ std::string shell_word(const std::string& text) {
 std::string option_of_lines(const RenderOptions& options) {
   if (options.preview) return "--preview";
   if (options.min_weight) return fmt::format("--min-weight {}", *options.min_weight);
-  if (!options.integrator.empty()) return "--integrator " + options.integrator;
   if (!options.sampling.empty()) return "--sampling " + options.sampling;
   return options.samples ? fmt::format("--samples {}", *options.samples) : "";
 }

@@ -27,7 +27,7 @@ refused 'render: --rays cubes: ' render "$beams" -o new.png --rays cubes
 refused '--samples 4: of rays that are lines' render "$beams" -o new.png --rays beams --samples 4
 refused '--sampling stratified: of rays that are lines' render "$beams" -o new.png --rays beams --sampling stratified
 refused '--min-weight 0.1: of rays that are lines' render "$beams" -o new.png --rays beams --min-weight 0.1
-refused '--integrator path: of rays that are lines' render "$beams" -o new.png --rays beams --integrator path
+refused '--rays: of one integrator alone' render "$beams" -o new.png --rays beams --integrator path
 refused '--preview: of rays that are lines' render "$beams" -o new.png --rays beams --preview
 refused '--tree: of one kind of rays' render "$beams" -o new.png --tree new.svg
 refused '--tree new.txt: not a drawing' render "$beams" -o new.png --rays beams --tree new.txt
@@ -66,7 +66,7 @@ same pencils.png other.png
 checks=$((checks + 1))
 cmp -s pencils.png without.png && fail 'pencils bring no light'
 refused 'scene.json: no light shines on a finite element with k_ps or k_t' render scene.json -o new.png --rays pencils
-refused '--integrator path: not with pencils' render "$glass" -o new.png --rays pencils --integrator path
+refused '--rays: of one integrator alone' render "$glass" -o new.png --rays pencils --integrator path
 refused '--preview: not with pencils' render "$glass" -o new.png --rays pencils --preview
 absent new.png
 finish
