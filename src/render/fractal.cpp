@@ -22,7 +22,7 @@ struct FractalView {
   double floor;  ///< the height of the floor
   Vec albedo;    ///< of the fractal
 };
-FractalView view_of(const MengerSponge&) { return {{2.3, 1.5, 2.6}, {0.5, 0.44, 0.5}, 0.86, 0, {0.83, 0.66, 0.45}}; }
+FractalView view_of(const MengerSponge&) { return {{2.3, 1.5, 2.6}, {0.5, 0.42, 0.5}, 0.92, 0, {0.83, 0.66, 0.45}}; }
 FractalView view_of(const QuaternionJulia&) { return {{1.7, 1.2, 3.1}, {0, -0.2, 0}, 1.25, -0.98, {0.8, 0.42, 0.3}}; }
 
 constexpr std::uint32_t most_bounces = 4, most_steps = 400;

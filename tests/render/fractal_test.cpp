@@ -27,7 +27,7 @@ TEST_CASE("A fractal is drawn with the same numbers for any number of threads") 
 
 TEST_CASE("A fractal stands on a grey floor, in the light of a sun and a sky") {
   const Picture picture = draw_fractal(sponge, {64, 40}, 16, {});
-  const glm::dvec3 wall = pixel(picture, 26, 10), floor = pixel(picture, 58, 36), shadow = pixel(picture, 12, 25);
+  const glm::dvec3 wall = pixel(picture, 26, 10), floor = pixel(picture, 58, 36), shadow = pixel(picture, 13, 24);
   CHECK(wall.r > 1.3 * wall.b);                       // of the colour of stone
   CHECK((floor.r < 1.3 * floor.b && floor.r > 0.3));  // grey, and lit
   CHECK(shadow.r < 0.6 * floor.r);                    // the sun is hidden
