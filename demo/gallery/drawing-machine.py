@@ -270,7 +270,7 @@ def more(scene):
     for y, d in ((0.44, -1), (0.485, 1)):
         scene.put("seat-end", "disco", "wood", centro=[-1.75, y, 0.25], radio=0.2, vector=[0, d, 0])
     for i in range(3):
-        a = 2 * math.pi * i / 3 + 0.5
+        a = 2 * math.pi * i / 3 + 0.8
         scene.tube("stool", "wood", (-1.75 + 0.12 * math.cos(a), 0.44, 0.25 + 0.12 * math.sin(a)),
                    (-1.75 + 0.2 * math.cos(a), 0.02, 0.25 + 0.2 * math.sin(a)), 0.018)
 

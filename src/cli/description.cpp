@@ -38,7 +38,8 @@ constexpr std::array rows = {
     ArgumentRow{"--replay", Kind::file, "TRACE"},      ArgumentRow{"--with", Kind::file, "FILE"},
     ArgumentRow{"--with", Kind::file, "TEXT"},         ArgumentRow{"--from", Kind::text, "X,Y,Z"},
     ArgumentRow{"--picture", Kind::file, "PICTURE"},   ArgumentRow{"--towards", Kind::text, "X,Y,Z"},
-    ArgumentRow{"--mirror", Kind::text, "NAME"},
+    ArgumentRow{"--mirror", Kind::text, "NAME"},       ArgumentRow{"--of", Kind::text, "NAME"},
+    ArgumentRow{"--tree", Kind::file, "DRAWING"},      ArgumentRow{"POINTS", Kind::file, "POINTS"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.
