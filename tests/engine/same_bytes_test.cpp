@@ -85,6 +85,15 @@ TEST_CASE("on huge elements and tiny ones together, and on such as are not ordin
   check_same(scene, queries, "seed 4");
 }
 
+TEST_CASE("on segments that nothing but an element out of range blocks") {
+  scene::Scene scene;
+  for (int i = 0; i < 40; ++i) add(scene, scene::Sphere{{2.0 * i, 50, 0}, 0.5});
+  for (const double size : {1e-200, 1e300}) add(scene, scene::Sphere{{0, 0, size}, size});
+  Queries queries;
+  for (int i = 0; i < 20; ++i) queries.push_back({ray({0.1 * i, 0.25, -1}, {0, 0, 1.5})});
+  check_same(scene, queries, "a sphere as flat as a plane");
+}
+
 TEST_CASE("on segments that end at lights") {
   for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(20); ++seed) {
     Random random(seed);
