@@ -62,7 +62,7 @@ narrow include/durero/scene/groups.hpp: a header that hands operations on and re
 edges CMakeLists.txt: an edge that no include needs
   s/^durero_layer(zed DEPENDS /&contract /
 edges CMakeLists.txt: an include that no edge names
-  s/^durero_layer(render DEPENDS contract model/durero_layer(render DEPENDS contract/
+  s/^\(durero_layer(render DEPENDS .*\) model/\1/
 edges CMakeLists.txt: a layer that the program includes and does not link
   s/PRIVATE durero::text /PRIVATE /
 independence src/oracle/sampled.cpp: an oracle that knows the equation of a surface
