@@ -20,8 +20,7 @@ void add_blur_losses(std::vector<std::string>& lost, const scene::Scene& scene, 
   add(stage.camera && stage.camera->shutter > 0, "shutter", "shutters");
   const bool camera_moves = stage.camera && stage.camera->motion != glm::dvec3(0);
   add(static_cast<std::ptrdiff_t>(scene::moving_elements(scene)) + camera_moves, "motion", "motions");
-  add(std::ranges::count_if(stage.lights,
-                            [](const auto& light) { return light.extent.shape != scene::LightShape::point; }),
+  add(std::ranges::count_if(stage.lights, [](const auto& light) { return !light.extent.is_point(); }),
       "shape of a light", "shapes of lights");
   add(std::ranges::count_if(stage.materials, [](const auto& material) { return !std::isinf(material.gloss); }), "gloss",
       "glosses");

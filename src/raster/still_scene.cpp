@@ -13,7 +13,7 @@ const scene::Camera& still_camera(const scene::Scene& scene) {
   if (stage.camera->aperture > 0) throw std::domain_error("the camera has a lens; expected a pinhole");
   if (scene::moves(scene))
     throw std::domain_error("something moves while the shutter is open; expected a scene at rest");
-  const auto has_extent = [](const scene::Light& light) { return light.extent.shape != scene::LightShape::point; };
+  const auto has_extent = [](const scene::Light& light) { return !light.extent.is_point(); };
   if (std::ranges::any_of(stage.lights, has_extent))
     throw std::domain_error("a light has an extent; expected point lights and directions");
   return *stage.camera;

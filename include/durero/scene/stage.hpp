@@ -44,6 +44,9 @@ struct LightExtent {
   double radius = 0;                     ///< of a disc or a sphere, above 0
   glm::dvec3 normal{};                   ///< of a disc, of any length but 0
   std::array<glm::dvec3, 2> edges{};     ///< of a triangle or a rectangle; they are not parallel
+
+  /// Whether the light has no extent.
+  bool is_point() const noexcept { return shape == LightShape::point; }
   bool operator==(const LightExtent&) const = default;
 };
 

@@ -45,7 +45,7 @@ std::array<glm::dvec3, 2> read_edges(json::Reader& in) {
 }  // namespace
 
 void read_json(json::Reader& in, std::string_view shape, LightExtent& extent) {
-  if (extent.shape != LightShape::point) in.fail(in.key_offset(), "a light has two shapes", "expected one");
+  if (!extent.is_point()) in.fail(in.key_offset(), "a light has two shapes", "expected one");
   extent.shape = static_cast<LightShape>(std::ranges::find(shape_words, shape) - shape_words.begin());
   switch (extent.shape) {
     case LightShape::point:

@@ -32,7 +32,7 @@ void require_drawn(const scene::Stage& stage) {
     if (m.bump) throw std::domain_error(fmt::format("material {} has a relief; expected none with cones", m.name));
   }
   for (const scene::Light& light : stage.lights)
-    if (light.extent.shape != scene::LightShape::point && light.extent.shape != scene::LightShape::sphere)
+    if (!light.extent.is_point() && light.extent.shape != scene::LightShape::sphere)
       throw std::domain_error("a light has another shape than a point or a sphere; expected these with cones");
   if (stage.camera && (stage.camera->aperture > 0 || stage.camera->shutter > 0))
     throw std::domain_error("the camera has a lens or a shutter; expected a pinhole with cones");
@@ -180,8 +180,7 @@ class ConeTracer {
 
 bool cones_are_rays(const scene::Stage& stage, double spread) {
   return spread == 0 &&
-         std::ranges::all_of(
-             stage.lights, [](const scene::Light& light) { return light.extent.shape == scene::LightShape::point; }) &&
+         std::ranges::all_of(stage.lights, [](const scene::Light& light) { return light.extent.is_point(); }) &&
          std::ranges::all_of(stage.materials, [](const scene::Material& m) { return std::isinf(m.gloss); });
 }
 

@@ -6,18 +6,15 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <memory>
-#include <mutex>
 #include <optional>
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/bundle/caustics.hpp"
 #include "durero/render/light/directions.hpp"
-#include "durero/render/light/environment.hpp"
 #include "durero/render/light/extent.hpp"
 #include "durero/render/sample/maps.hpp"
 #include "durero/render/sample/sampling.hpp"
 #include "durero/scene/stage.hpp"
-#include "durero/surface/surfaces.hpp"
 #include "encounter.hpp"
 #include "followed.hpp"
 #include "local_model.hpp"
@@ -137,7 +134,7 @@ class WhittedTracer : public Tracer {
 
   /// The place of light i, as this sample of the ray sees it from there.
   glm::dvec3 place_of(const scene::Light& light, std::size_t i, const PathVertex& at) const {
-    if (light.extent.shape == scene::LightShape::point) return light.position;
+    if (light.extent.is_point()) return light.position;
     return point_of(light, samples_[at.path.ray].pair(of_meeting(at.path.branch) + 1 + i));
   }
 
