@@ -215,7 +215,7 @@ class CausticTracer {
     const glm::dmat3 turned = (met.enters ? 1.0 : -1.0) * surface::curvature(scene_, met.element, met.hit.punto);
     if (m.k_t > 0) {
       PencilPath beyond = path;
-      const double ratio = cross(beyond.axis.media, met.enters, material);
+      const double ratio = beyond.axis.media.cross(met.enters, material, scene_.stage());
       if (beyond.pencil.refract(met.normal, turned, ratio)) {
         beyond.share *= m.k_t * m.M_T;
         go_on(std::move(beyond), met, probes,
@@ -229,14 +229,6 @@ class CausticTracer {
     back.share *= mirror;
     go_on(std::move(back), met, probes,
           [](const glm::dvec3& d, const glm::dvec3& n) { return std::optional(mirrored(d, n)); });
-  }
-
-  /// Crosses a surface, as Whitted's recursion does. Returns the index before it over that beyond.
-  double cross(Media& media, bool enters, std::uint32_t material) const {
-    const double here = media.index(scene_.stage());
-    const bool was_in = enters || media.leave(material);
-    if (enters) media.enter(material);
-    return (was_in ? here : scene_.stage().materials[material].index) / media.index(scene_.stage());
   }
 
   /// Follows the path in its new direction; turned(d, n) is that of a probe, if it has one.
@@ -302,7 +294,7 @@ std::vector<LightWindow> windows_of(const scene::Scene& scene) {
 
 Caustics::Caustics(const scene::Scene& scene, const engine::Engine& engine, std::uint32_t max_depth) {
   if (scene::moves(scene)) throw std::domain_error("something moves; expected a scene at rest with pencils");
-  if (!std::ranges::all_of(scene.stage().lights, [](const auto& l) { return l.extent == scene::LightExtent{}; }))
+  if (!std::ranges::all_of(scene.stage().lights, [](const auto& l) { return l.extent.is_point(); }))
     throw std::domain_error("a light has a size; expected points and directions with pencils");
   const std::vector<LightWindow> windows = windows_of(scene);
   if (windows.empty())

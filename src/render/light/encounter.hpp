@@ -101,10 +101,7 @@ struct Passage {
 
 /// The media of a ray that was in `media` and passes the surface. Precondition: the element has a material.
 [[gnu::always_inline]] inline Passage beyond_of(const Encounter& at, Media media, const scene::Stage& stage) {
-  const double here = media.index(stage);
-  const bool was_in = at.enters || media.leave(*at.material);
-  if (at.enters) media.enter(*at.material);
-  const double ratio = (was_in ? here : at.look.index) / media.index(stage);
+  const double ratio = media.cross(at.enters, *at.material, stage);
   return {std::move(media), ratio};
 }
 

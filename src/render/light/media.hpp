@@ -24,6 +24,14 @@ class Media {
     entered_.erase(last, 1);
     return true;
   }
+  /// Crosses a surface of that material, from its outer side or from within. Returns the index before it over that
+  /// beyond. A ray that leaves a material without having entered it was in it.
+  double cross(bool enters, std::uint32_t material, const scene::Stage& stage) {
+    const double here = index(stage);
+    const bool was_in = enters || leave(material);
+    if (enters) enter(material);
+    return (was_in ? here : stage.materials[material].index) / index(stage);
+  }
 
  private:
   std::u32string entered_;  // their numbers; the string holds a few in itself, without an allocation
