@@ -126,7 +126,7 @@ RasterResult transparent_technique(const RasterOptions& options, const SceneTrac
     std::vector<polygon::Polygon> corners;
     for (const std::size_t place : order) corners.push_back(scene.corners()[place]);
     std::vector<std::size_t> sorted;
-    for (const std::size_t place : raster::far_to_near(corners, {raster::exact(scene.view().eye())}))
+    for (const std::size_t place : raster::far_to_near(corners, {polygon::exact(scene.view().eye())}))
       sorted.push_back(order[place]);
     order = std::move(sorted);
   }

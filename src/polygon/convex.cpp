@@ -6,6 +6,14 @@
 
 namespace durero::polygon {
 
+RationalPoint exact(const glm::dvec3& point) {
+  return {number::exact(point.x), number::exact(point.y), number::exact(point.z)};
+}
+
+glm::dvec3 rounded(const RationalPoint& point) {
+  return {number::round_to_binary64(point.x), number::round_to_binary64(point.y), number::round_to_binary64(point.z)};
+}
+
 RationalPoint operator+(const RationalPoint& a, const RationalPoint& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 RationalPoint operator-(const RationalPoint& a, const RationalPoint& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 RationalPoint operator*(const Rational& s, const RationalPoint& a) { return {s * a.x, s * a.y, s * a.z}; }

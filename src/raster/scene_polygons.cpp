@@ -27,14 +27,6 @@ std::string_view not_drawn(const scene::Material& m, Opacity opacity) {
 
 }  // namespace
 
-polygon::RationalPoint exact(const glm::dvec3& point) {
-  return {number::exact(point.x), number::exact(point.y), number::exact(point.z)};
-}
-
-glm::dvec3 rounded(const polygon::RationalPoint& point) {
-  return {number::round_to_binary64(point.x), number::round_to_binary64(point.y), number::round_to_binary64(point.z)};
-}
-
 std::vector<ScenePolygon> polygons_of(const scene::Scene& scene, Opacity opacity) {
   std::vector<ScenePolygon> polygons;
   scene.for_each([&]<class Shape>(scene::ElementRef element, const Shape& shape) {
@@ -48,7 +40,10 @@ std::vector<ScenePolygon> polygons_of(const scene::Scene& scene, Opacity opacity
       if (scene.vertex_normals(element) != nullptr)
         throw std::domain_error(
             fmt::format("element {} is shaded by normals of its own; expected flat triangles", name));
-      polygons.push_back({element, {exact(a), exact(b), exact(c)}, glm::normalize(glm::cross(b - a, c - a)), look});
+      polygons.push_back({element,
+                          {polygon::exact(a), polygon::exact(b), polygon::exact(c)},
+                          glm::normalize(glm::cross(b - a, c - a)),
+                          look});
     } else {
       throw std::domain_error(fmt::format("element {} is of the type {}; expected triangles alone", name, Shape::word));
     }
@@ -67,9 +62,9 @@ std::vector<polygon::Polygon> corners_of(const std::vector<ScenePolygon>& polygo
 
 std::vector<polygon::Apex> apexes_of(const scene::Stage& stage) {
   std::vector<polygon::Apex> apexes;
-  for (const scene::Light& light : stage.lights) apexes.push_back({exact(light.position)});
+  for (const scene::Light& light : stage.lights) apexes.push_back({polygon::exact(light.position)});
   for (const scene::DirectionalLight& light : stage.directional_lights)
-    apexes.push_back({exact(-light.direction), true});
+    apexes.push_back({polygon::exact(-light.direction), true});
   return apexes;
 }
 

@@ -26,8 +26,8 @@ std::vector<polygon::PlaneSide> pyramid_of(const RasterView& view) {
   Polygon window;
   for (const glm::dvec2 place :
        {glm::dvec2(-0.5, -0.5), glm::dvec2(right, -0.5), glm::dvec2(right, bottom), glm::dvec2(-0.5, bottom)})
-    window.push_back(exact(view.eye()) + exact(view.direction_at(place)));
-  return polygon::pyramid({exact(view.eye())}, window);
+    window.push_back(polygon::exact(view.eye()) + polygon::exact(view.direction_at(place)));
+  return polygon::pyramid({polygon::exact(view.eye())}, window);
 }
 
 /// Parts each of them by what a light sees of their polygon.
@@ -60,11 +60,6 @@ glm::dvec3 middle_of(const Polygon& corners) {
   return sum / double(corners.size());
 }
 
-std::string color_text(const glm::dvec3& color) {
-  return fmt::format("#{:02x}{:02x}{:02x}", scene::srgb_byte(color.x), scene::srgb_byte(color.y),
-                     scene::srgb_byte(color.z));
-}
-
 std::string area(const RasterScene& raster, std::size_t polygon, const SeenPart& part) {
   const scene::Stage& stage = raster.scene().stage();
   LightColors lights = colors_of(stage);
@@ -76,7 +71,8 @@ std::string area(const RasterScene& raster, std::size_t polygon, const SeenPart&
   for (const polygon::RationalPoint& corner : part.corners)
     if (const auto place = raster.view().place(rounded(corner)))
       points += fmt::format("{}{:.3f},{:.3f}", points.empty() ? "" : " ", place->x + 0.5, place->y + 0.5);
-  return fmt::format("<polygon fill=\"{}\" points=\"{}\"/>\n", color_text(local_color(stage, at, lights)), points);
+  return fmt::format("<polygon fill=\"{}\" points=\"{}\"/>\n", scene::srgb_text(local_color(stage, at, lights)),
+                     points);
 }
 
 }  // namespace
@@ -104,8 +100,8 @@ std::string svg(const RasterScene& raster, const std::vector<LitParts>& lit) {
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "shape-rendering=\"crispEdges\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"{2}\"/>\n",
-      width, height, color_text(raster.background()));
-  const VisiblePolygons visible = visible_polygons(raster.corners(), {exact(raster.view().eye())});
+      width, height, scene::srgb_text(raster.background()));
+  const VisiblePolygons visible = visible_polygons(raster.corners(), {polygon::exact(raster.view().eye())});
   const auto window = pyramid_of(raster.view());
   for (std::size_t i = 0; i < visible.parts.size(); ++i) {
     std::vector<SeenPart> parts;

@@ -37,7 +37,7 @@ std::vector<DirectionForm> edges_of(const polygon::Polygon& corners, const polyg
 }  // namespace
 
 DirectionForm::DirectionForm(RationalPoint coefficients)
-    : exact_(std::move(coefficients)), rounded_(raster::rounded(exact_)) {}
+    : exact_(std::move(coefficients)), rounded_(polygon::rounded(exact_)) {}
 
 double DirectionForm::value(const glm::dvec3& direction, double& error) const {
   const glm::dvec3 each = rounded_ * direction;
@@ -49,11 +49,11 @@ int DirectionForm::sign(const glm::dvec3& direction) const {
   double error = 0;
   const double quick = value(direction, error);
   if (std::abs(quick) > error) return quick > 0 ? 1 : -1;
-  return polygon::dot(exact_, raster::exact(direction)).sign();
+  return polygon::dot(exact_, polygon::exact(direction)).sign();
 }
 
 ViewPolygon::ViewPolygon(const polygon::Polygon& corners, const glm::dvec3& eye)
-    : edges_(edges_of(corners, {raster::exact(eye)})), nearness_(nearness_of(corners, {raster::exact(eye)})) {}
+    : edges_(edges_of(corners, {polygon::exact(eye)})), nearness_(nearness_of(corners, {polygon::exact(eye)})) {}
 
 bool ViewPolygon::is_met(const glm::dvec3& direction) const {
   return !is_edge_on() && nearness_.sign(direction) > 0 &&
@@ -69,7 +69,7 @@ bool ViewPolygon::is_before(const ViewPolygon& other, const glm::dvec3& directio
   double error = 0, error_of_other = 0;
   const double own = nearness_.value(direction, error), others = other.nearness_.value(direction, error_of_other);
   if (std::abs(own - others) > 2 * (error + error_of_other)) return own > others;
-  return polygon::dot(nearness_.exact() - other.nearness_.exact(), raster::exact(direction)) > 0;
+  return polygon::dot(nearness_.exact() - other.nearness_.exact(), polygon::exact(direction)) > 0;
 }
 
 }  // namespace durero::raster

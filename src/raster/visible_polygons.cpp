@@ -58,7 +58,7 @@ std::vector<glm::dvec3> rounded_corners(const Polygon& corners) {
 double distance_to(const Polygon& corners, const glm::dvec3& point) {
   const glm::dvec3 across = glm::normalize(rounded(polygon::doubled_area(corners)));
   const double height = glm::dot(rounded(corners[0]) - point, across);
-  if (polygon::contains(corners, exact(point + height * across))) return std::abs(height);
+  if (polygon::contains(corners, polygon::exact(point + height * across))) return std::abs(height);
   double least = everywhere;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 a = rounded(corners[i]), edge = rounded(corners[(i + 1) % corners.size()]) - a;

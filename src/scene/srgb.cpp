@@ -49,4 +49,14 @@ std::uint8_t srgb_byte(double linear) noexcept {
   return static_cast<std::uint8_t>(byte >= 0 ? byte : std::floor(in_steps(linear)));
 }
 
+std::string srgb_text(const glm::dvec3& linear) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string text = "#";
+  for (int i = 0; i < 3; ++i) {
+    const unsigned byte = srgb_byte(linear[i]);
+    text += {digits[byte >> 4U], digits[byte & 15U]};
+  }
+  return text;
+}
+
 }  // namespace durero::scene

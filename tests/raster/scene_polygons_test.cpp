@@ -66,5 +66,5 @@ TEST_CASE("a light from a direction is an apex without end, against the way it s
   CHECK_FALSE(apexes[0].far);
   CHECK(apexes[1].far);
   CHECK(apexes[1].at == polygon::RationalPoint{polygon::Rational(-1, 4), 1, polygon::Rational(-1, 2)});
-  CHECK(rounded(exact({0.1, -0x1p-1074, 3})) == glm::dvec3(0.1, -0x1p-1074, 3));
+  CHECK(rounded(polygon::exact({0.1, -0x1p-1074, 3})) == glm::dvec3(0.1, -0x1p-1074, 3));
 }

@@ -61,7 +61,7 @@ TEST_CASE("the verdict of each shadow ray is that of the polygons, at 10^5 point
         const bool is_dark = engine::occluded_segment(*engine, query);
         dark += is_dark ? 1 : 0;
         INFO("point " << points << ": " << at.x << ", " << at.y << ", " << at.z);
-        REQUIRE(is_in_shadow(shadows, corners, i, exact(at)) == is_dark);
+        REQUIRE(is_in_shadow(shadows, corners, i, polygon::exact(at)) == is_dark);
       }
   }
   CHECK(dark > points / 20);

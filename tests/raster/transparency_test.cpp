@@ -39,7 +39,7 @@ std::vector<std::size_t> depth_order(const RasterScene& raster) {
   std::vector<polygon::Polygon> corners;
   for (const std::size_t place : places) corners.push_back(raster.corners()[place]);
   std::vector<std::size_t> order;
-  for (const std::size_t i : far_to_near(corners, {exact(raster.view().eye())})) order.push_back(places[i]);
+  for (const std::size_t i : far_to_near(corners, {polygon::exact(raster.view().eye())})) order.push_back(places[i]);
   return order;
 }
 
@@ -157,7 +157,7 @@ TEST_CASE("far_to_near: none is drawn after one that hides a part of it; boards 
       const Corners3 at = grid_triangle(random, 2, 2);
       if (at[0].x * at[1].y == at[0].y * at[1].x) continue;
       polygon::Polygon flat;
-      for (const glm::dvec3& corner : at) flat.push_back(exact({corner.x, corner.y, z}));
+      for (const glm::dvec3& corner : at) flat.push_back(polygon::exact({corner.x, corner.y, z}));
       if (polygon::doubled_area(flat) != polygon::RationalPoint{}) all.push_back(flat);
     }
     const auto order = far_to_near(all, {{0, 0, -5}});

@@ -10,7 +10,9 @@ using namespace durero::raster;
 
 namespace {
 
-polygon::Polygon triangle_at(double z) { return {exact({-1, -1, z}), exact({1, -1, z}), exact({0, 1, z})}; }
+polygon::Polygon triangle_at(double z) {
+  return {polygon::exact({-1, -1, z}), polygon::exact({1, -1, z}), polygon::exact({0, 1, z})};
+}
 
 }  // namespace
 

@@ -78,7 +78,7 @@ polygon::Polygon scattered(std::mt19937_64& random, double size) {
     polygon::Polygon corners;
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 aside = is_anywhere ? grid_point(random, 4) : grid_point(random, 1) * size;
-      corners.push_back(exact(middle + glm::round(aside * 256.0) / 256.0));
+      corners.push_back(polygon::exact(middle + glm::round(aside * 256.0) / 256.0));
     }
     if (polygon::doubled_area(corners) != RationalPoint{}) return corners;
   }

@@ -63,3 +63,8 @@ TEST_CASE("bytes that are looked up are those that the curve gives, on either si
       if (scene::srgb_byte(c) != by_the_curve(c)) FAIL(c);
   CHECK(scene::srgb_byte(std::nextafter(0.0031308, 1)) == by_the_curve(std::nextafter(0.0031308, 1)));
 }
+
+TEST_CASE("a colour as text has two digits for each of red, green and blue, cut at both ends") {
+  CHECK(scene::srgb_text({0, 1, 0.0033}) == "#00ff0b");
+  CHECK(scene::srgb_text({-1, 7, 1}) == "#00ffff");
+}

@@ -1,6 +1,7 @@
 #pragma once
 /// A convex polygon of rational points in space is cut by planes exactly: kept, split, or taken away from.
 
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,12 @@ struct RationalPoint {
   Rational x, y, z;  ///< the coordinates
   bool operator==(const RationalPoint&) const = default;
 };
+
+/// The point that a stored one denotes.
+RationalPoint exact(const glm::dvec3& point);
+
+/// The nearest point whose coordinates are stored.
+glm::dvec3 rounded(const RationalPoint& point);
 
 /// @{ Vector arithmetic.
 RationalPoint operator+(const RationalPoint& a, const RationalPoint& b);

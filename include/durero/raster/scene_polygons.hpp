@@ -12,12 +12,6 @@
 
 namespace durero::raster {
 
-/// The point that a stored one denotes.
-polygon::RationalPoint exact(const glm::dvec3& point);
-
-/// The nearest point whose coordinates are stored.
-glm::dvec3 rounded(const polygon::RationalPoint& point);
-
 /// A triangle of a scene.
 struct ScenePolygon {
   scene::ElementRef element;  ///< of the scene

@@ -2,6 +2,8 @@
 /// The curve of sRGB (IEC 61966-2-1), from linear light to the values of a picture and back.
 
 #include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
 
 namespace durero::scene {
 
@@ -16,5 +18,8 @@ double linear_of_srgb(double value) noexcept;
 /// halves up. A component below 0, and NaN (the product of a black material and an infinite light), is 0; a component
 /// above 1 is 255.
 std::uint8_t srgb_byte(double linear) noexcept;
+
+/// A linear colour as SVG has it: `#`, and the bytes of red, green and blue as two hexadecimal digits each.
+std::string srgb_text(const glm::dvec3& linear);
 
 }  // namespace durero::scene

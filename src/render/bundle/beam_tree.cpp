@@ -72,10 +72,10 @@ std::vector<FlatElement> flat_elements(const scene::Scene& scene) {
   std::vector<FlatElement> all;
   scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
     if constexpr (std::is_same_v<Shape, scene::Plane>) {
-      all.push_back({e, exact_point(shape.centro), exact_point(shape.vector)});
+      all.push_back({e, polygon::exact(shape.centro), polygon::exact(shape.vector)});
     } else if constexpr (std::is_same_v<Shape, scene::Triangle>) {
-      const RationalPoint a = exact_point(shape.vertices[0]), b = exact_point(shape.vertices[1]),
-                          c = exact_point(shape.vertices[2]);
+      const RationalPoint a = polygon::exact(shape.vertices[0]), b = polygon::exact(shape.vertices[1]),
+                          c = polygon::exact(shape.vertices[2]);
       all.push_back({e, a, polygon::cross(b - a, c - a), {a, b, c}});
       const auto material = scene.material(e);
       if (material && scene.stage().materials[*material].k_ps > 0 && scene.vertex_normals(e))
@@ -226,9 +226,8 @@ std::string svg(const BeamTree& tree, const scene::Scene& scene, scene::Resoluti
     for (const RationalPoint& corner : region.outline)
       points += fmt::format("{}{:.3f},{:.3f}", points.empty() ? "" : " ", number::round_to_binary64(corner.x),
                             number::round_to_binary64(corner.y));
-    text += fmt::format("<polygon points=\"{}\" fill=\"#{:02x}{:02x}{:02x}\" stroke=\"{}\" stroke-width=\"{}\"/>\n",
-                        points, scene::srgb_byte(color.x), scene::srgb_byte(color.y), scene::srgb_byte(color.z),
-                        region.depth == 1 ? "black" : "white", 1.0 / region.depth);
+    text += fmt::format("<polygon points=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n", points,
+                        scene::srgb_text(color), region.depth == 1 ? "black" : "white", 1.0 / region.depth);
   }
   return text + "</svg>\n";
 }

@@ -82,7 +82,7 @@ class PixelLocator {
     }
     if (sure) return true;
     const model::Rayo ray = rays_.ray(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-    const polygon::RationalPoint point = view_.point_of(exact_point(ray.v().xyz()));
+    const polygon::RationalPoint point = view_.point_of(polygon::exact(ray.v().xyz()));
     return std::ranges::all_of(sides, [&](const polygon::PlaneSide& side) { return side.depth(point) > 0; });
   }
 

@@ -9,11 +9,6 @@
 
 namespace durero::render {
 
-/// The exact point, or vector, of stored numbers.
-inline polygon::RationalPoint exact_point(const glm::dvec3& p) {
-  return {number::exact(p.x), number::exact(p.y), number::exact(p.z)};
-}
-
 /// A multiple of a linear function.
 inline polygon::PlaneSide scaled(const polygon::Rational& s, const polygon::PlaneSide& f) {
   return {s * f.normal, s * f.offset};
@@ -23,10 +18,10 @@ inline polygon::PlaneSide scaled(const polygon::Rational& s, const polygon::Plan
 /// rounding that the engine's ray of a pixel has.
 struct PixelView {
   explicit PixelView(const scene::PrimaryRays& rays)
-      : origin(exact_point(rays.eye())),
-        corner(exact_point(rays.upper_left())),
-        across(exact_point(rays.step_x())),
-        down(exact_point(rays.step_y())) {}
+      : origin(polygon::exact(rays.eye())),
+        corner(polygon::exact(rays.upper_left())),
+        across(polygon::exact(rays.step_x())),
+        down(polygon::exact(rays.step_y())) {}
 
   /// n·direction, as a function of x and y.
   polygon::PlaneSide along(const polygon::RationalPoint& n) const {
