@@ -15,16 +15,14 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "durero/trace/ray.hpp"
+
 namespace durero::distance {
 namespace {
 
 constexpr double share = 0x1p-44;  // 512u
 
-bool is_ordinary(double value) {
-  const double size = std::abs(value);
-  return size == 0 || (size >= 0x1p-100 && size <= 0x1p100);
-}
-bool is_ordinary(const glm::dvec3& v) { return is_ordinary(v.x) && is_ordinary(v.y) && is_ordinary(v.z); }
+bool is_ordinary(const glm::dvec3& p) { return trace::ordinary(scene::Sphere{p, 1}); }
 
 double extent(const glm::dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
@@ -104,27 +102,11 @@ Bounds of(const scene::Triangle& triangle, const glm::dvec3& p) {
   return {around(least, lengths).low, around(length, lengths).high};
 }
 
-template <class Shape>
-bool has_ordinary_numbers(const Shape& shape) {
-  bool ordinary = true;
-  const auto check = [&](const auto& value) { ordinary = ordinary && is_ordinary(value); };
-  if constexpr (requires { shape.vertices; }) {
-    for (const glm::dvec3& vertex : shape.vertices) check(vertex);
-  } else {
-    check(shape.centro);
-    if constexpr (requires { shape.radio; }) check(shape.radio);
-    if constexpr (requires { shape.proporcion; }) check(shape.proporcion);
-    if constexpr (requires { shape.vector; }) check(shape.vector);
-    if constexpr (requires { shape.altura; }) check(shape.altura);
-  }
-  return ordinary;
-}
-
 }  // namespace
 
 Bounds bounds(scene::ShapeView shape, const glm::dvec3& p) {
-  if (!is_ordinary(p)) return {};
-  return shape.visit([&](const auto& of_type) { return has_ordinary_numbers(of_type) ? of(of_type, p) : Bounds{}; });
+  if (!is_ordinary(p) || !trace::ordinary(shape)) return {};
+  return shape.visit([&](const auto& of_type) { return of(of_type, p); });
 }
 
 // Three differences, squares and sums and a root lose less than 8u; a square that underflows loses what is not lost of
