@@ -5,8 +5,9 @@ A weight keeps a thread taut that runs over a pulley on the wall, which is the e
 threads across the frame mark where it passes; the door, which is turned out of the frame, bears what is drawn so far: each of
 its points is where the ray from the eye to a point of the lute meets the plane of the frame.
 """
-import json
 import math
+
+from scene_text import scene_text
 
 MATERIALS = {
     "floor": {"color": [1, 1, 1], "k_a": 0.1, "k_d": 0.8, "ambient": [0.16, 0.15, 0.14],
@@ -279,7 +280,9 @@ def main():
     scene, lute = Scene(), Lute()
     outline = lute.outline(22)
     met = 30  # the point that the thread has come to
-    room(scene), table(scene), lute.build(scene)
+    room(scene)
+    table(scene)
+    lute.build(scene)
     frame(scene, on_frame(outline[met]))
     drawing(scene, outline[:met])
     drawing(scene, [lute.point(0.4 + 0.05 * math.sin(a), 0, 0.05 * math.cos(a))
@@ -297,8 +300,7 @@ def main():
         "textures": {"tiles": {"checker": [[0.62, 0.5, 0.4], [0.4, 0.3, 0.24]], "repeat": [2, 2]}},
         "materials": MATERIALS,
     }
-    lines = ",\n".join(json.dumps(e, separators=(",", ":")) for e in scene.elements)
-    print(json.dumps(stage, separators=(",", ":"))[:-1] + ',\n"elementos":[\n' + lines + "\n]}")
+    print(scene_text(stage, scene.elements))
 
 
 if __name__ == "__main__":

@@ -4,8 +4,9 @@
 The tumbler is one closed surface of revolution, as smooth triangles whose normals point out of the glass, into the cavity
 too. The wall of the water lies within the wall of the glass, so that a ray passes from one to the other with no air between.
 """
-import json
 import math
+
+from scene_text import scene_text
 
 SEGMENTS = 64
 PROFILE = (  # (radius, height, normal outwards, normal upwards): a corner stands twice, once for each side of it
@@ -70,8 +71,7 @@ def main():
     ]
     for number, (corners, normals) in enumerate(triangles(), 1):
         elements.append({"id": f"glass{number}", "tipo": "triangulo", "vertices": corners, "material": "glass", "normals": normals})
-    lines = ",\n".join(json.dumps(e, separators=(",", ":")) for e in elements)
-    print(json.dumps(stage, separators=(",", ":"))[:-1] + ',\n"elementos":[\n' + lines + "\n]}")
+    print(scene_text(stage, elements))
 
 
 if __name__ == "__main__":

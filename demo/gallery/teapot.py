@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Writes teapot.json: the teapot of M. Newell (1975), 32 patches of Bézier as smooth triangles, that mirrors a stadium."""
-import json
 import math
+
+from scene_text import scene_text
 
 STEPS = 5  # the parts of a patch each way
 PROFILES = (  # (radius, height) of four control points each: rim, body, knob, lid, bottom
@@ -96,8 +97,7 @@ def main():
                 {"id": "rim", "tipo": "cilindro", "centro": [0.3, -0.35, 0], "radio": 4.6, "vector": [0, 1, 0], "altura": 0.35, "material": "rim"}]
     for number, (corners, normals) in enumerate(triangles(), 1):
         elements.append({"id": f"pot{number}", "tipo": "triangulo", "vertices": corners, "material": "china", "normals": normals})
-    lines = ",\n".join(json.dumps(e, separators=(",", ":")) for e in elements)
-    print(json.dumps(stage, separators=(",", ":"))[:-1] + ',\n"elementos":[\n' + lines + "\n]}")
+    print(scene_text(stage, elements))
 
 
 if __name__ == "__main__":
