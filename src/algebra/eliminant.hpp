@@ -9,7 +9,7 @@ namespace durero::algebra {
 /// resultant of `of` and numerator + (more − x)·denominator.
 Polynomial eliminant(const Fraction& value, const number::Dyadic& more);
 
-/// The same for (x + y√delta)/w.
+/// The eliminant for (x + y√delta)/w.
 Polynomial eliminant(const number::DyadicSurd& value, const number::Dyadic& more);
 
 }  // namespace durero::algebra

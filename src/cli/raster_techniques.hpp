@@ -26,7 +26,7 @@ struct RasterOptions {
   std::uint32_t finer() const { return static_cast<std::uint32_t>(std::lround(std::sqrt(samples))); }
 };
 
-/// What a technique drew.
+/// The drawing of a technique.
 struct RasterResult {
   render::Picture picture;  ///< by the technique
   render::Picture rays;     ///< by rays

@@ -113,7 +113,7 @@ class RingSearch {
     if (sign(H) >= 0) take(of_ring_around(seen_, n, m, H));
   }
 
-  /// Where H is 0 the shape ends on the axis, or crosses it.
+  /// The shape ends on the axis, or crosses it, where H is 0.
   void take_points_of_axis() {
     const Polynomial H = normal(H_), away{-seen_.s, 1};
     for (algebra::Root& s : algebra::positive_roots(H))

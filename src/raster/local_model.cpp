@@ -8,7 +8,7 @@
 namespace durero::raster {
 namespace {
 
-/// What of a light in the unit direction l is sent towards the eye.
+/// The share of a light in the unit direction l that is sent towards the eye.
 glm::dvec3 sent_back(const scene::Material& m, const glm::dvec3& n, const glm::dvec3& to_eye, const glm::dvec3& l) {
   const double cosine = glm::dot(n, l);
   glm::dvec3 sum = m.color * (m.k_a + m.k_d * std::max(0.0, cosine));

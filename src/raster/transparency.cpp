@@ -12,7 +12,7 @@ struct PixelPoints {
   std::vector<std::size_t> pixels;
 };
 
-/// Where no opaque polygon lies before this one.
+/// The points before which no opaque polygon lies.
 PixelPoints seen_points(const RasterScene& raster, std::size_t polygon) {
   PixelPoints seen;
   raster.view().for_each_met(raster.corners()[polygon], raster.seen(polygon),

@@ -76,7 +76,7 @@ class FractalPaths {
  public:
   explicit FractalPaths(const Set& set) : set_(set), view_(view_of(set)) {}
 
-  /// What path i of pixel (x, y) brings.
+  /// The light that path i of pixel (x, y) brings.
   Vec brought(std::uint32_t x, std::uint32_t y, std::uint32_t i, scene::Resolution size) const {
     const auto draw = [&](std::uint32_t pair) { return in_net(i, key_of(x, y, pair)); };
     const glm::dvec2 at = draw(0);

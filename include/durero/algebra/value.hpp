@@ -25,7 +25,7 @@ int sign(const Value& value);
 
 /// Order of the values, exactly. A strict total order on the numbers denoted.
 std::strong_ordering compare(const Value& a, const Value& b);
-/// The same with a dyadic number.
+/// The order of a value and a dyadic number.
 std::strong_ordering compare(const Value& a, const number::Dyadic& b);
 
 /// The value rounded once to the nearest binary64, ties to even; overflow, subnormal results and zeros as

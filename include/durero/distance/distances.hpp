@@ -26,16 +26,16 @@ class Distances {
   /// Builds a tree of boxes about the elements.
   explicit Distances(const scene::Scene& scene) : tree_(scene) {}
 
-  /// What is nearest to a point. Precondition: its coordinates are finite. Adds to `work`.
+  /// The nearest of the scene to a point. Precondition: its coordinates are finite. Adds to `work`.
   scene::Proximity nearest(const glm::dvec3& p, DistanceWork& work) const;
-  /// The same of many points, whatever the number of threads. Precondition: as many answers as points.
+  /// The nearest to each of many points, whatever the number of threads. Precondition: as many answers as points.
   void nearest(std::span<const glm::dvec3> points, std::span<scene::Proximity> answers) const;
 
  private:
   accel::Bvh tree_;
 };
 
-/// What is nearest to a point of one element alone, with the same preconditions.
+/// The nearest of one element alone to a point, with the same preconditions.
 scene::Proximity nearest_of(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& p);
 
 /// The distance from one element with its sign, rounded once; nothing where the element is open (con_signo.def.1).

@@ -31,7 +31,7 @@ std::optional<Distancia> profundidad(const Escena& escena, const Rayo& rayo);
 /// (d, q, y) ∈ oscura (oscura.def.1).
 bool oscura(const Distancia& d, const ExactPoint& q, const ExactPoint& y);
 
-/// What a transparent polygon makes of the colour behind it (mezcla.def.1).
+/// The colour that a transparent polygon makes of the one behind it (mezcla.def.1).
 Surd mezcla(const Material& m, const Surd& propio, const Surd& I);
 
 }  // namespace durero::model

@@ -14,7 +14,7 @@
 
 namespace durero::raster {
 
-/// What is taken off a distance before the test.
+/// The part that is taken off a distance before the test.
 enum class DepthBias : std::uint8_t {
   none,  ///< nothing: the test as it is printed, oscura.def.1
   texel  ///< as much as the polygon's own plane comes nearer within the texel

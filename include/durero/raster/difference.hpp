@@ -7,7 +7,7 @@
 
 namespace durero::raster {
 
-/// What is different of two pictures.
+/// The difference of two pictures.
 struct PictureDifference {
   render::Image image;       ///< of each byte, how far apart the two are
   std::uint64_t pixels = 0;  ///< pixels with any difference

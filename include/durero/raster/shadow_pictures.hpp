@@ -31,7 +31,8 @@ render::Picture by_depth_maps(const RasterScene& raster, std::uint32_t size, Dep
 /// by_depth_maps(), and without a light.
 render::Picture by_projector(const RasterScene& raster, const Projector& projector, std::uint32_t size);
 
-/// The same by rays: first hits and shadow rays of an engine. Throws std::domain_error without a point light.
+/// The picture of by_projector() by rays: first hits and shadow rays of an engine. Throws std::domain_error without a
+/// point light.
 render::Picture projected_by_rays(const RasterScene& raster, const engine::Engine& engine, const Projector& projector);
 
 }  // namespace durero::raster

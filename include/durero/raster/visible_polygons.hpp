@@ -11,7 +11,7 @@
 
 namespace durero::raster {
 
-/// What an apex sees of some polygons.
+/// The parts of some polygons that an apex sees.
 struct VisiblePolygons {
   std::vector<std::vector<polygon::Polygon>> parts;  ///< of each polygon, parts that share no area
   std::uint64_t clips = 0;                           ///< parts that were clipped by a polygon before them

@@ -22,7 +22,7 @@ class RasterView {
   /// The view of a camera in a picture of that size. Throws std::domain_error as scene::PrimaryRays does.
   RasterView(const scene::Camera& camera, scene::Resolution resolution);
 
-  /// Where the rays start.
+  /// The start of the rays.
   const glm::dvec3& eye() const { return eye_; }
   /// The size of the picture.
   scene::Resolution resolution() const { return rays_.resolution(); }

@@ -12,7 +12,7 @@ namespace durero::scene {
 /// How many points of a scene are nearest.
 enum class NearestCount : std::uint8_t { none, one, many };
 
-/// What is nearest to a point. It is a value: it refers to the scene by places alone, until its next edit.
+/// The nearest of a scene to a point. It is a value: it refers to the scene by places alone, until its next edit.
 struct Proximity {
   NearestCount count = NearestCount::none;  ///< none where the scene has no element
   double distance = 0;                      ///< a_distancia, rounded once (∞ where it rounds to it); none: 0

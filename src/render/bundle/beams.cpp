@@ -14,7 +14,7 @@
 namespace durero::render {
 namespace {
 
-/// What the rays of a pixel meet, from the eye on.
+/// The meetings of the rays of a pixel, from the eye on.
 std::vector<KnownMeeting> met(const BeamTree& tree, std::uint32_t region) {
   std::vector<KnownMeeting> meetings;
   for (; region != without_parent; region = tree[region].parent)

@@ -26,7 +26,7 @@ double excess(double a, double b, double c, double s) {
   return 4 * std::atan(std::sqrt(std::max(0.0, product)));
 }
 
-/// Where a corner lies in the frame of a cone: x and y across the axis, z along it.
+/// The place of a corner in the frame of a cone: x and y across the axis, z along it.
 glm::dvec3 in_frame(const RayCone& cone, const glm::dvec3& v) {
   return {glm::dot(v, cone.first), glm::dot(v, cone.second), glm::dot(v, cone.axis)};
 }

@@ -23,8 +23,8 @@ class Scattering {
 
   /// The share of light from a unit direction that all smooth lobes send on, times the cosine, by solid angle.
   glm::dvec3 sent(const glm::dvec3& l) const;
-  /// What is sent on of a light of the stage in that direction, of the brightness 1: by the local model, without its
-  /// gloss.
+  /// The share of a light of the stage in that direction that is sent on, of the brightness 1: by the local model,
+  /// without its gloss.
   glm::dvec3 of_light(const glm::dvec3& l) const;
   /// The density with which the followed lobe gives that direction, by solid angle.
   double density(const glm::dvec3& l) const;

@@ -45,7 +45,7 @@ class Pencil {
   glm::dvec3 offset(const Deviation& at_start) const;
   /// The deviating ray's direction here, which is a unit vector to the first order.
   glm::dvec3 leaning(const Deviation& at_start) const;
-  /// Where the deviating ray meets the plane across n through the point, from that point.
+  /// The step from the point to where the deviating ray meets the plane across n through it.
   glm::dvec3 on_plane(const Deviation& at_start, const glm::dvec3& n) const;
 
  private:
