@@ -1,5 +1,8 @@
 #include "durero/io/input.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include "arriving.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
@@ -67,6 +70,24 @@ TEST_CASE("A pipe gives what is there; what is left of it is known at its end") 
   std::string seen(2, ' ');
   input.look(1, seen);
   CHECK(seen == "bc");
+}
+
+// A thread may be kept from running for as long as the writer waits, but not in each of many attempts.
+TEST_CASE("A pipe gives what is there at once, and waits for no more of a slow writer") {
+  bool came_alone = false;
+  for (int attempt = 0; attempt < 20 && !came_alone; ++attempt) {
+    test::Pipe pipe;
+    Input input("p", pipe.out());
+    pipe.write("ab");
+    std::thread writer([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      pipe.write("c");
+    });
+    CHECK(input.read());
+    came_alone = input.waiting() == "ab";
+    writer.join();
+  }
+  CHECK(came_alone);
 }
 
 TEST_CASE("A text is there at once") {
