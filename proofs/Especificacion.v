@@ -1043,6 +1043,139 @@ Definition refraccion_paraxial_conj_1 : Prop :=
   -> traslado (2 * r) b c -> refraccion_paraxial (0 - r) n c d -> traslado s1 d e -> Desvio_x e = 0
   /\ Desvio_y e = 0. (* refraccion_paraxial.conj.1 *)
 
+(** * instancias.tex *)
+
+Definition mixto (a b c : Vector) : R :=
+  Vector_x a * (Vector_y b * Vector_z c - Vector_z b * Vector_y c)
+  + Vector_y a * (Vector_z b * Vector_x c - Vector_x b * Vector_z c)
+  + Vector_z a * (Vector_x b * Vector_y c - Vector_y b * Vector_x c). (* mixto.def.1 *)
+
+Record Mapa := mk_Mapa {
+  Mapa_centro : Punto;
+  Mapa_x : Vector;
+  Mapa_y : Vector;
+  Mapa_z : Vector
+}.
+
+Record Mapa_ok (s : Mapa) : Prop := {
+  Mapa_inv_1 : mixto (Mapa_x s) (Mapa_y s) (Mapa_z s) <> 0 (* Mapa.inv.1 *)
+}.
+
+Definition puesto (m : Mapa) (u w : Punto) : Prop :=
+  Punto_x w = Punto_x (Mapa_centro m) + Punto_x u * Vector_x (Mapa_x m) + Punto_y u * Vector_x (Mapa_y m)
+  + Punto_z u * Vector_x (Mapa_z m) /\ Punto_y w = Punto_y (Mapa_centro m) + Punto_x u * Vector_y (Mapa_x m)
+  + Punto_y u * Vector_y (Mapa_y m) + Punto_z u * Vector_y (Mapa_z m)
+  /\ Punto_z w = Punto_z (Mapa_centro m) + Punto_x u * Vector_z (Mapa_x m) + Punto_y u * Vector_z (Mapa_y m)
+  + Punto_z u * Vector_z (Mapa_z m). (* puesto.def.1 *)
+
+Definition dirigido (m : Mapa) (u w : Vector) : Prop :=
+  Vector_x w = Vector_x u * Vector_x (Mapa_x m) + Vector_y u * Vector_x (Mapa_y m)
+  + Vector_z u * Vector_x (Mapa_z m) /\ Vector_y w = Vector_x u * Vector_y (Mapa_x m)
+  + Vector_y u * Vector_y (Mapa_y m) + Vector_z u * Vector_y (Mapa_z m)
+  /\ Vector_z w = Vector_x u * Vector_z (Mapa_x m) + Vector_y u * Vector_z (Mapa_y m)
+  + Vector_z u * Vector_z (Mapa_z m). (* dirigido.def.1 *)
+
+Definition visto (m : Mapa) (w u : Punto) : Prop :=
+  exists q : Vector, Vector_x q = Punto_x w - Punto_x (Mapa_centro m)
+  /\ Vector_y q = Punto_y w - Punto_y (Mapa_centro m) /\ Vector_z q = Punto_z w - Punto_z (Mapa_centro m)
+  /\ mixto (Mapa_x m) (Mapa_y m) (Mapa_z m) * Punto_x u = mixto q (Mapa_y m) (Mapa_z m)
+  /\ mixto (Mapa_x m) (Mapa_y m) (Mapa_z m) * Punto_y u = mixto (Mapa_x m) q (Mapa_z m)
+  /\ mixto (Mapa_x m) (Mapa_y m) (Mapa_z m) * Punto_z u = mixto (Mapa_x m) (Mapa_y m) q. (* visto.def.1 *)
+
+Definition visto_conj_1 : Prop :=
+  forall (m : Mapa) (w u : Punto), m ∈ Mapa_ok -> puesto m u w <-> visto m w u. (* visto.conj.1 *)
+
+Definition copia (m : Mapa) (ps : set Punto) : set Punto :=
+  fun w => exists u : Punto, u ∈ ps /\ puesto m u w. (* copia.def.1 *)
+
+Definition copia_conj_1 : Prop :=
+  forall (m : Mapa) (ps : set Punto) (u w : Punto), m ∈ Mapa_ok -> puesto m u w
+  -> w ∈ copia m ps <-> u ∈ ps. (* copia.conj.1 *)
+
+Definition movido (m : Mapa) (rayo otro : Rayo) : Prop :=
+  puesto m (Rayo_p otro) (Rayo_p rayo) /\ dirigido m (Rayo_v otro) (Rayo_v rayo). (* movido.def.1 *)
+
+Definition movido_conj_1 : Prop :=
+  forall (m : Mapa) (rayo : Rayo), m ∈ Mapa_ok -> rayo ∈ Rayo_ok -> exists otro : Rayo, otro ∈ Rayo_ok
+  /\ movido m rayo otro. (* movido.conj.1 *)
+
+Definition movido_conj_2 : Prop :=
+  forall (m : Mapa) (rayo otro : Rayo) (u w : Punto) (t : R), m ∈ Mapa_ok -> rayo ∈ Rayo_ok -> otro ∈ Rayo_ok
+  -> movido m rayo otro -> Punto_x u = Punto_x (Rayo_p otro) + t * Vector_x (Rayo_v otro)
+  -> Punto_y u = Punto_y (Rayo_p otro) + t * Vector_y (Rayo_v otro)
+  -> Punto_z u = Punto_z (Rayo_p otro) + t * Vector_z (Rayo_v otro)
+  -> Punto_x w = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
+  -> Punto_y w = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
+  -> Punto_z w = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo) -> puesto m u w. (* movido.conj.2 *)
+
+Definition copia_conj_2 : Prop :=
+  forall (m : Mapa) (ps : set Punto) (rayo otro : Rayo) (u w : Punto), m ∈ Mapa_ok -> rayo ∈ Rayo_ok
+  -> otro ∈ Rayo_ok -> movido m rayo otro -> puesto m u w
+  -> w ∈ cercanos (interseccion (copia m ps) (puntos_de_rayo rayo)) (Rayo_p rayo) <-> u
+  ∈ cercanos (interseccion ps (puntos_de_rayo otro)) (Rayo_p otro). (* copia.conj.2 *)
+
+Definition copia_conj_3 : Prop :=
+  forall (m : Mapa) (ps qs : set Punto), m ∈ Mapa_ok
+  -> copia m (ps ∪ qs) ≡ copia m ps ∪ copia m qs. (* copia.conj.3 *)
+
+Definition compuesto (m n k : Mapa) : Prop :=
+  puesto m (Mapa_centro n) (Mapa_centro k) /\ dirigido m (Mapa_x n) (Mapa_x k) /\ dirigido m (Mapa_y n) (Mapa_y k)
+  /\ dirigido m (Mapa_z n) (Mapa_z k). (* compuesto.def.1 *)
+
+Definition compuesto_conj_1 : Prop :=
+  forall (m n k : Mapa) (ps : set Punto), m ∈ Mapa_ok -> n ∈ Mapa_ok -> k ∈ Mapa_ok -> compuesto m n k
+  -> copia k ps ≡ copia m (copia n ps). (* compuesto.conj.1 *)
+
+Definition compuesto_conj_2 : Prop :=
+  forall m n : Mapa, m ∈ Mapa_ok -> n ∈ Mapa_ok -> exists k : Mapa, k ∈ Mapa_ok /\ compuesto m n k
+  /\ mixto (Mapa_x k) (Mapa_y k) (Mapa_z k)
+  = mixto (Mapa_x m) (Mapa_y m) (Mapa_z m) * mixto (Mapa_x n) (Mapa_y n) (Mapa_z n). (* compuesto.conj.2 *)
+
+Definition identidad : set Mapa :=
+  fun m => m ∈ Mapa_ok /\ Punto_x (Mapa_centro m) = 0 /\ Punto_y (Mapa_centro m) = 0 /\ Punto_z (Mapa_centro m) = 0
+  /\ Vector_x (Mapa_x m) = 1 /\ Vector_y (Mapa_x m) = 0 /\ Vector_z (Mapa_x m) = 0 /\ Vector_x (Mapa_y m) = 0
+  /\ Vector_y (Mapa_y m) = 1 /\ Vector_z (Mapa_y m) = 0 /\ Vector_x (Mapa_z m) = 0 /\ Vector_y (Mapa_z m) = 0
+  /\ Vector_z (Mapa_z m) = 1. (* identidad.def.1 *)
+
+Definition identidad_conj_1 : Prop :=
+  forall (m : Mapa) (ps : set Punto), m ∈ Mapa_ok -> m ∈ identidad -> copia m ps ≡ ps. (* identidad.conj.1 *)
+
+Definition estirado (m : Mapa) (r h : R) : Prop :=
+  Vector_x (Mapa_x m) = r /\ Vector_y (Mapa_x m) = 0 /\ Vector_z (Mapa_x m) = 0 /\ Vector_x (Mapa_y m) = 0
+  /\ Vector_y (Mapa_y m) = r /\ Vector_z (Mapa_y m) = 0 /\ Vector_x (Mapa_z m) = 0 /\ Vector_y (Mapa_z m) = 0
+  /\ Vector_z (Mapa_z m) = h. (* estirado.def.1 *)
+
+Definition estirado_conj_1 : Prop :=
+  forall (m : Mapa) (o : Punto) (r : R), m ∈ Mapa_ok -> r ∈ Rmas -> estirado m r r -> Punto_x o = 0
+  -> Punto_y o = 0 -> Punto_z o = 0 -> copia m (puntos_esfera o 1)
+  ≡ puntos_esfera (Mapa_centro m) r. (* estirado.conj.1 *)
+
+Definition estirado_conj_2 : Prop :=
+  forall (m : Mapa) (o : Punto) (d : Vector) (r h : R), m ∈ Mapa_ok -> d ∈ Unitario -> r ∈ Rmas -> h ∈ Rmas
+  -> estirado m r h -> Punto_x o = 0 -> Punto_y o = 0 -> Punto_z o = 0 -> Vector_x d = 0 -> Vector_y d = 0
+  -> Vector_z d = 1 -> copia m (puntos_cilindro o 1 d 1)
+  ≡ puntos_cilindro (Mapa_centro m) r d h. (* estirado.conj.2 *)
+
+Definition estirado_conj_3 : Prop :=
+  forall (m : Mapa) (o : Punto) (d : Vector) (r h k : R), m ∈ Mapa_ok -> d ∈ Unitario -> r ∈ Rmas -> h ∈ Rmas
+  -> k ∈ Rmas -> estirado m r h -> Punto_x o = 0 -> Punto_y o = 0 -> Punto_z o = 0 -> Vector_x d = 0
+  -> Vector_y d = 0 -> Vector_z d = 1 -> k * h = r
+  -> copia m (puntos_cono o 1 d 1) ≡ puntos_cono (Mapa_centro m) k d h. (* estirado.conj.3 *)
+
+Definition puntos_de_instancia (s : Escena) (m : Mapa) (e : Elemento) : set Punto :=
+  fun x1 => e ∈ elementos s /\ x1 ∈ copia m (puntos_de_elemento s e). (* puntos_de_instancia.def.1 *)
+
+Definition instancia_desde (s : Escena) (m : Mapa) (e : Elemento) (p : Punto) : set Punto :=
+  fun w => e ∈ elementos s /\ exists o u : Punto, puesto m o p /\ puesto m u w
+  /\ u ∈ puntos_desde s e o. (* instancia_desde.def.1 *)
+
+Definition instancia_desde_conj_1 : Prop :=
+  forall (s : Escena) (m : Mapa) (e : Elemento) (rayo otro : Rayo) (u w : Punto), Escena_ok s -> m ∈ Mapa_ok
+  -> rayo ∈ Rayo_ok -> otro ∈ Rayo_ok -> e ∈ elementos s -> movido m rayo otro -> puesto m u w
+  -> (w ∈ interseccion (puntos_de_rayo rayo) (instancia_desde s m e (Rayo_p rayo)) <-> u ∈ alcance s otro ⦃e⦄ e)
+  /\ (w ∈ interseccion (puntos_de_rayo rayo) (puntos_de_instancia s m e) <-> u
+  ∈ alcance s otro ∅ e). (* instancia_desde.conj.1 *)
+
 (** * operaciones.tex *)
 
 Record Agregar_Elemento (s s' : Escena) (e_in : Elemento) (t_in : Tipo) (r_out : Respuesta) : Prop := {

@@ -6,7 +6,7 @@
     not_there e         == e is no element of the seven *)
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Operaciones Exacto InstanceScene InstanceSearch.
-From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata Distancias MainModels MainText.
+From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata Distancias Instancias MainModels MainText.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -222,4 +222,16 @@ Proof.
   - exists (vertices 2 (v3 72 (-8) (-8)) (v3 72 8 (-8)) (v3 72 0 8)). apply T.
   - apply Points. unfold p. split; [unfold prisma, lado, escalar | unfold potencia_triangulo]; cbn; unfold over; lra.
   - eexists. split; [apply Power; reflexivity |]. unfold light, potencia_triangulo. cbn. unfold over. lra.
+Qed.
+
+(** ** Instances of elements *)
+
+(** The map that leans and mirrors: what it puts where the point (1, 0, 1) of a ray goes is that point, at the same t. *)
+Theorem a_point_of_a_ray_is_put_by_the_map_that_mirrors :
+  puesto Instancias.leaning (mk_Punto 1 0 1) (mk_Punto 2 3 8).
+Proof.
+  destruct (MainText.the_conjectures_of_instances_hold nat) as (_ & _ & _ & Kept & _).
+  destruct Instancias.a_ray_is_the_copy_of_a_ray as [Origin Direction].
+  eapply (Kept _ _ _ _ _ 1 (proj1 Instancias.a_map_may_mirror)); [| | exact (conj Origin Direction) | ..];
+    try (split; cbn; lra); cbn; lra.
 Qed.

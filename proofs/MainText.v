@@ -18,7 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
-  Iluminacion Power Luz Haces Distribuida Proyeccion Distancias.
+  Iluminacion Power Luz Haces Distribuida Proyeccion Distancias Instancias.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -402,6 +402,16 @@ Proof.
     (Distancias.a_sphere_is_as_far_as_its_centre_less_the_radius Elemento)
     (Distancias.a_scene_is_as_far_as_its_nearest_element Elemento)))))).
 Qed.
+
+(** Of affine maps: the point that is put at a point is found by Cramer's rule, and a copy has the points whose originals are
+    in the set. Every ray is the copy of one; the parameter is kept, and so is what is nearest along a ray. The copy of a
+    union, of a copy and by the identity. Spheres, upright cylinders and upright cones are copies of those of one. What a ray
+    meets of an instance is what the moved ray meets of the original, whether it starts on it or not. *)
+Theorem the_conjectures_of_instances_hold (Elemento : Type) :
+  visto_conj_1 /\ copia_conj_1 /\ movido_conj_1 /\ movido_conj_2 /\ copia_conj_2 /\ copia_conj_3 /\ compuesto_conj_1
+  /\ compuesto_conj_2 /\ identidad_conj_1 /\ estirado_conj_1 /\ estirado_conj_2 /\ estirado_conj_3
+  /\ instancia_desde_conj_1 Elemento.
+Proof. exact (Instancias.the_conjectures_hold Elemento). Qed.
 
 (** Of the power: it has the laws of the text, and whatever has them is it. *)
 Theorem the_power_of_the_text_exists_and_is_one :
