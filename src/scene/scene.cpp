@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "durero/scene/addition.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
@@ -76,6 +77,23 @@ const glm::dvec3* Scene::motion(ElementRef element) const noexcept { return rare
 void Scene::set_motion(ElementRef element, const glm::dvec3& motion) {
   using Motion = std::optional<glm::dvec3>;
   set_rare<glm::dvec3>(element, &RareAttributes::motion, motion == glm::dvec3(0) ? Motion() : Motion(motion));
+}
+
+const Body* Scene::body(ElementRef element) const noexcept {
+  const auto* const held = rare(element, &RareAttributes::body);
+  return held == nullptr ? nullptr : held->get();
+}
+
+void Scene::set_body(ElementRef element, Body body) {
+  if (element.tipo != Sphere::tipo) throw std::domain_error("a body stands in the tables as a sphere");
+  set_rare<std::shared_ptr<const Body>>(element, &RareAttributes::body, std::make_shared<const Body>(std::move(body)));
+}
+
+bool Scene::has_bodies() const noexcept {
+  const auto spheres = static_cast<std::uint32_t>(shapes<Sphere>().size());
+  for (std::uint32_t i = 0; i < spheres; ++i)
+    if (body({Sphere::tipo, i}) != nullptr) return true;
+  return false;
 }
 
 void Scene::audit() {

@@ -71,7 +71,7 @@ io::EditAnswer Edited::add(const io::WrittenAddition& in) {
     elements_.emplace(in.element.id, in.element);
   };
   io::EditAnswer answer =
-      add_if_given({scene::addition(model::Elemento{in.element.id}, io::stand_in), in.material}, make);
+      add_if_given({scene::addition(model::Elemento{in.element.id}, scene::stand_in), in.material}, make);
   if (answer.ok()) answer.r = answer_word(model::Respuesta::elemento_agregado);
   return answer;
 }

@@ -18,6 +18,7 @@
 
 namespace durero::scene {
 
+struct Body;
 struct Edit;
 
 /// Elements, and the stage that a picture of them needs. Many threads may read it while none edits it.
@@ -108,6 +109,13 @@ class Scene {
   const glm::dvec3* motion(ElementRef element) const noexcept;
   /// Makes an element move evenly: at the time 0 it is where its attributes say.
   void set_motion(ElementRef element, const glm::dvec3& motion);
+  /// What an element is that no table holds; null of one that is the shape in its row.
+  const Body* body(ElementRef element) const noexcept;
+  /// Gives an element a body. Throws std::domain_error where it is no sphere: `stand_in` is what a body stands as.
+  void set_body(ElementRef element, Body body);
+  /// Whether some element has a body.
+  bool has_bodies() const noexcept;
+
   /// The scene at a time: elements and camera are where their motions have brought them, each coordinate rounded once,
   /// and keep their tables and rows. Throws std::domain_error where a coordinate is not finite any more, or three
   /// vertices lie on one line then.

@@ -22,11 +22,14 @@ namespace durero::scene {
 /// Label::material of an element that has none.
 inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>::max();
 
+struct Body;
+
 /// Few elements have these, and a table keeps them apart.
 struct RareAttributes {
   std::optional<Wrap> wrap{};              ///< how textures lie on a triangle
   std::optional<VertexNormals> normals{};  ///< how a triangle is shaded
   std::optional<glm::dvec3> motion{};      ///< its way in a unit of time; none where it rests
+  std::optional<std::shared_ptr<const Body>> body{};  ///< what it is, where the row is a sphere that stands in for it
 };
 
 /// What an element has beside its geometry. One column, since an edit needs all of it.

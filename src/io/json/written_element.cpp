@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t id = 0, tipo = 1, first_attribute = 2;
 
 void add_name(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name) {
-  const model::Answer answer = scene.add(model::Elemento{std::string(name.value)}, stand_in);
+  const model::Answer answer = scene.add(model::Elemento{std::string(name.value)}, scene::stand_in);
   if (answer.ok()) return;
   in.fail(name.offset, fmt::format("id is {}: {}", text::shown(name.value), text::with_english(model::name(answer.r))),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);

@@ -56,9 +56,6 @@ struct WrittenPart {
   const WrittenByName* by_name = nullptr;  ///< not null where there are types
 };
 
-/// What gives such an element its name and its place in a scene: it stands there as a sphere.
-inline constexpr scene::Sphere stand_in{{}, 1};
-
 /// An addition of such an element, `Agregar_Toro`.
 struct WrittenAddition {
   WrittenElement element;                   ///< what is added

@@ -1,0 +1,271 @@
+#include "durero/composed/engine.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "durero/accel/box_tree.hpp"
+#include "durero/composed/figure.hpp"
+#include "durero/engine/prepared.hpp"
+#include "durero/scene/edit.hpp"
+#include "durero/surface/exact.hpp"
+#include "durero/trace/ray.hpp"
+
+namespace durero::composed {
+namespace {
+
+using model::Resultado;
+using scene::ElementRef;
+using scene::Hit;
+using scene::Query;
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
+/// The elements of a scene that have no body, as a scene of their own. Only spheres have other places there than here:
+/// a body stands among them.
+class Plain {
+ public:
+  explicit Plain(const scene::GroupedScene& input) : of_{input} {
+    scene::Scene& left = of_.scene;
+    std::vector<model::Elemento> bodies;
+    left.for_each([&](ElementRef e, const auto&) {
+      if (left.body(e) != nullptr) bodies.push_back(left.name(e));
+    });
+    for (const model::Elemento& name : bodies) left.apply_total(scene::Edit{model::Eliminar_Elemento{name}});
+    place_here_.resize(input.scene.shapes<scene::Sphere>().size(), none);
+    const auto spheres = static_cast<std::uint32_t>(left.shapes<scene::Sphere>().size());
+    for (std::uint32_t i = 0; i < spheres; ++i) {
+      const ElementRef there = input.scene.find(left.name({scene::Sphere::tipo, i}).name()).value();
+      place_there_.push_back(there.index);
+      place_here_[there.index] = i;
+    }
+  }
+
+  const scene::GroupedScene& scene() const { return of_; }
+
+  /// The query without the bodies that the ray starts on.
+  Query query(const Query& of) const {
+    Query own{of.rayo};
+    for (const ElementRef e : of.en) {
+      if (e.tipo != scene::Sphere::tipo) own.en.push_back(e);
+      if (e.tipo == scene::Sphere::tipo && place_here_[e.index] != none)
+        own.en.push_back({e.tipo, place_here_[e.index]});
+    }
+    std::ranges::sort(own.en);
+    return own;
+  }
+  std::vector<Query> queries(std::span<const Query> of) const {
+    std::vector<Query> own;
+    own.reserve(of.size());
+    for (const Query& each : of) own.push_back(query(each));
+    return own;
+  }
+
+  /// The elements where they stand in the whole scene.
+  scene::ElementSet elements(const scene::ElementSet& own) const {
+    scene::ElementSet there = own;
+    for (ElementRef& e : there)
+      if (e.tipo == scene::Sphere::tipo) e.index = place_there_[e.index];
+    std::ranges::sort(there);
+    return there;
+  }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  scene::GroupedScene of_;
+  std::vector<std::uint32_t> place_here_, place_there_;  // of spheres
+};
+
+/// The bodies of a scene, those with a finite box in a tree.
+class Bodies {
+ public:
+  explicit Bodies(const scene::Scene& scene) {
+    std::vector<surface::Box> boxes;
+    std::vector<Body> apart;
+    scene.for_each([&](ElementRef e, const auto&) {
+      const scene::Body* const body = scene.body(e);
+      if (body == nullptr) return;
+      Body made{e, figure(*body)};
+      const surface::Box box = made.figure->box();
+      if (std::isfinite(box.low.x) && std::isfinite(box.high.x)) {
+        boxes.push_back(box);
+        all_.push_back(std::move(made));
+      } else {
+        apart.push_back(std::move(made));
+      }
+    });
+    tree_ = accel::BoxTree(boxes);
+    in_tree_ = all_.size();
+    std::ranges::move(apart, std::back_inserter(all_));
+    place_.resize(scene.shapes<scene::Sphere>().size());
+    for (std::size_t i = 0; i < all_.size(); ++i) place_[all_[i].element.index] = i;
+  }
+
+  /// visit(element, figure, on) for each body that the ray may meet at 0 < t ≤ limit(), until it answers true.
+  template <class Limit, class Visit>
+  bool any(const Query& query, Limit limit, Visit visit) const {
+    const trace::Ray ray(query.rayo);
+    const scene::Origin en(query.en);
+    const auto ask = [&](std::size_t i) {
+      const bool on = en.contains(all_[i].element);
+      return all_[i].figure->may_meet(query.rayo, on) && visit(all_[i].element, *all_[i].figure, on);
+    };
+    const bool is_ordinary = ray.ordinary;
+    if (is_ordinary && tree_.any(ray, limit, ask)) return true;
+    for (std::size_t i = is_ordinary ? in_tree_ : 0; i < all_.size(); ++i)
+      if (ask(i)) return true;
+    return false;
+  }
+
+  /// The figure of an element. Precondition: it has a body.
+  const Figure& operator[](ElementRef element) const { return *all_[place_[element.index]].figure; }
+
+ private:
+  struct Body {
+    ElementRef element;
+    std::unique_ptr<const Figure> figure;
+  };
+
+  std::vector<Body> all_;  // first those of the tree
+  std::size_t in_tree_ = 0;
+  std::vector<std::size_t> place_;  // of the bodies, by their places among the spheres
+  accel::BoxTree tree_;
+};
+
+/// The search of one ray among the bodies, beside what it meets first of the other elements. A parameter that is less
+/// when rounded is less; where both round to one number, exact ones decide.
+class Nearest {
+ public:
+  /// Begins with what the ray meets first of the elements of the tables.
+  Nearest(const Query& query, Hit plain) : query_(query), plain_(std::move(plain)) {
+    if (plain_.resultado == Resultado::hit) limit_ = plain_.t;
+  }
+
+  /// No body beyond this parameter can change the answer.
+  double limit() const {
+    return plain_.resultado == Resultado::no_minimum || !without_minimum_.empty() ? no_limit
+                                                                                  : std::nextafter(limit_, no_limit);
+  }
+
+  void take(ElementRef element, const First& met) {
+    if (met.no_minimum) without_minimum_.push_back(element);
+    if (!met.t) return;
+    const double t = round_to_binary64(*met.t);
+    if (t > limit_) return;
+    const auto order = t_ ? surface::exact::order(*met.t, *t_) : std::strong_ordering::less;
+    if (order > 0) return;
+    if (order < 0) {
+      t_ = *met.t;
+      elements_.clear();
+      limit_ = t;
+    }
+    elements_.push_back(element);
+  }
+
+  /// The answer. `exactly()` is the exact parameter of the hit of the tables, where it is known.
+  template <class Exactly>
+  Hit hit(Exactly exactly) {
+    const bool plain_has_none = plain_.resultado == Resultado::no_minimum;
+    if (plain_has_none || !without_minimum_.empty()) {
+      if (plain_has_none)
+        without_minimum_.insert(without_minimum_.end(), plain_.elementos.begin(), plain_.elementos.end());
+      std::ranges::sort(without_minimum_);
+      return {.resultado = Resultado::no_minimum, .elementos = std::move(without_minimum_)};
+    }
+    if (!t_) return std::move(plain_);
+    const auto order = plain_.resultado == Resultado::hit ? against(exactly) : std::strong_ordering::less;
+    if (order > 0) return std::move(plain_);
+    if (order == 0) elements_.insert(elements_.end(), plain_.elementos.begin(), plain_.elementos.end());
+    std::ranges::sort(elements_);
+    return surface::exact::rounded_hit(query_.rayo, *t_, std::move(elements_));
+  }
+
+ private:
+  /// The order of the nearest body and the hit of the tables.
+  template <class Exactly>
+  std::strong_ordering against(Exactly exactly) const {
+    const double t = round_to_binary64(*t_);
+    if (t != plain_.t) return t < plain_.t ? std::strong_ordering::less : std::strong_ordering::greater;
+    const std::optional<Parameter> other = exactly();
+    return other ? surface::exact::order(*t_, *other) : std::strong_ordering::equal;
+  }
+
+  const Query& query_;
+  Hit plain_;
+  double limit_ = no_limit;  // of parameters, rounded
+  std::optional<Parameter> t_;
+  scene::ElementSet elements_, without_minimum_;
+};
+
+class ComposedEngine final : public engine::Engine {
+ public:
+  ComposedEngine(const engine::EngineRow& row, std::string_view hierarchy, const scene::GroupedScene& input)
+      : is_exact_(row.exact_bytes),
+        plain_(input),
+        of_plain_(engine::prepared(row, hierarchy, plain_.scene())),
+        bodies_(input.scene) {}
+
+  void first_hits(std::span<const Query> queries, std::span<Hit> hits) const override {
+    const std::vector<Query> own = plain_.queries(queries);
+    of_plain_->first_hits(own, hits);
+    tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
+      Hit plain = std::move(hits[i]);
+      const scene::ElementSet of_table = plain.elementos;
+      plain.elementos = plain_.elements(of_table);
+      hits[i] = first_hit(queries[i], std::move(plain), [&]() { return parameter(own[i], of_table); });
+    });
+  }
+
+  void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
+    of_plain_->occluded_segments(plain_.queries(queries), occluded);
+    tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
+      occluded[i] = occluded[i] ||
+                    bodies_.any(
+                        queries[i], [] { return 1.0; },
+                        [&](ElementRef, const Figure& figure, bool on) { return figure.hides(queries[i].rayo, on); });
+    });
+  }
+
+  glm::dvec3 normal(const scene::Scene& scene, ElementRef element, const glm::dvec3& point) const override {
+    return scene.body(element) == nullptr ? Engine::normal(scene, element, point) : bodies_[element].normal(point);
+  }
+
+ private:
+  template <class Exactly>
+  Hit first_hit(const Query& query, Hit plain, Exactly exactly) const {
+    Nearest nearest(query, std::move(plain));
+    bodies_.any(
+        query, [&] { return nearest.limit(); },
+        [&](ElementRef element, const Figure& figure, bool on) {
+          nearest.take(element, figure.first(query.rayo, on));
+          return false;
+        });
+    return nearest.hit(exactly);
+  }
+
+  /// The exact parameter of a hit of those elements; nothing where the engine does not answer exactly.
+  std::optional<Parameter> parameter(const Query& own, const scene::ElementSet& of_table) const {
+    if (!is_exact_) return std::nullopt;
+    return surface::exact::reach(plain_.scene().scene, of_table[0], own.rayo, own.en).first();
+  }
+
+  bool is_exact_;
+  Plain plain_;
+  std::unique_ptr<const engine::Engine> of_plain_;
+  Bodies bodies_;
+};
+
+}  // namespace
+
+std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, std::string_view hierarchy,
+                                               const scene::GroupedScene& input) {
+  if (!input.scene.has_bodies()) return engine::prepared(row, hierarchy, input);
+  return std::make_unique<const ComposedEngine>(row, hierarchy, input);
+}
+
+}  // namespace durero::composed
