@@ -1726,4 +1726,156 @@ Definition mezcla_conj_3 : Prop :=
   -> 10 * y = 2 -> 10 * z = 1 -> 100 * mezcla o z (mezcla m y x) = 25 /\ 1000 * mezcla m z (mezcla o x y) = 525
   /\ 100 * mezcla m y (mezcla o z x) = 35. (* mezcla.conj.3 *)
 
+(** * solidos.tex *)
+
+Record Cuadrica := mk_Cuadrica {
+  Cuadrica_xx : R;
+  Cuadrica_yy : R;
+  Cuadrica_zz : R;
+  Cuadrica_yz : R;
+  Cuadrica_zx : R;
+  Cuadrica_xy : R;
+  Cuadrica_x : R;
+  Cuadrica_y : R;
+  Cuadrica_z : R;
+  Cuadrica_uno : R
+}.
+
+Record Cuadrica_ok (s : Cuadrica) : Prop := {
+  Cuadrica_inv_1 : ~ (Cuadrica_xx s = 0 /\ Cuadrica_yy s = 0 /\ Cuadrica_zz s = 0 /\ Cuadrica_yz s = 0
+    /\ Cuadrica_zx s = 0 /\ Cuadrica_xy s = 0 /\ Cuadrica_x s = 0 /\ Cuadrica_y s = 0 /\ Cuadrica_z s = 0
+    /\ Cuadrica_uno s = 0) (* Cuadrica.inv.1 *)
+}.
+
+Definition valor (c : Cuadrica) (w : Punto) : R :=
+  Cuadrica_xx c * cuadrado (Punto_x w) + Cuadrica_yy c * cuadrado (Punto_y w) + Cuadrica_zz c * cuadrado (Punto_z w)
+  + Cuadrica_yz c * (Punto_y w * Punto_z w) + Cuadrica_zx c * (Punto_z w * Punto_x w)
+  + Cuadrica_xy c * (Punto_x w * Punto_y w) + Cuadrica_x c * Punto_x w + Cuadrica_y c * Punto_y w
+  + Cuadrica_z c * Punto_z w + Cuadrica_uno c. (* valor.def.1 *)
+
+Definition multiplo (a b : Cuadrica) (k : R) : Prop :=
+  k <> 0 /\ Cuadrica_xx a = k * Cuadrica_xx b /\ Cuadrica_yy a = k * Cuadrica_yy b
+  /\ Cuadrica_zz a = k * Cuadrica_zz b /\ Cuadrica_yz a = k * Cuadrica_yz b /\ Cuadrica_zx a = k * Cuadrica_zx b
+  /\ Cuadrica_xy a = k * Cuadrica_xy b /\ Cuadrica_x a = k * Cuadrica_x b /\ Cuadrica_y a = k * Cuadrica_y b
+  /\ Cuadrica_z a = k * Cuadrica_z b /\ Cuadrica_uno a = k * Cuadrica_uno b. (* multiplo.def.1 *)
+
+Definition dentro (w : Punto) : set Cuadrica := fun c => c ∈ Cuadrica_ok /\ valor c w < 0. (* dentro.def.1 *)
+Definition fuera (w : Punto) : set Cuadrica := fun c => c ∈ Cuadrica_ok /\ valor c w > 0. (* fuera.def.1 *)
+
+Definition repartos (ds fs : set Cuadrica) : set (set Cuadrica) :=
+  fun l => l ∈ ℙ Cuadrica_ok /\ ds ⊆ l /\ (forall c : Cuadrica, c ∈ fs -> c ∉ l)
+  /\ forall (a b : Cuadrica) (k : R), a ∈ Cuadrica_ok -> b ∈ Cuadrica_ok -> multiplo a b k
+  -> (k > 0 -> a ∈ l <-> b ∈ l) /\ (k < 0 -> a ∈ l <-> b ∉ l). (* repartos.def.1 *)
+
+Definition solido_esfera (centro : Punto) (radio : R) : set (set Cuadrica) :=
+  fun l => l ∈ ℙ Cuadrica_ok /\ exists c : Cuadrica, c ∈ l
+  /\ forall w : Punto, valor c w = potencia_esfera w centro radio. (* solido_esfera.def.1 *)
+
+Definition solido_plano (centro : Punto) (dir : Vector) : set (set Cuadrica) :=
+  fun l => l ∈ ℙ Cuadrica_ok /\ exists c : Cuadrica, c ∈ l
+  /\ forall w : Punto, valor c w = potencia_plano w centro dir. (* solido_plano.def.1 *)
+
+Definition solido_tramo (centro : Punto) (dir : Vector) (h : R) : set (set Cuadrica) :=
+  fun l => l ∈ ℙ Cuadrica_ok /\ exists base tapa : Cuadrica, base ∈ l /\ tapa ∈ l
+  /\ forall w : Punto, valor base w = 0 - avance w centro dir
+  /\ valor tapa w = avance w centro dir - h. (* solido_tramo.def.1 *)
+
+Definition solido_cilindro (centro : Punto) (radio : R) (dir : Vector) (h : R) : set (set Cuadrica) :=
+  fun l => l ∈ solido_tramo centro dir h /\ exists c : Cuadrica, c ∈ l
+  /\ forall w : Punto, valor c w = potencia_cilindro w centro radio dir. (* solido_cilindro.def.1 *)
+Definition solido_cono (centro : Punto) (prop : R) (dir : Vector) (h : R) : set (set Cuadrica) :=
+  fun l => l ∈ solido_tramo centro dir h /\ exists c : Cuadrica, c ∈ l
+  /\ forall w : Punto, valor c w = potencia_cono w centro prop dir h. (* solido_cono.def.1 *)
+Definition solido_tronco (centro : Punto) (radio prop : R) (dir : Vector) (h : R) : set (set Cuadrica) :=
+  fun l => l ∈ solido_tramo centro dir h /\ exists c : Cuadrica, c ∈ l
+  /\ forall w : Punto, valor c w = potencia_tronco w centro radio prop dir h. (* solido_tronco.def.1 *)
+
+Definition cuerpo (S : set (set Cuadrica)) : set Punto :=
+  fun w => exists l : set Cuadrica, l ∈ repartos (dentro w) (fuera w) /\ l ∈ S. (* cuerpo.def.1 *)
+Definition interior (S : set (set Cuadrica)) : set Punto :=
+  fun w => forall l : set Cuadrica, l ∈ repartos (dentro w) (fuera w) -> l ∈ S. (* interior.def.1 *)
+
+Definition superficie (S : set (set Cuadrica)) : set Punto := cuerpo S ∖ interior S. (* superficie.def.1 *)
+
+Definition con_multiplos : set (set Cuadrica) :=
+  fun en => en ∈ ℙ Cuadrica_ok /\ forall (a b : Cuadrica) (k : R), a ∈ Cuadrica_ok -> b ∈ Cuadrica_ok
+  -> multiplo a b k -> a ∈ en <-> b ∈ en. (* con_multiplos.def.1 *)
+
+Definition dentro_desde (p : Punto) (en : set Cuadrica) (w : Punto) : set Cuadrica :=
+  fun c => c ∈ Cuadrica_ok /\ (c ∈ en /\ valor c w < valor c p \/ c ∉ en /\ valor c w < 0). (* dentro_desde.def.1 *)
+Definition fuera_desde (p : Punto) (en : set Cuadrica) (w : Punto) : set Cuadrica :=
+  fun c => c ∈ Cuadrica_ok /\ (c ∈ en /\ valor c w > valor c p \/ c ∉ en /\ valor c w > 0). (* fuera_desde.def.1 *)
+
+Definition superficie_desde (S : set (set Cuadrica)) (rayo : Rayo) (en : set Cuadrica) (w : Punto) : Prop :=
+  w ∈ puntos_de_rayo rayo /\ (exists l : set Cuadrica, l
+  ∈ repartos (dentro_desde (Rayo_p rayo) en w) (fuera_desde (Rayo_p rayo) en w) /\ l ∈ S)
+  /\ exists l : set Cuadrica, l ∈ repartos (dentro_desde (Rayo_p rayo) en w) (fuera_desde (Rayo_p rayo) en w)
+  /\ l ∉ S. (* superficie_desde.def.1 *)
+
+Definition en_parametro (rayo : Rayo) (t : R) (q : Punto) : Prop :=
+  Punto_x q = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
+  /\ Punto_y q = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
+  /\ Punto_z q = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo). (* en_parametro.def.1 *)
+
+Definition hecho_de (S : set (set Cuadrica)) (cs : set Cuadrica) : Prop :=
+  forall l m : set Cuadrica, l ∈ ℙ Cuadrica_ok -> m ∈ ℙ Cuadrica_ok
+  -> (forall c : Cuadrica, c ∈ cs -> c ∈ l <-> c ∈ m) -> l ∈ S <-> m ∈ S. (* hecho_de.def.1 *)
+
+Definition superficie_desde_conj_2 : Prop :=
+  forall (S : set (set Cuadrica)) (rayo : Rayo) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok) -> rayo ∈ Rayo_ok
+  -> superficie_desde S rayo ∅ w <-> w ∈ interseccion (puntos_de_rayo rayo) (superficie S).
+  (* superficie_desde.conj.2 *)
+
+Definition cuerpo_conj_1 : Prop :=
+  forall S T : set (set Cuadrica), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
+  -> cuerpo (S ∪ T) ≡ cuerpo S ∪ cuerpo T. (* cuerpo.conj.1 *)
+
+Definition interior_conj_1 : Prop :=
+  forall S T : set (set Cuadrica), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
+  -> interior (S ∩ T) ≡ interior S ∩ interior T. (* interior.conj.1 *)
+
+Definition superficie_conj_1 : Prop :=
+  forall (S : set (set Cuadrica)) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok)
+  -> (w ∈ cuerpo (ℙ Cuadrica_ok ∖ S) <-> w ∉ interior S)
+  /\ (w ∈ superficie (ℙ Cuadrica_ok ∖ S) <-> w ∈ superficie S). (* superficie.conj.1 *)
+
+Definition interior_conj_2 : Prop :=
+  forall S T : set (set Cuadrica), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
+  -> interior (S ∖ T) ≡ interior S ∖ cuerpo T. (* interior.conj.2 *)
+
+Definition cuerpo_conj_2 : Prop :=
+  forall (S T : set (set Cuadrica)) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
+  -> w ∈ cuerpo (S ∖ T) -> w ∈ cuerpo S /\ w ∉ interior T. (* cuerpo.conj.2 *)
+
+Definition interior_conj_3 : Prop :=
+  forall (S : set (set Cuadrica)) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok) -> w ∈ interior S
+  -> w ∈ cuerpo S. (* interior.conj.3 *)
+
+Definition solido_esfera_conj_1 : Prop :=
+  forall (centro w : Punto) (radio : R), radio ∈ Rmas
+  -> (w ∈ superficie (solido_esfera centro radio) <-> w ∈ puntos_esfera centro radio)
+  /\ (w ∈ interior (solido_esfera centro radio) <-> potencia_esfera w centro radio < 0). (* solido_esfera.conj.1 *)
+
+Definition solido_plano_conj_1 : Prop :=
+  forall (centro w : Punto) (dir : Vector), dir ∈ Unitario
+  -> w ∈ superficie (solido_plano centro dir) <-> w ∈ puntos_plano centro dir. (* solido_plano.conj.1 *)
+
+Definition solido_cilindro_conj_1 : Prop :=
+  forall (centro w : Punto) (radio h : R) (dir : Vector), radio ∈ Rmas -> h ∈ Rmas -> dir ∈ Unitario
+  -> w ∈ superficie (solido_cilindro centro radio dir h) <-> w ∈ puntos_cilindro centro radio dir h
+  \/ potencia_cilindro w centro radio dir <= 0
+  /\ (avance w centro dir = 0 \/ avance w centro dir = h). (* solido_cilindro.conj.1 *)
+
+Definition superficie_conj_2 : Prop :=
+  forall (S : set (set Cuadrica)) (u w : Punto), S ∈ ℙ (ℙ Cuadrica_ok) -> dentro w ⊆ dentro u -> fuera w ⊆ fuera u
+  -> (u ∈ cuerpo S -> w ∈ cuerpo S) /\ (u ∈ superficie S -> w ∈ superficie S). (* superficie.conj.2 *)
+
+Definition superficie_desde_conj_1 : Prop :=
+  forall (S : set (set Cuadrica)) (cs : set Cuadrica) (rayo : Rayo) (en : set Cuadrica) (w : Punto), S
+  ∈ ℙ (ℙ Cuadrica_ok) -> cs ∈ 𝔽 Cuadrica_ok -> rayo ∈ Rayo_ok -> en ∈ con_multiplos -> hecho_de S cs
+  -> superficie_desde S rayo en w -> (exists (t : R) (q : Punto), t ∈ Rmas /\ en_parametro rayo t q
+  /\ superficie_desde S rayo en q /\ forall (s1 : R) (u : Punto), s1 ∈ Rmas -> en_parametro rayo s1 u
+  -> superficie_desde S rayo en u -> t <= s1) \/ exists t : R, t ∈ Rmas /\ forall (s1 : R) (u : Punto), s1 ∈ Rmas
+  -> s1 < t -> en_parametro rayo s1 u -> superficie_desde S rayo en u. (* superficie_desde.conj.1 *)
+
 End Especificacion.
