@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "durero/composed/moved_shape.hpp"
+#include "durero/composed/solid.hpp"
 
 namespace durero::composed {
 namespace {
@@ -39,6 +40,8 @@ class Copy final : public Figure {
 };
 
 std::unique_ptr<const Figure> made(const scene::Instance& instance) { return std::make_unique<const Copy>(instance); }
+
+std::unique_ptr<const Figure> made(const scene::Solid& solid) { return std::make_unique<const SolidFigure>(solid); }
 
 }  // namespace
 

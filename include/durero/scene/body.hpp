@@ -2,8 +2,10 @@
 /// A body is what an element is that no table holds: its points are made of those of shapes. In the tables it stands as
 /// a sphere, which says nothing of where it is; Scene::body() tells.
 
+#include <cstdint>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "durero/model/instancias.hpp"
 #include "durero/scene/any_shape.hpp"
@@ -16,10 +18,27 @@ struct Instance {
   model::Mapa mapa;  ///< where its points are put
 };
 
+struct Body;
+
+/// Solids that are joined (spec/solidos.tex). Its parts are bodies that bound a solid, one or more.
+struct Solid {
+  /// How the parts are joined.
+  enum class Operation : std::uint8_t {
+    united,       ///< what is in any
+    intersected,  ///< what is in all
+    subtracted    ///< what is in the first and in none of the others
+  };
+  Operation operation;      ///< of all parts
+  std::vector<Body> parts;  ///< in their order
+};
+
 /// The geometry of an element that is none of Shapes. Its set of points is closed.
 struct Body {
-  std::variant<Instance> form;  ///< the kind of body, with its parts
+  std::variant<Instance, Solid> form;  ///< the kind of body, with its parts
 };
+
+/// Whether a body bounds a solid: it is one, or a copy of a sphere, a cylinder, a cone, a truncated cone or a plane.
+bool bounds_a_solid(const Body& body);
 
 /// The copy that a map makes of a body, which is one of the same kind.
 Body copied(const model::Mapa& by, const Body& body);

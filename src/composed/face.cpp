@@ -1,0 +1,96 @@
+#include "composed/face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace durero::composed {
+namespace {
+
+/// Of the two numbers whose products a form has: the coordinates and one.
+using Four = std::array<Dyadic, 4>;
+
+Dyadic magnitude(const Dyadic& value) { return sign(value) < 0 ? -value : value; }
+
+/// Half a unit in the last place at most: 2⁻⁵³ of a normal number, 2⁻¹⁰⁷⁵ of another.
+Dyadic rounding_of(const Dyadic& value) {
+  return number::shifted(magnitude(value), -53) + Dyadic(number::Integer(1), -1075);
+}
+
+Dyadic value_at(const Form<Dyadic>& form, const Four& w) {
+  Dyadic sum;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i <= j; ++i) {
+      const Dyadic term = form.coefficients()[matrix_place(i, j)] * w[i] * w[j];
+      sum += i == j ? term : number::shifted(term, 1);
+    }
+  return sum;
+}
+
+// Times a power of two, so that the greatest coefficient is of magnitude 1 … 2.
+Form<Dyadic> scaled(const Form<Dyadic>& form) {
+  std::int64_t greatest = std::numeric_limits<std::int64_t>::min();
+  for (const Dyadic& each : form.coefficients())
+    if (sign(each) != 0) greatest = std::max(greatest, number::floor_log2(each));
+  std::array<Dyadic, matrix_places> m = form.coefficients();
+  for (Dyadic& each : m) each = number::shifted(each, -greatest);
+  return Form<Dyadic>(std::move(m));
+}
+
+Form<Dyadic> magnitudes(const Form<Dyadic>& form) {
+  std::array<Dyadic, matrix_places> m = form.coefficients();
+  std::ranges::transform(m, m.begin(), magnitude);
+  return Form<Dyadic>(std::move(m));
+}
+
+std::array<double, matrix_places> rounded(const Form<Dyadic>& form) {
+  std::array<double, matrix_places> m{};
+  std::ranges::transform(form.coefficients(), m.begin(),
+                         [](const Dyadic& each) { return number::round_to_binary64(each); });
+  return m;
+}
+
+}  // namespace
+
+Face::Face(const Form<Dyadic>& form)
+    : form_(scaled(form)), magnitudes_(magnitudes(form_)), rough_(roughly(form_)), rounded_(rounded(form_)) {}
+
+// |f(w + d) − f(w)| ≤ F(|w| + δ) − F(|w|) for |dᵢ| ≤ δᵢ, where F has the magnitudes of the coefficients.
+bool Face::may_hold_near(const glm::dvec3& rounded) const {
+  Four w, size, beyond;
+  for (int i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(i);
+    w[axis] = rounded[i];
+    size[axis] = magnitude(w[axis]);
+    beyond[axis] = size[axis] + rounding_of(w[axis]);
+  }
+  w[3] = size[3] = beyond[3] = 1;
+  return magnitude(value_at(form_, w)) <= value_at(magnitudes_, beyond) - value_at(magnitudes_, size);
+}
+
+glm::dvec3 Face::gradient(const glm::dvec3& w) const {
+  const auto of = [&](std::size_t i) {
+    const auto m = [&](std::size_t j) { return rounded_[matrix_place(i, j)]; };
+    return 2 * (m(0) * w.x + m(1) * w.y + m(2) * w.z + m(3));
+  };
+  return {of(0), of(1), of(2)};
+}
+
+double Face::value(const glm::dvec3& w) const {
+  const auto of = [&](std::size_t i) {
+    const auto m = [&](std::size_t j) { return rounded_[matrix_place(i, j)]; };
+    return m(0) * w.x + m(1) * w.y + m(2) * w.z + m(3);
+  };
+  return w.x * of(0) + w.y * of(1) + w.z * of(2) + of(3);
+}
+
+int multiple(const Form<Dyadic>& a, const Form<Dyadic>& b) {
+  const auto &m = a.coefficients(), &n = b.coefficients();
+  const auto first =
+      static_cast<std::size_t>(std::ranges::find_if(n, [](const Dyadic& each) { return sign(each) != 0; }) - n.begin());
+  for (std::size_t i = 0; i < matrix_places; ++i)
+    if (m[i] * n[first] != m[first] * n[i]) return 0;
+  return sign(m[first]) * sign(n[first]);
+}
+
+}  // namespace durero::composed

@@ -1,0 +1,39 @@
+#pragma once
+/// A face of a solid: a polynomial whose sign tells the side of a point, negative inside.
+
+#include <glm/vec3.hpp>
+
+#include "durero/composed/form.hpp"
+
+namespace durero::composed {
+
+/// A face, and what is computed of it in binary64.
+class Face {
+ public:
+  /// Of a polynomial other than 0.
+  explicit Face(const Form<Dyadic>& form);
+
+  /// The polynomial times a power of two.
+  const Form<Dyadic>& form() const { return form_; }
+  /// Its coefficients to about 50 bits.
+  const Form<RealBall>& rough() const { return rough_; }
+
+  /// Whether the polynomial may be 0 at a point whose rounding this is. False is certain.
+  bool may_hold_near(const glm::dvec3& rounded) const;
+
+  /// @{ The value and the gradient at a point, to some digits.
+  double value(const glm::dvec3& w) const;
+  glm::dvec3 gradient(const glm::dvec3& w) const;
+  /// @}
+
+ private:
+  Form<Dyadic> form_, magnitudes_;  // in step; the magnitudes are not negative
+  Form<RealBall> rough_;
+  std::array<double, matrix_places> rounded_;
+};
+
+/// 1 where a is a positive multiple of b, −1 a negative one, 0 where it is none (multiplo.def.1). Precondition: neither
+/// is 0.
+int multiple(const Form<Dyadic>& a, const Form<Dyadic>& b);
+
+}  // namespace durero::composed
