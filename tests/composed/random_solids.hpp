@@ -8,7 +8,7 @@
 
 #include "durero/model/solidos.hpp"
 #include "durero/scene/body.hpp"
-#include "durero/scene/shapes.hpp"
+#include "durero/scene/solids.hpp"
 
 namespace durero::test {
 
@@ -64,7 +64,7 @@ class SolidDraw {
   bool on_grid_;
 };
 
-inline scene::Body body_of(const scene::AnyShape& shape) { return {scene::Instance{shape, model::identity()}}; }
+inline scene::Body body_of(const scene::AnyShape& shape) { return scene::unmoved(shape); }
 
 inline RandomSolid SolidDraw::leaf() {
   using model::Punto, model::Rmas, model::Unitario, model::Vector;
