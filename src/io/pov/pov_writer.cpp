@@ -6,6 +6,7 @@
 #include <map>
 
 #include "durero/io/pov/pov.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/stage.hpp"
 #include "io/blur_losses.hpp"
@@ -107,8 +108,10 @@ class PovWriter {
   /// A line, or two; empty where the element is left out.
   std::string object_text(scene::ElementRef element) {
     const scene::VertexNormals* const normals = scene_.vertex_normals(element);
-    const std::string shape = normals == nullptr
-                                  ? scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); })
+    const scene::Body* const body = scene_.body(element);
+    const std::string shape = body != nullptr ? body_text(*body)
+                              : normals == nullptr
+                                  ? plain_text(element)
                                   : smooth_text(scene_.shapes<scene::Triangle>()[element.index], *normals);
     if (shape.empty()) return "";
     const auto material = scene_.material(element);
@@ -146,6 +149,32 @@ class PovWriter {
         return false;
       }
     });
+  }
+
+  std::string plain_text(scene::ElementRef element) {
+    return scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); });
+  }
+
+  std::string body_text(const scene::Body& body) {
+    return std::visit([&](const auto& form) { return form_text(form); }, body.form);
+  }
+  std::string form_text(const scene::Instance& instance) {
+    const std::string shape = std::visit([&](const auto& geometry) { return shape_text(geometry); }, instance.shape);
+    return shape.empty() ? "" : fmt::format("object {{ {} matrix <{}> }}", shape, entries(instance.mapa));
+  }
+  /// What becomes of the axes, and where the origin goes: the twelve numbers of a matrix.
+  std::string entries(const model::Mapa& mapa) {
+    std::string text;
+    bool is_exact = true;
+    const auto add = [&](const number::Rational& entry) {
+      const double rounded = number::round_to_binary64(entry);
+      is_exact = is_exact && std::isfinite(rounded) && number::exact(rounded) == entry;
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", rounded);
+    };
+    for (const model::ExactVector* row : {&mapa.x, &mapa.y, &mapa.z, &mapa.centro})
+      for (const number::Rational* entry : {&row->x, &row->y, &row->z}) add(*entry);
+    if (!is_exact) ++rounded_maps_;
+    return text;
   }
 
   std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
@@ -190,6 +219,7 @@ class PovWriter {
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
     add_blur_losses(out_.lost, scene_, "POV-Ray");
     ends_.name_losses(out_.lost, "POV-Ray");
+    add_loss(out_.lost, rounded_maps_, "map", "maps", "rounded: an entry is no binary64");
     add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");
   }
 
@@ -199,7 +229,7 @@ class PovWriter {
   Exported out_;
   std::vector<std::string> looks_;  // of the materials
   WrittenEnds ends_;
-  std::size_t empty_groups_ = 0;
+  std::size_t empty_groups_ = 0, rounded_maps_ = 0;
 };
 
 }  // namespace
