@@ -5,12 +5,14 @@
 #include <stdexcept>
 
 #include "bindings.hpp"
-#include "durero/engine/prepared.hpp"
+#include "durero/composed/engine.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/addition.hpp"
+#include "durero/scene/body.hpp"
+#include "durero/scene/copying.hpp"
 #include "durero/scene/stage.hpp"
 #include "errors.hpp"
 #include "state.hpp"
@@ -88,6 +90,28 @@ Asked asked(const scene::Closing& in, const written::Edited&) {
   return {"close", inputs};
 }
 
+py::object as_python(const model::ExactVector& v) {
+  const auto number = [](const number::Rational& entry) { return number::round_to_binary64(entry); };
+  return py::make_tuple(number(v.x), number(v.y), number(v.z));
+}
+
+Asked asked(const scene::Copying& in, const written::Edited&) {
+  py::dict inputs;
+  inputs["e"] = in.e;
+  inputs["de"] = in.de;
+  inputs["centro"] = as_python(in.mapa.centro);
+  inputs["x"] = as_python(in.mapa.x);
+  inputs["y"] = as_python(in.mapa.y);
+  inputs["z"] = as_python(in.mapa.z);
+  return {"Agregar_Instancia", inputs};
+}
+
+Asked asked(const scene::CopyRemoval& in, const written::Edited&) {
+  py::dict inputs;
+  inputs["e"] = in.e;
+  return {"Eliminar_Instancia", inputs};
+}
+
 py::dict attributes_of(const io::WrittenElement& element, const io::WrittenType& type) {
   py::dict attributes;
   for (std::size_t i = 0; i < type.attributes.size(); ++i)
@@ -134,7 +158,7 @@ std::vector<Done> apply(Scene& scene, const std::string& text, const std::string
 Scene read(const py::bytes& text, const std::string& name, const std::optional<std::string>& surfaces) {
   const io::Source source(name, text);
   const py::gil_scoped_release released;
-  if (!surfaces) return Scene(io::read_grouped_scene(source));
+  if (!surfaces) return Scene(io::read_grouped_scene(source, io::Bodies::read));
   return Scene(written::Edited(source, std::make_shared<const written::Text>(*surfaces)));
 }
 
@@ -162,19 +186,72 @@ std::vector<std::string> names(const Scene& scene) {
   return names;
 }
 
+template <class Shape>
+std::pair<std::string, py::dict> word_and_attributes(const Shape& shape) {
+  py::dict attributes;
+  scene::for_each_attribute<Shape>([&](const auto& attribute) {
+    attributes[py::str(std::string(attribute.word))] = as_python(shape.*attribute.field);
+  });
+  return {std::string(Shape::word), attributes};
+}
+
+/// An entry of a map: a number, or a Fraction where it is no binary64.
+py::object entry_of(const number::Rational& entry) {
+  const double rounded = number::round_to_binary64(entry);
+  if (std::isfinite(rounded) && number::exact(rounded) == entry) return py::float_(rounded);
+  return py::module_::import("fractions").attr("Fraction")(entry.str());
+}
+
+/// `de`, a dictionary with the tipo of the original, and `mapa`, three rows of four entries.
+py::dict attributes_of(const scene::Instance& instance) {
+  auto [word, original] = std::visit([](const auto& shape) { return word_and_attributes(shape); }, instance.shape);
+  original["tipo"] = word;
+  py::dict attributes;
+  attributes["de"] = original;
+  const model::Mapa& m = instance.mapa;
+  const auto row = [&](auto coordinate) {
+    return py::make_tuple(entry_of(coordinate(m.x)), entry_of(coordinate(m.y)), entry_of(coordinate(m.z)),
+                          entry_of(coordinate(m.centro)));
+  };
+  attributes["mapa"] = py::make_tuple(row([](const auto& v) { return v.x; }), row([](const auto& v) { return v.y; }),
+                                      row([](const auto& v) { return v.z; }));
+  return attributes;
+}
+
+py::dict attributes_of(const scene::Solid& solid);
+
+/// A part with its tipo; of a shape that no map has moved its own attributes.
+py::dict part_of(const scene::Body& body) {
+  const auto* const instance = std::get_if<scene::Instance>(&body.form);
+  if (instance != nullptr && model::identidad(instance->mapa)) {
+    auto [word, attributes] = std::visit([](const auto& shape) { return word_and_attributes(shape); }, instance->shape);
+    attributes["tipo"] = word;
+    return attributes;
+  }
+  py::dict attributes = std::visit([](const auto& form) { return attributes_of(form); }, body.form);
+  attributes["tipo"] = std::string(scene::word_of(body));
+  return attributes;
+}
+
+/// `de`, a dictionary for each part.
+py::dict attributes_of(const scene::Solid& solid) {
+  py::list parts;
+  for (const scene::Body& part : solid.parts) parts.append(part_of(part));
+  py::dict attributes;
+  attributes["de"] = parts;
+  return attributes;
+}
+
 std::pair<std::string, py::dict> word_and_attributes(const written::Edited& scene, const std::string& name,
                                                      scene::ElementRef element) {
   if (const io::WrittenElement* const own = scene.written(name)) {
     const io::WrittenType& type = scene.types()[own->type];
     return {type.word, attributes_of(*own, type)};
   }
-  return scene.of().scene.visit(element, [&]<class Shape>(const Shape& shape) {
-    py::dict attributes;
-    scene::for_each_attribute<Shape>([&](const auto& attribute) {
-      attributes[py::str(std::string(attribute.word))] = as_python(shape.*attribute.field);
-    });
-    return std::pair(std::string(Shape::word), attributes);
-  });
+  if (const scene::Body* const body = scene.of().scene.body(element))
+    return {std::string(scene::word_of(*body)),
+            std::visit([](const auto& form) { return attributes_of(form); }, body->form)};
+  return scene.of().scene.visit(element, [](const auto& shape) { return word_and_attributes(shape); });
 }
 
 /// Its word, its attributes and its material.
@@ -203,7 +280,7 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
     scene::GroupedScene sized = state->grouped();
     sized.scene.stage().resolution = scene::Resolution{size->first, size->second};
     const bool by_text = state->value().text() != nullptr;  // what answers by it refers to no scene
-    const auto of_pixels = by_text ? nullptr : engine::prepared(row, hierarchy, sized);
+    const auto of_pixels = by_text ? nullptr : composed::prepared(row, hierarchy, sized);
     return std::make_unique<render::Image>(render::toned(
         render::render(sized.scene, by_text ? state->prepared(row, hierarchy) : *of_pixels), render::Tone::clamp));
   }();

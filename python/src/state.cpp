@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "durero/composed/engine.hpp"
 #include "durero/engine/prepared.hpp"
 #include "durero/text/shown.hpp"
 
@@ -37,7 +38,8 @@ const engine::Engine& State::prepared(const engine::EngineRow& engine, const std
                     text::shown(hierarchy), value_.text()->file()));
   const std::scoped_lock lock(making_);
   auto& prepared = engines_[{engine.name, hierarchy}];
-  if (!prepared) prepared = value_.text() == nullptr ? engine::prepared(engine, hierarchy, grouped()) : value_.engine();
+  if (!prepared)
+    prepared = value_.text() == nullptr ? composed::prepared(engine, hierarchy, grouped()) : value_.engine();
   return *prepared;
 }
 
@@ -57,6 +59,10 @@ void require_own_shapes(const State& state, std::string_view what) {
     throw std::invalid_argument(
         fmt::format("the scene was read by {}; expected one without surfaces: {} knows the program's own shapes alone",
                     state.value().text()->file(), what));
+  if (state.scene().has_bodies())
+    throw std::invalid_argument(fmt::format(
+        "an element is made of others, as an instance is; expected none: {} knows the program's own shapes alone",
+        what));
 }
 
 const engine::EngineRow& engine_named(const State& state, std::string_view name) {

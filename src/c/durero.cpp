@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "c/handles.hpp"
+#include "durero/composed/engine.hpp"
 #include "durero/engine/prepared.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/operations_file.hpp"
@@ -40,7 +41,7 @@ scene::Query query(const durero_ray& ray, std::size_t number) {
 durero_engine* ready(const durero_scene& scene, std::string_view name, std::string_view hierarchy) {
   const engine::EngineRow* row = engine::find(name);
   if (row == nullptr) throw std::invalid_argument("no engine " + std::string(name));
-  return new durero_engine{&scene.value.of().scene, engine::prepared(*row, hierarchy, scene.value.of())};
+  return new durero_engine{&scene.value.of().scene, composed::prepared(*row, hierarchy, scene.value.of())};
 }
 
 std::string from_root(const char* path) { return std::filesystem::absolute(path).string(); }
@@ -72,7 +73,8 @@ durero_scene* durero_scene_new(void) {
 
 durero_scene* durero_scene_read(const char* path) {
   return guarded<durero_scene*>(nullptr, [&] {
-    return new durero_scene{written::Edited(io::read_grouped_scene(io::read_source(path))), from_root(path)};
+    return new durero_scene{written::Edited(io::read_grouped_scene(io::read_source(path), io::Bodies::read)),
+                            from_root(path)};
   });
 }
 

@@ -46,7 +46,8 @@ int export_scene(const ConvertOptions& options) {
   const io::Format& format = io::format_to_write(options.to);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
-  auto [scene, groups] = io::read_grouped_scene(io::read_source(options.from));
+  auto [scene, groups] =
+      io::read_grouped_scene(io::read_source(options.from), format.has_bodies ? io::Bodies::read : io::Bodies::refused);
   io::rename_pictures(scene.stage(), options.from, options.to);
   const io::Exported exported = format.write(scene, groups);
   out.write(exported.text);

@@ -74,7 +74,7 @@ io::EditAnswer carry_out(io::EditedScene& edited, const io::ScriptStep& step, co
 
 std::unique_ptr<io::EditedScene> read(const EditOptions& options) {
   const io::Source source = io::read_source(options.scene);
-  if (options.with.empty()) return std::make_unique<io::EditedScene>(io::read_grouped_scene(source));
+  if (options.with.empty()) return std::make_unique<io::EditedScene>(io::read_grouped_scene(source, io::Bodies::read));
   return std::make_unique<written::Edited>(source, std::make_shared<const written::Text>(options.with));
 }
 

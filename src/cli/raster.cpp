@@ -89,6 +89,7 @@ struct RasterWork {
         tracer(of.scene, of.engine, "automatic", "", read_size(of.size), Pictures::read),
         size(tracer.scene().stage().resolution.value_or(scene::default_resolution)) {
     tracer.require_origins("shadow rays start on elements");
+    tracer.require_tables("durero raster");
   }
 
   /// Calls draw(), and adds the name of the scene to its errors.

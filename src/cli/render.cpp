@@ -59,6 +59,7 @@ class Drawing {
         frame_(frame_of(options)),
         tracer_(options.scene, options.engine, options.hierarchy, options.with, frame_.size, Pictures::read) {
     tracer_.require_origins("shadow rays start on elements");
+    if (options.wide.kind() != RayKind::lines) tracer_.require_tables("wide rays");
     frame_.prepare = [this](const scene::Scene& then) { return tracer_.prepare(then); };
   }
 

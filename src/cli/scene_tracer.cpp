@@ -1,9 +1,11 @@
 #include "scene_tracer.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <utility>
 
-#include "durero/engine/prepared.hpp"
+#include "durero/composed/engine.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
@@ -15,7 +17,8 @@
 namespace durero::cli {
 
 SceneTracer::SceneTracer(const std::string& file, std::string_view engine, std::string_view hierarchy,
-                         const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures) {
+                         const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures)
+    : file_(file) {
   const io::Source source = io::read_source(file);
   if (io::begins_as_rays(source))
     source.fail(0, "rays stand here", "expected a scene (JSON), which is named before the rays");
@@ -28,21 +31,27 @@ SceneTracer::SceneTracer(const std::string& file, std::string_view engine, std::
     if (resolution) written_->scene.stage().resolution = resolution;
     return;
   }
-  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(source));
+  auto input = std::make_unique<scene::GroupedScene>(io::read_grouped_scene(source, io::Bodies::read));
   read_pictures(input->scene);
   if (resolution) input->scene.stage().resolution = resolution;
   row_ = engine::find(engine);
-  ready_ = engine::prepared(*row_, hierarchy, *input);
+  ready_ = composed::prepared(*row_, hierarchy, *input);
   input_ = std::move(input);
 }
 
 std::unique_ptr<const engine::Engine> SceneTracer::prepare(const scene::Scene& then) const {
   if (row_ == nullptr) throw std::domain_error("an element moves beside those of a Z text; expected none with motion");
-  return row_->prepare(then);
+  return composed::prepared(*row_, then);
 }
 
 void SceneTracer::require_origins(std::string_view why) const {
   if (row_ != nullptr && !row_->honours_origins) throw std::invalid_argument(without_origins(*row_, why));
+}
+
+void SceneTracer::require_tables(std::string_view who) const {
+  if (scene().has_bodies())
+    throw std::domain_error(
+        fmt::format("{}: an element is made of others, as an instance is; expected none with {}", file_, who));
 }
 
 }  // namespace durero::cli

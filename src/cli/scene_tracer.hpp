@@ -35,8 +35,11 @@ class SceneTracer {
   std::unique_ptr<const engine::Engine> prepare(const scene::Scene& then) const;
   /// Checks that the engine honours origins. Throws std::invalid_argument, where `why` gives the reason that it must.
   void require_origins(std::string_view why) const;
+  /// Checks that every element is one of the tables. Throws std::domain_error, where `who` asks for no other.
+  void require_tables(std::string_view who) const;
 
  private:
+  std::string file_;
   std::unique_ptr<const scene::GroupedScene> input_{};
   const engine::EngineRow* row_ = nullptr;
   std::unique_ptr<const engine::Engine> ready_{};

@@ -268,4 +268,9 @@ std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, std
   return std::make_unique<const ComposedEngine>(row, hierarchy, input);
 }
 
+std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, const scene::Scene& scene) {
+  if (!scene.has_bodies()) return row.prepare(scene);
+  return std::make_unique<const ComposedEngine>(row, engine::automatic, scene::GroupedScene{scene});
+}
+
 }  // namespace durero::composed

@@ -15,16 +15,16 @@ namespace durero::io {
 namespace {
 
 Imported import_json(const Source& source) {
-  scene::GroupedScene read = read_grouped_scene(source);
+  scene::GroupedScene read = read_grouped_scene(source, Bodies::read);
   return {std::move(read.scene), {}, std::move(read.groups)};
 }
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
-constexpr Format all[] = {{".json", import_json, write_json},
+constexpr Format all[] = {{".json", import_json, write_json, false, true},
                           {".nff", read_nff, nff_text, true},
                           {".obj", read_obj, nullptr, true},
                           {".ply", read_ply},
-                          {".pov", read_pov, pov_text}};
+                          {".pov", read_pov, pov_text, false, true}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }

@@ -27,7 +27,7 @@ Result parts_of(const Mapa& m, const Result& q) {
           mixed_product<N>(m.x, m.y, q) / uno};
 }
 
-bool same_entries(const ExactVector& a, const ExactVector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+bool same_vector(const ExactVector& a, const ExactVector& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 Mapa diagonal(const Rational& across, const Rational& along) {
   return {{0, 0, 0}, {across, 0, 0}, {0, across, 0}, {0, 0, along}};
@@ -40,7 +40,7 @@ Rational mixto(const ExactVector& a, const ExactVector& b, const ExactVector& c)
 }
 
 bool operator==(const Mapa& m, const Mapa& n) {
-  return same_entries(m.centro, n.centro) && same_entries(m.x, n.x) && same_entries(m.y, n.y) && same_entries(m.z, n.z);
+  return same_vector(m.centro, n.centro) && same_vector(m.x, n.x) && same_vector(m.y, n.y) && same_vector(m.z, n.z);
 }
 
 Judgements inv(const Mapa& m) { return {{&Mapa_inv_1, mixto(m.x, m.y, m.z) != 0}}; }

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "durero/io/json/groups_file.hpp"
 #include "durero/scene/addition.hpp"
+#include "durero/scene/body.hpp"
 
 namespace durero::written {
 namespace {
@@ -63,6 +66,11 @@ io::EditAnswer Edited::apply_total(const scene::Edit& edit) {
 io::EditAnswer Edited::apply_total(const io::WrittenEdit& edit) {
   if (const auto* const in = std::get_if<io::WrittenAddition>(&edit)) return add(*in);
   return remove(std::get<io::WrittenRemoval>(edit));
+}
+
+io::EditAnswer Edited::apply_total(const scene::Copying& edit) {
+  if (text_) throw std::domain_error(edit.e + " is an instance beside a Z text; expected types of the text alone");
+  return EditedScene::apply_total(edit);
 }
 
 io::EditAnswer Edited::add(const io::WrittenAddition& in) {

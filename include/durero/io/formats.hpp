@@ -34,6 +34,8 @@ struct Format {
   Exported (*write)(const scene::Scene&, const scene::Groups&){};
   /// Whether its texts are lines, none of which is longer than longest_line.
   bool has_lines = false;
+  /// Whether it has elements with bodies, such as instances.
+  bool has_bodies = false;
 };
 
 /// The table, which lives as long as the program.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "durero/io/json/edited_scene.hpp"
+#include "durero/scene/copying.hpp"
 #include "durero/written/engine.hpp"
 
 namespace durero::written {
@@ -30,6 +31,7 @@ class Edited final : public io::EditedScene {
   /// @{ The same, which throw io::InputError where the text is wrong; the scene is then as it was.
   io::EditAnswer apply_total(const scene::Edit& edit) override;
   io::EditAnswer apply_total(const io::WrittenEdit& edit) override;
+  io::EditAnswer apply_total(const scene::Copying& edit) override;
   /// @}
 
   /// The engine that answers rays by the text. It does not refer to this scene. Precondition: there is a text.

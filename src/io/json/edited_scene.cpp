@@ -2,6 +2,8 @@
 
 #include "durero/contract/contract.hpp"
 #include "durero/io/json/groups_file.hpp"
+#include "durero/model/operaciones.hpp"
+#include "durero/scene/copying.hpp"
 
 namespace durero::io {
 namespace {
@@ -12,6 +14,8 @@ const std::string* element_of(const WrittenEdit& edit) {
   const auto* const in = std::get_if<WrittenAddition>(&edit);
   return in == nullptr ? &std::get<WrittenRemoval>(edit).e : &in->element.id;
 }
+const std::string* element_of(const scene::Copying& edit) { return &edit.e; }
+const std::string* element_of(const scene::CopyRemoval& edit) { return &edit.e; }
 const std::string* element_of(const scene::GroupEdit&) { return nullptr; }
 const std::string* element_of(const scene::Closing&) { return nullptr; }
 /// @}
@@ -19,6 +23,25 @@ const std::string* element_of(const scene::Closing&) { return nullptr; }
 }  // namespace
 
 scene::Edit removal_of(const std::string& name) { return {model::Eliminar_Elemento{model::Elemento{name}}, {}}; }
+
+model::Answer EditedScene::own_answer(const scene::Edit& edit) {
+  if (std::holds_alternative<model::Eliminar_Esfera>(edit.operation)) {
+    const auto element = of_.scene.find(scene::name_of(edit.operation).name());
+    if (element && of_.scene.body(*element) != nullptr)
+      return {model::Respuesta::tipo_incorrecto, &model::Eliminar_Esfera_pre_1};
+  }
+  return of_.apply_total(edit);
+}
+
+EditAnswer EditedScene::apply_total(const scene::Copying& edit) {
+  return edit_answer(scene::apply_total(of_.scene, edit));
+}
+
+EditAnswer EditedScene::apply_total(const scene::CopyRemoval& edit) {
+  const scene::Outcome outcome = scene::apply_total(of_.scene, edit);
+  if (outcome.ok()) of_.groups.follow(model::Eliminar_Elemento{model::Elemento(edit.e)});
+  return edit_answer(outcome);
+}
 
 EditAnswer EditedScene::apply_total(const WrittenEdit&) { contract::unreachable(); }
 
@@ -38,7 +61,7 @@ EditAnswer EditedScene::apply_total(const ScriptStep& step) {
 std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const scene::Edit& edit) {
   const std::string& name = *element_of(edit);
   std::string was_in(of_.groups.of_element(name));
-  const model::Answer answer = of_.apply_total(edit);
+  const model::Answer answer = own_answer(edit);
   std::pair told(answer, edit_answer(answer));
   if (answer.ok()) told.second.left_group = left_group(name, std::move(was_in));
   return told;

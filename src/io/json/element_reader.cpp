@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "body_reader.hpp"
 #include "durero/model/escena.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/text/nearest.hpp"
@@ -67,6 +68,7 @@ Tipo read_tipo(json::Reader& in, std::span<const WrittenType> written) {
     if (name == Shape::word) known = Shape::tipo;
   });
   for (const WrittenType& type : written) words.push_back(type.word);
+  for (const BodyTipo& body : body_tipos()) words.push_back(body.word);
   if (!known) {
     in.fail(at, fmt::format("tipo (type) is {}", text::shown(name)),
             "expected " + text::expected_of(name, {words.begin(), words.end()}));
@@ -224,6 +226,26 @@ std::string_view read_id(json::Reader& in) {
     in.fail(at, fmt::format("id is {}", text::shown(name)), "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
   }
   return name;
+}
+
+WrittenShape read_shape(json::Reader& in, ShapeKeys has) {
+  std::vector<std::size_t> allowed{tipo};
+  if (has.id) allowed.push_back(id);
+  const std::size_t required_here = allowed.size();
+  for (std::size_t i = 0; i < attribute_words.size(); ++i) allowed.push_back(first_attribute + i);
+  if (has.material) allowed.push_back(material);
+  std::vector<std::string_view> words;
+  for (const std::size_t key : allowed) words.push_back(keys[key]);
+  Fields f;
+  f.at = in.offset();
+  in.object("a shape", words, required_here, [&](std::size_t key) { read_field(in, allowed[key], {}, f); });
+  return scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
+    check_attributes<Shape>(in, f);
+    const Shape shape = shape_of<Shape>(f);
+    const model::Answer answer = scene::Scene().add(model::Elemento("shape"), shape);
+    if (!answer.ok()) refuse<Shape>(in, f, answer);
+    return WrittenShape{f.id, f.material, shape};
+  });
 }
 
 void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses,

@@ -6,6 +6,7 @@
 
 #include "durero/io/json/json.hpp"
 #include "durero/io/json/written_elements.hpp"
+#include "durero/scene/any_shape.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
@@ -33,6 +34,22 @@ struct WrittenElements {
 /// Reads an element and adds it to the scene by its operation.
 void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse>& uses,
                   const WrittenElements& written);
+
+/// The keys that a shape has beside its tipo and its attributes.
+struct ShapeKeys {
+  bool id, material;  // required; not
+};
+/// A shape as it stands in a file, outside the scene's elements.
+struct WrittenShape {
+  Placed<std::string_view> id{};
+  std::optional<Placed<std::string_view>> material{};
+  scene::AnyShape shape{};
+};
+/// Reads a shape that could be added by its operation.
+WrittenShape read_shape(json::Reader& in, ShapeKeys has);
+
+/// Adds a sphere in whose place another layer knows the points. Fails where the name is taken.
+void add_stand_in(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name);
 
 /// The name of an element.
 std::string_view read_id(json::Reader& in);

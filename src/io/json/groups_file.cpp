@@ -114,10 +114,4 @@ scene::Groups read_groups(const Source& source, const scene::Scene& scene) {
   return groups ? make_groups(in, read_written_groups(*groups), scene) : scene::Groups();
 }
 
-scene::GroupedScene read_grouped_scene(const Source& source) {
-  scene::GroupedScene read{read_scene(source)};
-  read.groups = read_groups(source, read.scene);
-  return read;
-}
-
 }  // namespace durero::io

@@ -29,7 +29,7 @@ struct OperationSchema {
   AnyEdit (*read)(const Inputs& in, const scene::Stage& stage);
 };
 
-constexpr std::string_view material = "material";
+constexpr std::string_view material_word = "material";
 
 template <class Shape>
 model::Operation read_addition(const Inputs& in) {
@@ -66,10 +66,10 @@ model::Operation read_general_addition(const Inputs& in) {
 }
 
 std::optional<std::uint32_t> read_material(const Inputs& in, const scene::Stage& stage) {
-  if (!in.has(material)) return std::nullopt;
-  const auto found = std::ranges::find(stage.materials, in.word(material), &scene::Material::name);
+  if (!in.has(material_word)) return std::nullopt;
+  const auto found = std::ranges::find(stage.materials, in.word(material_word), &scene::Material::name);
   if (found == stage.materials.end()) {
-    in.fail(material, fmt::format("unknown material {}", text::shown(in.word(material))),
+    in.fail(material_word, fmt::format("unknown material {}", text::shown(in.word(material_word))),
             "expected one of the scene's materials");
   }
   return static_cast<std::uint32_t>(found - stage.materials.begin());
@@ -107,21 +107,45 @@ AnyEdit read_closing(const Inputs& in, const scene::Stage&) {
   return scene::Closing{e, name("base"), name("top")};
 }
 
+/// Neither of what a Z text declares nor of a copy has the material textures, as in a scene file.
+std::optional<std::uint32_t> read_plain_material(const Inputs& in, const scene::Stage& stage) {
+  const auto place = read_material(in, stage);
+  if (place && has_textures(stage.materials[*place]))
+    in.fail(material_word, fmt::format("material {} has textures", text::shown(in.word(material_word))),
+            "expected one without: neither what a text declares nor a copy has coordinates (u, v)");
+  return place;
+}
+
+AnyEdit read_copying(const Inputs& in, const scene::Stage& stage) {
+  const auto vector = [&](std::string_view input) {
+    glm::dvec3 value{};
+    in.read(input, value);
+    return model::ExactVector(model::Vector(value));
+  };
+  const std::string e = in.element().name(), de = in.name("de");
+  return scene::Copying{
+      e, de, {vector("centro"), vector("x"), vector("y"), vector("z")}, read_plain_material(in, stage)};
+}
+
+AnyEdit read_copy_removal(const Inputs& in, const scene::Stage&) { return scene::CopyRemoval{in.element().name()}; }
+
 // The additions and removals of each shape, each followed by the general one, as the text has them.
 std::vector<OperationSchema> all_schemas() {
   std::vector<OperationSchema> all;
   Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    Signature signature{Shape::Addition::schema, {"e"}, {material}};
+    Signature signature{Shape::Addition::schema, {"e"}, {material_word}};
     scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
     all.push_back({std::move(signature), read_edit<read_addition<Shape>>});
   });
-  general.optional.push_back(material);
+  general.optional.push_back(material_word);
   all.push_back({std::move(general), read_edit<read_general_addition>});
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_edit<read_removal<typename Shape::Removal>>});
   });
   all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_edit<read_removal<model::Eliminar_Elemento>>});
+  all.push_back({{"Agregar_Instancia", {"e", "de", "centro", "x", "y", "z"}, {material_word}}, read_copying});
+  all.push_back({{"Eliminar_Instancia", {"e"}, {}}, read_copy_removal});
   all.push_back({{"group", {"g"}, {"elementos", "groups"}}, read_grouping});
   all.push_back({{"ungroup", {"g"}, {}}, read_ungrouping});
   all.push_back({{"close", {"e"}, {"base", "top"}}, read_closing});
@@ -138,15 +162,6 @@ std::string operation_name(std::string_view verb, std::string_view word) {
   char& first = name[verb.size() + 1];
   if ('a' <= first && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
   return name;
-}
-
-/// Of such an element no material has textures, as in a scene file.
-std::optional<std::uint32_t> read_plain_material(const Inputs& in, const scene::Stage& stage) {
-  const auto place = read_material(in, stage);
-  if (place && has_textures(stage.materials[*place]))
-    in.fail(material, fmt::format("material {} has textures", text::shown(in.word(material))),
-            "expected one without: what a text declares has no coordinates (u, v)");
-  return place;
 }
 
 /// The operations of one type that a Z text declares.
@@ -170,7 +185,7 @@ class WrittenSchemas {
 
  private:
   AnyEdit read_addition(const Source& source, const Call& call, const scene::Stage& stage) const {
-    Signature signature{addition_, {"e"}, {material}};
+    Signature signature{addition_, {"e"}, {material_word}};
     for (const WrittenAttribute& attribute : type_.attributes) signature.required.push_back(attribute.word);
     const Inputs in(source, call, signature);
     WrittenElement element{in.element().name(), place_, call.offset, {}, {}};

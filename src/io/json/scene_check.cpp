@@ -8,6 +8,7 @@
 #include "durero/io/json/sarif.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
@@ -119,10 +120,31 @@ void write_warning(json::Writer& out, std::string_view uri, const Warning& warni
   out.end_array().end_object().end_array().end_object();
 }
 
+/// Judges what was read, or sets out the errors.
+void judge_scene(const Source& file, SceneCheck& check) {
+  if (!check.errors.empty()) {
+    check.findings = findings_of(file, check.errors);
+    return;
+  }
+  const model::Escena escena = scene::retrieve(check.scene);
+  check.invariants = model::inv(escena);
+  if (!model::all_hold(check.invariants)) check.findings = broken_invariants(file, escena);
+  const model::Judgements of_stage = stage_invariants(check.scene.stage());
+  model::check(of_stage, contract::cost::normal);  // the reader has refused what would break them
+  check.invariants.insert(check.invariants.end(), of_stage.begin(), of_stage.end());
+  check.warnings = stage_warnings(check.scene.stage());
+}
+
 }  // namespace
 
 SceneCheck check_scene(const Source& file) {
-  return check_scene(file, {}, [] {});
+  SceneCheck check{.file = file.name()};
+  check.scene = read_scene(file, check.errors, Bodies::read);
+  check.scene.for_each([&](scene::ElementRef element, const auto&) {
+    if (const scene::Body* body = check.scene.body(element)) ++check.written[std::string(scene::word_of(*body))];
+  });
+  judge_scene(file, check);
+  return check;
 }
 
 SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge) {
@@ -138,17 +160,7 @@ SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, c
       check.errors.push_back(error);
     }
   }
-  if (!check.errors.empty()) {
-    check.findings = findings_of(file, check.errors);
-    return check;
-  }
-  const model::Escena escena = scene::retrieve(check.scene);
-  check.invariants = model::inv(escena);
-  if (!model::all_hold(check.invariants)) check.findings = broken_invariants(file, escena);
-  const model::Judgements of_stage = stage_invariants(check.scene.stage());
-  model::check(of_stage, contract::cost::normal);  // the reader has refused what would break them
-  check.invariants.insert(check.invariants.end(), of_stage.begin(), of_stage.end());
-  check.warnings = stage_warnings(check.scene.stage());
+  judge_scene(file, check);
   return check;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "body_reader.hpp"
+#include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/json.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
@@ -28,24 +30,26 @@ enum SceneKey : std::size_t {
   max_depth,
   groups,
   textures,
-  environment
+  environment,
+  prototypes
 };
 constexpr std::string_view scene_keys[] = {"format",     "version",  "elementos",          "camera",    "resolution",
                                            "background", "lights",   "directional_lights", "materials", "max_depth",
-                                           "groups",     "textures", "environment"};
+                                           "groups",     "textures", "environment",        "prototypes"};
 constexpr std::size_t required_scene_keys = 3;
 
 class SceneReader {
  public:
   /// Null: the first error is thrown.
-  explicit SceneReader(std::vector<InputError>* errors, WrittenElements written = {})
-      : errors_(errors), written_(written) {}
+  explicit SceneReader(std::vector<InputError>* errors, Bodies bodies) : errors_(errors), bodies_(bodies) {}
+  /// The same with elements of types of a Z text.
+  SceneReader(std::vector<InputError>* errors, WrittenElements written) : errors_(errors), written_(written) {}
 
-  scene::Scene read(const Source& source) {
+  scene::GroupedScene read(const Source& source) {
     scene_.put_off_audits();
     attempt([&] { read_document(source); });
     scene_.audit();
-    return std::move(scene_);
+    return {std::move(scene_), std::move(made_groups_)};
   }
 
  private:
@@ -58,7 +62,11 @@ class SceneReader {
       if (key == materials) materials_are_known_ = is_right;
       if (key == textures) textures_are_known_ = is_right;
     });
-    if (elements_are_known_) attempt([&] { make_groups(in, groups_, scene_); });
+    const auto make = [&](auto&& what) {
+      if (!attempt(what)) elements_are_known_ = false;
+    };
+    if (elements_are_known_) body_reader_.make_all(in, make);
+    if (elements_are_known_) attempt([&] { made_groups_ = make_groups(in, groups_, scene_); });
     if (!materials_are_known_) return;
     for (const MaterialUse& use : uses_) attempt([&] { set_material(in, use); });
     if (textures_are_known_) attempt([&] { check_texture_names(document, scene_.stage()); });
@@ -97,7 +105,7 @@ class SceneReader {
         return in.skip();
       case elementos:
         return in.array("elementos", [&] {
-          if (!read_or_pass(in, [&] { read_element(in, scene_, uses_, written_); })) elements_are_known_ = false;
+          if (!read_or_pass(in, [&] { read_item(in); })) elements_are_known_ = false;
         });
       case camera:
         stage.camera = read_camera(in);
@@ -128,7 +136,20 @@ class SceneReader {
         return;
       case environment:
         stage.environment = read_environment(in);
+        return;
+      case prototypes:
+        body_reader_.keep_prototypes(in);
     }
+  }
+
+  void read_item(json::Reader& in) {
+    const BodyTipo* const tipo = body_tipo(in);
+    if (tipo == nullptr || written_type(in, written_.types)) return read_element(in, scene_, uses_, written_);
+    if (bodies_ == Bodies::refused) {
+      in.fail(in.member("tipo")->offset(), fmt::format("tipo (type) is {}", text::shown(tipo->word)),
+              "expected a shape of the program's own: what asks here knows no other");
+    }
+    body_reader_.keep_element(in);
   }
 
   void set_material(const json::Reader& in, const MaterialUse& use) {
@@ -138,11 +159,12 @@ class SceneReader {
       in.fail(use.material.offset, fmt::format("unknown material {}", text::shown(use.material.value)),
               "expected one of the scene's materials");
     }
-    if (has_textures(*found) && is_written(use.element)) {
+    const scene::ElementRef element = scene_.find(use.element).value();
+    if (has_textures(*found) && (is_written(use.element) || scene_.body(element) != nullptr)) {
       in.fail(use.material.offset, fmt::format("material {} has textures", text::shown(use.material.value)),
-              "expected one without: what a text declares has no coordinates (u, v)");
+              "expected one without: neither what a text declares nor a copy has coordinates (u, v)");
     }
-    scene_.set_material(scene_.find(use.element).value(), static_cast<std::uint32_t>(found - all.begin()));
+    scene_.set_material(element, static_cast<std::uint32_t>(found - all.begin()));
   }
 
   /// Whether the element is of a type that a Z text declares.
@@ -152,30 +174,37 @@ class SceneReader {
   }
 
   std::vector<InputError>* errors_;
-  WrittenElements written_;
+  WrittenElements written_{};
+  Bodies bodies_ = Bodies::refused;
   scene::Scene scene_;
+  scene::Groups made_groups_;
   std::vector<MaterialUse> uses_;
   std::vector<WrittenGroup> groups_;
+  BodyReader body_reader_{scene_, uses_, groups_};
   bool materials_are_known_ = true, textures_are_known_ = true,
        elements_are_known_ = true;  // otherwise nothing is said of who names them
 };
 
 }  // namespace
 
-scene::Scene read_scene(const Source& source) { return SceneReader(nullptr).read(source); }
+scene::Scene read_scene(const Source& source, Bodies bodies) { return SceneReader(nullptr, bodies).read(source).scene; }
 
-scene::Scene read_scene(const Source& source, std::vector<InputError>& errors) {
-  return SceneReader(&errors).read(source);
+scene::Scene read_scene(const Source& source, std::vector<InputError>& errors, Bodies bodies) {
+  return SceneReader(&errors, bodies).read(source).scene;
+}
+
+scene::GroupedScene read_grouped_scene(const Source& source, Bodies bodies) {
+  return SceneReader(nullptr, bodies).read(source);
 }
 
 scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
                         std::vector<WrittenElement>& elements) {
-  return SceneReader(nullptr, {types, &elements}).read(source);
+  return SceneReader(nullptr, WrittenElements{types, &elements}).read(source).scene;
 }
 
 scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
                         std::vector<InputError>& errors) {
-  return SceneReader(&errors, {types, &elements}).read(source);
+  return SceneReader(&errors, WrittenElements{types, &elements}).read(source).scene;
 }
 
 ElementPlace element_place(const Source& source, std::string_view name) {

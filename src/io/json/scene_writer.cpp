@@ -2,7 +2,9 @@
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/scene/stage.hpp"
+#include "map_fields.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
 #include "vertex_fields.hpp"
@@ -72,12 +74,44 @@ void write_attributes(json::Writer& out, const WrittenType& type, const WrittenE
     std::visit([&](const auto& value) { out.member(type.attributes[i].word, value); }, element.values[i]);
 }
 
+template <class Shape>
+void write_shape(json::Writer& out, const Shape& shape) {
+  out.member("tipo", Shape::word);
+  scene::for_each_attribute<Shape>([&](const auto& attribute) { out.member(attribute.word, shape.*attribute.field); });
+}
+
+void write_form(json::Writer& out, const scene::Instance& instance) {
+  out.key("de").begin_object();
+  std::visit([&](const auto& shape) { write_shape(out, shape); }, instance.shape);
+  write_map(out.end_object().key("mapa"), instance.mapa);
+}
+
+void write_part(json::Writer& out, const scene::Body& part);
+
+void write_form(json::Writer& out, const scene::Solid& solid) {
+  out.key("de").begin_array();
+  for (const scene::Body& part : solid.parts) write_part(out, part);
+  out.end_array();
+}
+
+void write_body(json::Writer& out, const scene::Body& body) {
+  out.member("tipo", scene::word_of(body));
+  std::visit([&](const auto& form) { write_form(out, form); }, body.form);
+}
+
+/// A shape that no map has moved is itself.
+void write_part(json::Writer& out, const scene::Body& part) {
+  out.begin_object();
+  const auto* const instance = std::get_if<scene::Instance>(&part.form);
+  if (instance != nullptr && model::identidad(instance->mapa))
+    std::visit([&](const auto& shape) { write_shape(out, shape); }, instance->shape);
+  else
+    write_body(out, part);
+  out.end_object();
+}
+
 void write_attributes(json::Writer& out, const scene::Scene& scene, ElementRef element) {
-  scene.visit(element, [&]<class Shape>(const Shape& shape) {
-    out.member("tipo", Shape::word);
-    scene::for_each_attribute<Shape>(
-        [&](const auto& attribute) { out.member(attribute.word, shape.*attribute.field); });
-  });
+  scene.visit(element, [&](const auto& shape) { write_shape(out, shape); });
 }
 
 /// Of a type that a Z text declares; null where it is none.
@@ -92,6 +126,8 @@ void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPa
   out.begin_object().member("id", name);
   if (const WrittenElement* own = written_element(written, name)) {
     write_attributes(out, written.types[own->type], *own);
+  } else if (const scene::Body* body = scene.body(element)) {
+    write_body(out, *body);
   } else {
     write_attributes(out, scene, element);
   }

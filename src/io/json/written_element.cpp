@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/scene/body.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/spanish.hpp"
 #include "element_reader.hpp"
@@ -13,14 +14,14 @@ namespace {
 
 constexpr std::size_t id = 0, tipo = 1, first_attribute = 2;
 
-void add_name(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name) {
+}  // namespace
+
+void add_stand_in(const json::Reader& in, scene::Scene& scene, const Placed<std::string_view>& name) {
   const model::Answer answer = scene.add(model::Elemento{std::string(name.value)}, scene::stand_in);
   if (answer.ok()) return;
   in.fail(name.offset, fmt::format("id is {}: {}", text::shown(name.value), text::with_english(model::name(answer.r))),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
-
-}  // namespace
 
 std::optional<std::size_t> written_type(const json::Reader& in, std::span<const WrittenType> types) {
   auto tipo_here = in.member("tipo");
@@ -57,7 +58,7 @@ void read_written_element(json::Reader& in, std::size_t type, scene::Scene& scen
     }
   };
   in.object(fmt::format("an element of tipo {}", written.types[type].word), keys, required, read_field);
-  add_name(in, scene, name);
+  add_stand_in(in, scene, name);
   if (of) uses.push_back({name.value, *of});
   element.id = name.value;
   written.elements->push_back(std::move(element));

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <utility>
 
 #include "durero/io/pov/pov.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/stage.hpp"
 #include "io/blur_losses.hpp"
@@ -107,8 +109,10 @@ class PovWriter {
   /// A line, or two; empty where the element is left out.
   std::string object_text(scene::ElementRef element) {
     const scene::VertexNormals* const normals = scene_.vertex_normals(element);
-    const std::string shape = normals == nullptr
-                                  ? scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); })
+    const scene::Body* const body = scene_.body(element);
+    const std::string shape = body != nullptr ? body_text(*body)
+                              : normals == nullptr
+                                  ? plain_text(element)
                                   : smooth_text(scene_.shapes<scene::Triangle>()[element.index], *normals);
     if (shape.empty()) return "";
     const auto material = scene_.material(element);
@@ -148,6 +152,58 @@ class PovWriter {
     });
   }
 
+  std::string plain_text(scene::ElementRef element) {
+    return scene_.visit(element, [&](const auto& geometry) { return shape_text(geometry); });
+  }
+
+  std::string body_text(const scene::Body& body) {
+    return std::visit([&](const auto& form) { return form_text(form); }, body.form);
+  }
+  std::string form_text(const scene::Instance& instance) {
+    const std::string shape = std::visit([&](const auto& geometry) { return shape_text(geometry); }, instance.shape);
+    if (shape.empty() || model::identidad(instance.mapa)) return shape;
+    return fmt::format("object {{ {} matrix <{}> }}", shape, entries(instance.mapa));
+  }
+  /// POV-Ray's union has faces within, its merge has none. A part that cannot be written leaves the whole out.
+  std::string form_text(const scene::Solid& solid) {
+    const bool was_within = std::exchange(is_within_solid_, true);
+    std::string parts;
+    bool is_whole = true;
+    for (const scene::Body& part : solid.parts) {
+      const std::string text = body_text(part);
+      is_whole = is_whole && !text.empty();
+      parts += text + " ";
+    }
+    is_within_solid_ = was_within;
+    return is_whole ? fmt::format("{} {{ {}}}", pov_word(solid.operation), parts) : "";
+  }
+  static std::string_view pov_word(scene::Solid::Operation operation) {
+    switch (operation) {
+      case scene::Solid::Operation::united:
+        return "merge";
+      case scene::Solid::Operation::intersected:
+        return "intersection";
+      case scene::Solid::Operation::subtracted:
+        return "difference";
+    }
+    __builtin_unreachable();  // an operation is one of its enumerators
+  }
+  std::string_view caps() const { return is_within_solid_ ? "" : " open"; }
+  /// What becomes of the axes, and where the origin goes: the twelve numbers of a matrix.
+  std::string entries(const model::Mapa& mapa) {
+    std::string text;
+    bool is_exact = true;
+    const auto add = [&](const number::Rational& entry) {
+      const double rounded = number::round_to_binary64(entry);
+      is_exact = is_exact && std::isfinite(rounded) && number::exact(rounded) == entry;
+      text += fmt::format("{}{}", text.empty() ? "" : ", ", rounded);
+    };
+    for (const model::ExactVector* row : {&mapa.x, &mapa.y, &mapa.z, &mapa.centro})
+      for (const number::Rational* entry : {&row->x, &row->y, &row->z}) add(*entry);
+    if (!is_exact) ++rounded_maps_;
+    return text;
+  }
+
   std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
   std::string shape_text(const scene::Plane& p) {
     return fmt::format("plane {{ {}, 0 translate {} }}", text(p.vector), text(p.centro));
@@ -164,13 +220,14 @@ class PovWriter {
   }
   std::string shape_text(const scene::Cylinder& c) {
     const auto ends = ends_.of(c);
-    return ends ? fmt::format("cylinder {{ {}, {}, {} open }}", text(ends->base), text(ends->top), ends->wide) : "";
+    return ends ? fmt::format("cylinder {{ {}, {}, {}{} }}", text(ends->base), text(ends->top), ends->wide, caps())
+                : "";
   }
   std::string shape_text(const scene::Cone& c) { return cone_text(ends_.of(c)); }
   std::string shape_text(const scene::TruncatedCone& c) { return cone_text(ends_.of(c)); }
-  static std::string cone_text(const std::optional<AxisEnds>& ends) {
-    return ends ? fmt::format("cone {{ {}, {}, {}, {} open }}", text(ends->base), ends->wide, text(ends->top),
-                              ends->narrow)
+  std::string cone_text(const std::optional<AxisEnds>& ends) const {
+    return ends ? fmt::format("cone {{ {}, {}, {}, {}{} }}", text(ends->base), ends->wide, text(ends->top),
+                              ends->narrow, caps())
                 : "";
   }
 
@@ -190,6 +247,7 @@ class PovWriter {
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
     add_blur_losses(out_.lost, scene_, "POV-Ray");
     ends_.name_losses(out_.lost, "POV-Ray");
+    add_loss(out_.lost, rounded_maps_, "map", "maps", "rounded: an entry is no binary64");
     add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");
   }
 
@@ -199,7 +257,8 @@ class PovWriter {
   Exported out_;
   std::vector<std::string> looks_;  // of the materials
   WrittenEnds ends_;
-  std::size_t empty_groups_ = 0;
+  std::size_t empty_groups_ = 0, rounded_maps_ = 0;
+  bool is_within_solid_ = false;  // where cylinders and cones are closed
 };
 
 }  // namespace

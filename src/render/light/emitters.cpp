@@ -94,6 +94,7 @@ double power_of(const glm::dvec3& emission) { return std::max({emission.x, emiss
 Emitters::Emitters(const scene::Scene& scene, const engine::Engine& engine) : scene_(scene), engine_(engine) {
   double sum = 0;
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    if (scene.body(element) != nullptr) return;  // its area is unknown: rays that happen to meet it bring its light
     const auto material = scene.material(element);
     const double area = area_of(shape);
     const double power = material ? area * power_of(scene.stage().materials[*material].emission) : 0;

@@ -24,10 +24,14 @@ class EditedScene {
   virtual std::span<const WrittenType> types() const { return {}; }
 
   /// @{ The total edits: where a predicate does not hold they change nothing, and answer so.
-  virtual EditAnswer apply_total(const scene::Edit& edit) { return edit_answer(of_.apply_total(edit)); }
+  /// A body is no sphere, though it stands as one: its removal as a sphere is refused.
+  virtual EditAnswer apply_total(const scene::Edit& edit) { return edit_answer(own_answer(edit)); }
   EditAnswer apply_total(const scene::GroupEdit& edit) { return edit_answer(of_.apply_total(edit)); }
   /// Adds all discs of a closing, or none: `closed`, or `closed_but_for_rounding` where they are not lids().exact.
   EditAnswer apply_total(const scene::Closing& in);
+  /// Adds an instance; beside a Z text there is none, and it throws std::domain_error.
+  virtual EditAnswer apply_total(const scene::Copying& edit);
+  EditAnswer apply_total(const scene::CopyRemoval& edit);
   /// Precondition: there are types.
   virtual EditAnswer apply_total(const WrittenEdit& edit);
   /// Applies a step; the answer tells of groups, too.
@@ -53,6 +57,7 @@ class EditedScene {
   scene::GroupedScene of_;  ///< as edited so far
 
  private:
+  model::Answer own_answer(const scene::Edit& edit);
   /// The group that the element is no more in after an edit, or none: it left `was_in`, or is back without its group.
   std::string left_group(const std::string& name, std::string was_in);
 

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "durero/io/json/scene_file.hpp"
 #include "durero/io/json/written_elements.hpp"
 #include "durero/io/source.hpp"
 #include "durero/scene/grouped_scene.hpp"
@@ -13,8 +14,8 @@ namespace durero::io {
 /// scene is what read_scene(source) gives. Throws InputError as that does.
 scene::Groups read_groups(const Source& source, const scene::Scene& scene);
 
-/// What a scene file holds. Throws InputError as read_scene() does.
-scene::GroupedScene read_grouped_scene(const Source& source);
+/// What a scene file holds; a copy of a group is a group. Throws InputError as read_scene() does.
+scene::GroupedScene read_grouped_scene(const Source& source, Bodies bodies = Bodies::refused);
 
 /// The canonical text of a scene and of groups of its elements: the same bytes for the same scene and groups. Without
 /// groups that of scene_text(scene).

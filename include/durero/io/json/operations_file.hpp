@@ -9,6 +9,9 @@
 ///
 ///   close e?=c1 base?=b1 top?=t1                         discs close an element; without names c1:base and c1:top
 ///
+///   Agregar_Instancia e?=pebble de?=ball centro?=(0,0,5) x?=(2,0,0) y?=(0,1,0) z?=(0,0,1)   where the map of an
+///   instance Eliminar_Instancia e?=pebble                          puts the origin, and what it makes of the axes
+///
 ///   Agregar_Toro e?=ring centro?=(0,0,0) mayor?=2 menor?=1   of a type that a Z text declares: its word with a capital
 ///   Eliminar_Toro e?=ring
 ///
@@ -24,6 +27,7 @@
 #include "durero/io/json/written_elements.hpp"
 #include "durero/io/source.hpp"
 #include "durero/scene/closing.hpp"
+#include "durero/scene/copying.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
@@ -35,7 +39,7 @@ namespace durero::io {
 struct ScriptStep {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
-  std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit> edit;
+  std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit, scene::Copying, scene::CopyRemoval> edit;
 };
 
 /// What an edit answers. Of a type that a Z text declares, what does not hold is a predicate of that text.

@@ -34,7 +34,8 @@ struct SceneDefect {
 struct SceneCheck {
   std::string file;      ///< the name of the source
   scene::Scene scene{};  ///< without what is wrong
-  /// How many there are of each type that a Z text declares; in the scene they stand as spheres.
+  /// How many there are of each type that a Z text declares, and of each kind of body; in the scene they stand as
+  /// spheres.
   std::map<std::string, std::size_t> written{};
   std::vector<InputError> errors{};     ///< as they were met: the first is what read_scene throws
   model::Judgements invariants{};       ///< none where there is an error: then there is no scene to judge
