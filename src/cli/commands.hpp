@@ -36,8 +36,8 @@ struct CommandGroup {
   std::vector<void (*)(CLI::App&, int&)> commands;  ///< each adds its command
 };
 
-/// The groups of this program, in the order that help shows them in: commands.cpp has all, and demo_commands.cpp those of the
-/// demonstration.
+/// The groups of this program, in the order that help shows them in: commands.cpp has all, and demo_commands.cpp those
+/// of the demonstration.
 std::vector<CommandGroup> command_groups();
 
 /// The commands of the program, one a line, by the alphabet; ./x reads their names here.
