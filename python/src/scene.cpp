@@ -112,6 +112,20 @@ Asked asked(const scene::CopyRemoval& in, const written::Edited&) {
   return {"Eliminar_Instancia", inputs};
 }
 
+Asked asked(const scene::Joining& in, const written::Edited&) {
+  py::dict inputs;
+  inputs["e"] = in.e;
+  inputs["de"] = in.de;
+  const scene::Body joined{scene::Solid{in.operation, {}}};
+  return {io::addition_name(scene::word_of(joined)), inputs};
+}
+
+Asked asked(const scene::SolidRemoval& in, const written::Edited&) {
+  py::dict inputs;
+  inputs["e"] = in.e;
+  return {"Eliminar_Solido", inputs};
+}
+
 py::dict attributes_of(const io::WrittenElement& element, const io::WrittenType& type) {
   py::dict attributes;
   for (std::size_t i = 0; i < type.attributes.size(); ++i)

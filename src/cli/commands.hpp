@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <vector>
 
 #include "numbers.hpp"
 
@@ -28,6 +29,16 @@ inline void add_threads(CLI::App& command, std::size_t& threads) {
   command.add_option("--threads", threads, "How many threads; without it, as many as the machine has")
       ->check(whole_number(1, 1024));
 }
+
+/// A group of commands under one title in help.
+struct CommandGroup {
+  const char* title;
+  std::vector<void (*)(CLI::App&, int&)> commands;  ///< each adds its command
+};
+
+/// The groups of this program, in the order that help shows them in: commands.cpp has all, and demo_commands.cpp those
+/// of the demonstration.
+std::vector<CommandGroup> command_groups();
 
 /// The commands of the program, one a line, by the alphabet; ./x reads their names here.
 void add_agree(CLI::App& app, int& status);

@@ -2,8 +2,12 @@
 /// The text of --help is made of the declared options.
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 
 namespace durero::cli {
+
+/// The most characters of a line of help.
+inline constexpr std::size_t help_width = 100;
 
 class Help : public CLI::Formatter {
  public:

@@ -46,20 +46,13 @@ int answer(const CLI::App& app, const CLI::Success& asked) {
   return status;
 }
 
-/// Adds the commands in the groups and the order that help shows them in.
 void add_commands(CLI::App& app, int& status) {
-  using namespace durero::cli;
-  const auto group = [&](const char* title, std::initializer_list<void (*)(CLI::App&, int&)> commands) {
+  for (const auto& [title, commands] : durero::cli::command_groups()) {
     for (const auto add : commands) {
       add(app, status);
       app.get_subcommands([](CLI::App*) { return true; }).back()->group(title);
     }
-  };
-  group("Scenes", {add_check, add_edit, add_import, add_export});
-  group("Rays and pictures", {add_trace, add_distance, add_render, add_environment, add_raster, add_fractal,
-                              add_engines, add_stats, add_voxelise, add_agree});
-  group("Other programs, and the specification", {add_conform, add_spec});
-  group("This program", {add_help, add_version, add_man, add_completion});
+  }
 }
 
 /// A flag is given or not: `--json=no` is no way to say so.

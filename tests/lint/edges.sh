@@ -1,6 +1,7 @@
 #!/bin/sh
 # The edges of the build are the true ones: a target of CMakeLists.txt names the layers that its files include, and no
 # others. (What a layer sees through another it includes all the same, and names.)
+# The program is two targets of the one folder src/cli.
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 
 # LAYER USED, one a line: from the includes, and from CMakeLists.txt.
@@ -11,7 +12,7 @@ sed 's/#.*//' CMakeLists.txt | tr '\n' ' ' | sed 's/)/)\n/g' |
          sub(/.*durero_layer\(/, ""); sub(/\).*/, ""); listed = 0
          for (i = 2; i <= NF; ++i) if ($i == "DEPENDS") listed = 1; else if ($i == "LIBRARIES") listed = 0
            else if (listed) print $1, $i }
-       /(^| )target_link_libraries\(durero / {
+       /(^| )target_link_libraries\(durero(_commands)? / {
          for (i = 1; i <= NF; ++i) if (sub(/^durero::/, "", $i)) { sub(/\)/, "", $i); print "cli", $i } }' |
   sort -u >"$tmp/named"
 {

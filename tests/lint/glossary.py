@@ -19,6 +19,21 @@ The terms of the program: its public types, in the order of the layers. A name t
 letters; every other name is the field's. This page is made of the headers' own first sentences: `sh tests/lint/glossary.sh --write`
 writes it, and the lint fails where it is stale.
 """
+# The words of answers and verdicts, which are no types.
+WORDS = """
+## Words
+
+| word | meaning | more |
+| --- | --- | --- |
+| exact | An answer that is right to the bit, in the system's format. | [verdicts](conformance.md#verdicts) |
+| family | A kind of rays that some program was seen to get wrong. | [the families](families.md) |
+| gross | A verdict that changes the picture: a hit for a miss or a miss for a hit, another element, a point far off, no number or no answer. | [verdicts](conformance.md#verdicts) |
+| no_minimum | The outcome of a ray that starts in a stretch of the surface: no point of it is nearest. | [results](formats/results.md) |
+| off | A verdict on a hit of the right element whose point is that of no data within the declared error, and near the right one. | [verdicts](conformance.md#verdicts) |
+| profile | What a system claims to answer: shapes, limits, number format. | [formats of conform](formats/conform.md) |
+| right | A verdict on the answer of some data within the declared error of those given. | [verdicts](conformance.md#verdicts) |
+| tie | A first point that lies on two elements or more: the answer names them all. | [results](formats/results.md) |
+"""
 COMMENT = re.compile(r"^\s*///(?!<)\s?(.*)$")
 
 
@@ -75,7 +90,7 @@ def page(found):
         by_layer[layer].append((name, sentence.replace("|", "\\|"), header))
     order = layers()
     assert set(by_layer) <= set(order), set(by_layer) - set(order)
-    text = HEAD
+    text = HEAD + WORDS
     for layer in order:
         if layer in by_layer:
             text += f"\n## {layer}\n\n| term | meaning | header |\n| --- | --- | --- |\n"

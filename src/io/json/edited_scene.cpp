@@ -16,6 +16,8 @@ const std::string* element_of(const WrittenEdit& edit) {
 }
 const std::string* element_of(const scene::Copying& edit) { return &edit.e; }
 const std::string* element_of(const scene::CopyRemoval& edit) { return &edit.e; }
+const std::string* element_of(const scene::Joining& edit) { return &edit.e; }
+const std::string* element_of(const scene::SolidRemoval& edit) { return &edit.e; }
 const std::string* element_of(const scene::GroupEdit&) { return nullptr; }
 const std::string* element_of(const scene::Closing&) { return nullptr; }
 /// @}
@@ -38,6 +40,16 @@ EditAnswer EditedScene::apply_total(const scene::Copying& edit) {
 }
 
 EditAnswer EditedScene::apply_total(const scene::CopyRemoval& edit) {
+  const scene::Outcome outcome = scene::apply_total(of_.scene, edit);
+  if (outcome.ok()) of_.groups.follow(model::Eliminar_Elemento{model::Elemento(edit.e)});
+  return edit_answer(outcome);
+}
+
+EditAnswer EditedScene::apply_total(const scene::Joining& edit) {
+  return edit_answer(scene::apply_total(of_.scene, edit));
+}
+
+EditAnswer EditedScene::apply_total(const scene::SolidRemoval& edit) {
   const scene::Outcome outcome = scene::apply_total(of_.scene, edit);
   if (outcome.ok()) of_.groups.follow(model::Eliminar_Elemento{model::Elemento(edit.e)});
   return edit_answer(outcome);

@@ -32,6 +32,9 @@ class EditedScene {
   /// Adds an instance; beside a Z text there is none, and it throws std::domain_error.
   virtual EditAnswer apply_total(const scene::Copying& edit);
   EditAnswer apply_total(const scene::CopyRemoval& edit);
+  /// Adds a solid; beside a Z text there is none, and it throws std::domain_error.
+  virtual EditAnswer apply_total(const scene::Joining& edit);
+  EditAnswer apply_total(const scene::SolidRemoval& edit);
   /// Precondition: there are types.
   virtual EditAnswer apply_total(const WrittenEdit& edit);
   /// Applies a step; the answer tells of groups, too.

@@ -30,6 +30,7 @@
 #include "durero/scene/copying.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
+#include "durero/scene/joining.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/scene/stage.hpp"
 
@@ -39,7 +40,9 @@ namespace durero::io {
 struct ScriptStep {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
-  std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit, scene::Copying, scene::CopyRemoval> edit;
+  std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit, scene::Copying, scene::CopyRemoval,
+               scene::Joining, scene::SolidRemoval>
+      edit;
 };
 
 /// What an edit answers. Of a type that a Z text declares, what does not hold is a predicate of that text.
