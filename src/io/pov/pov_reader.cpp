@@ -8,6 +8,7 @@
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/closing.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/scene/solids.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
@@ -15,6 +16,7 @@
 #include "io/mesh/numbered_materials.hpp"
 #include "pov_look.hpp"
 #include "pov_shapes.hpp"
+#include "pov_solids.hpp"
 #include "pov_stage.hpp"
 
 namespace durero::io {
@@ -22,7 +24,10 @@ namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"}, holders[] = {"mesh", "union", "object"};
+constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
+                           holders[] = {"mesh", "union", "object", "merge", "intersection", "difference", "box"};
+/// Objects that are one element, made of their parts.
+constexpr std::string_view solid_words[] = {"merge", "intersection", "difference", "box"};
 /// Attributes that tell of the look, that are read by themselves, and that no picture of such surfaces shows.
 constexpr std::string_view looks[] = {"texture", "pigment", "finish", "normal", "interior"},
                            flags[] = {"no_shadow", "no_image", "no_reflection"},
@@ -38,23 +43,6 @@ std::string expected_of(std::string_view word, std::initializer_list<Words> list
 
 /// Objects within objects, at most: each is read by a call within a call.
 constexpr int deepest = 200;
-
-/// What an object tells of its look: the number of its material, or that it has none.
-struct ObjectMaterial {
-  bool is_told = false;
-  std::optional<std::uint32_t> material{};
-};
-
-/// An object as it stands in the text: a shape, or what another holds.
-struct Object {
-  std::size_t at;  ///< its word
-  std::string_view word;
-  std::string_view text{};  ///< of what it consists of, without attributes
-  std::optional<PovShape> shape{};
-  std::vector<Object> parts{};
-  ObjectMaterial look{};
-  std::array<bool, 3> flags{};  ///< in step with their words
-};
 
 /// Reads objects one after another; each is then put into the scene as a whole, since an attribute stands behind all
 /// that it is of.
@@ -92,15 +80,17 @@ class PovReader {
              expected_of(in_.word(), expected));
   }
 
-  Object read_object(int depth) {
-    Object object{.at = in_.offset(), .word = in_.word()};
+  PovObject read_object(int depth) {
+    PovObject object{.at = in_.offset(), .word = in_.word()};
     if (depth > deepest) in_.fail(object.at, "objects in objects, deeper than 200", "expected 200 at most");
     in_.pass();
     in_.expect("{", fmt::format("behind {}", object.word));
     const bool is_shape = is_one_of(PovShapes::words, object.word);
-    const std::size_t from = is_shape ? object.at : in_.offset();
+    const std::size_t from = is_shape || is_one_of(solid_words, object.word) ? object.at : in_.offset();
     if (is_shape)
       object.shape = shapes_.read(object.word);
+    else if (object.word == "box")
+      object.box = solids_.box(object.at);
     else
       read_parts(object, depth);
     object.text = in_.passed(from);
@@ -109,7 +99,7 @@ class PovReader {
   }
 
   /// An `object` holds one.
-  void read_parts(Object& object, int depth) {
+  void read_parts(PovObject& object, int depth) {
     const bool is_mesh = object.word == "mesh", is_one = object.word == "object";
     if (is_one && !is_object(in_.word())) fail_unknown("object", {PovShapes::words, holders});
     while (is_mesh ? is_one_of(meshes, in_.word()) : is_object(in_.word())) {
@@ -118,7 +108,7 @@ class PovReader {
     }
   }
 
-  void read_attributes(Object& object) {
+  void read_attributes(PovObject& object) {
     PovLook look;
     for (bool is_first = true; !in_.take("}"); is_first = false) {
       const auto* const flag = std::ranges::find(flags, in_.word());
@@ -138,8 +128,10 @@ class PovReader {
   }
 
   /// Its parts stand before its attributes.
-  [[noreturn]] void fail_in(const Object& object, bool may_be_part) const {
-    const bool is_union = may_be_part && object.word == "union", is_mesh = may_be_part && object.word == "mesh";
+  [[noreturn]] void fail_in(const PovObject& object, bool may_be_part) const {
+    const bool holds_shapes = object.word == "union" || is_one_of(solid_words, object.word);
+    const bool is_union = may_be_part && holds_shapes && object.word != "box",
+               is_mesh = may_be_part && object.word == "mesh";
     const Words first = is_mesh ? Words(meshes) : is_union ? Words(PovShapes::words) : Words();
     const Words second = is_union ? Words(holders) : Words();
     fail_unknown(std::string(object.word), {first, second, looks, flags, unseen});
@@ -147,18 +139,35 @@ class PovReader {
 
   /// Adds what an object stands for to the scene, and to the group that it is in. What it does not tell of its look, it
   /// has from what it is in.
-  void add(const Object& object, const ObjectMaterial& around, scene::Group& into) {
+  void add(const PovObject& object, const ObjectMaterial& around, scene::Group& into) {
     if (is_only_a_shadow(object)) return;
     const ObjectMaterial& look = object.look.is_told ? object.look : around;
     if (object.shape) return add_shape(object, look, into);
     if (object.word == "object") return add(object.parts.front(), look, into);
+    if (is_one_of(solid_words, object.word)) return add_solid(object, look, into);
     scene::Group own;
-    for (const Object& part : object.parts) add(part, look, own);
+    for (const PovObject& part : object.parts) add(part, look, own);
     add_group(object.word == "mesh" ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
   }
 
+  /// A solid has one look: its own, or the first that a part tells of.
+  void add_solid(const PovObject& object, const ObjectMaterial& around, scene::Group& into) {
+    if (object.parts.empty() && !object.box) {
+      ++counts_.empty;
+      return;
+    }
+    const ObjectMaterial* const of_part = around.is_told ? nullptr : PovSolids::first_look(object);
+    const ObjectMaterial& look = of_part != nullptr ? *of_part : around;
+    scene::Body body = solids_.body(object, look);
+    const std::string name = numbered('b', bodies_);
+    if (!look.is_told) ++counts_.bare;
+    scene_.add(model::Elemento{name}, scene::stand_in, look.material);
+    scene_.set_body(scene_.find(name).value(), std::move(body));
+    into.elementos.insert(name);
+  }
+
   /// A shape with caps is a group: an element, and the discs that close it.
-  void add_shape(const Object& object, const ObjectMaterial& look, scene::Group& into) {
+  void add_shape(const PovObject& object, const ObjectMaterial& look, scene::Group& into) {
     const std::string name =
         std::visit([&](const auto& shape) { return add(object, shape, look); }, object.shape->surface);
     if (name.empty()) return;
@@ -179,13 +188,13 @@ class PovReader {
     add_group(name, std::move(own), into);
   }
 
-  [[noreturn]] void fail_clause(const Object& object, std::string_view wrong, const contract::clause& broken) const {
+  [[noreturn]] void fail_clause(const PovObject& object, std::string_view wrong, const contract::clause& broken) const {
     in_.fail(object.at, std::string(wrong), fmt::format("expected {} ({})", broken.predicate, broken.label), &broken);
   }
 
   /// The name of the new element; empty where it is a triangle that is left out.
   template <class Shape>
-  std::string add(const Object& object, const Shape& shape, const ObjectMaterial& look) {
+  std::string add(const PovObject& object, const Shape& shape, const ObjectMaterial& look) {
     static constexpr std::string_view letters = "scktpdv";  // by type
     std::string name = numbered(letters[scene::place_of<Shape>], numbered_[scene::place_of<Shape>]);
     const model::Answer answer = scene_.add(model::Elemento{name}, shape, look.material);
@@ -212,7 +221,7 @@ class PovReader {
 
   /// Glass with the shadow of a stone is two objects: one without a shadow, and an opaque one that nothing but a shadow
   /// shows. Here it is one.
-  bool is_only_a_shadow(const Object& object) {
+  bool is_only_a_shadow(const PovObject& object) {
     const auto [no_shadow, no_image, no_reflection] = object.flags;
     if (no_image && no_reflection) {
       const auto twin = shadowless_.find(object.text);
@@ -235,6 +244,7 @@ class PovReader {
     std::vector<std::string> lost;
     stage_.name_losses(lost);
     shapes_.name_losses(lost);
+    solids_.name_losses(lost);
     looks_.name_losses(lost);
     add_loss(lost, counts_.aligned, "triangle", "triangles", "left out: the vertices lie on one line");
     add_loss(lost, counts_.empty, "group", "groups", "left out: nothing is in it");
@@ -256,11 +266,12 @@ class PovReader {
   scene::Groups groups_;
   PovStage stage_{in_, scene_.stage()};
   PovShapes shapes_{in_};
+  PovSolids solids_{in_};
   PovLooks looks_{in_};
   NumberedMaterials materials_{scene_};
   Counts counts_;
   std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
-  std::size_t meshes_ = 0, unions_ = 0;
+  std::size_t meshes_ = 0, unions_ = 0, bodies_ = 0;
   std::map<std::string_view, bool> shadowless_;  // and whether they have a twin
 };
 

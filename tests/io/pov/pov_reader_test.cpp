@@ -487,19 +487,34 @@ TEST_CASE("Cones and cylinders of an ordinary scene come back up to the rounding
 TEST_CASE("A malformed POV-Ray text is an error with its place") {
   using Case = std::pair<std::string, std::string>;
   const std::string
-      objects = "sphere, cylinder, cone, disc, plane, triangle, smooth_triangle, mesh, union, object",
+      objects =
+          "sphere, cylinder, cone, disc, plane, triangle, smooth_triangle, mesh, union, object, merge, "
+          "intersection, difference, box",
       statements =
           objects + ", camera, light_source, background, global_settings, sky_sphere, #version, #declare, #local",
       attributes =
           "texture, pigment, finish, normal, interior, no_shadow, no_image, no_reflection, hollow, split_union, "
           "double_illuminate, bounded_by";
   const Case cases[] = {
-      {"sphere { 0, 1 }\n ^difference { }", "\"difference\" is not read; expected one of " + statements},
+      {"sphere { 0, 1 }\n ^torus { 1, 0.5 }", "\"torus\" is not read; expected one of " + statements},
       {"^#include \"colors.inc\"", "\"#include\" is not read; expected one of " + statements},
       {"^spere { 0, 1 }", "\"spere\" is not read; expected sphere"},
       {"^}", "\"}\" is not read; expected one of " + statements},
-      {"union { sphere { 0, 1 } ^merge { } }",
-       "\"merge\" is not read in union; expected one of " + objects + ", " + attributes},
+      {"union { sphere { 0, 1 } ^torus { } }",
+       "\"torus\" is not read in union; expected one of " + objects + ", " + attributes},
+      {"difference { sphere { 0, 1 } ^torus { } }",
+       "\"torus\" is not read in difference; expected one of " + objects + ", " + attributes},
+      {"intersection { sphere { 0, 1 } ^disc { 0, z, 1 } }",
+       "a disc in a solid; expected what bounds a solid, as a sphere does"},
+      {"merge { sphere { 0, 1 } ^cone { 0, 1, z, 0.5 open } }", "an open cone in a solid; expected one with its caps"},
+      {"merge { sphere { 0, 1 } ^mesh { triangle { 0, x, y } } }",
+       "a mesh in a solid; expected what bounds a solid, as a sphere does"},
+      {"merge { sphere { 0, 1 } ^union { } }", "union has no parts; expected some"},
+      {"merge { sphere { 0, 1 } ^sphere { 0, 0 } }",
+       "radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)"},
+      {"^box { 0, <1, 0, 1> }",
+       "the corners of box lie in one plane across an axis; expected two that differ in x, y and z"},
+      {"box { 0, 1 ^sphere { 0, 1 } }", "\"sphere\" is not read in box; expected one of " + attributes},
       {"mesh { triangle { 0, x, y } ^sphere { 0, 1 } }",
        "\"sphere\" is not read in mesh; expected one of triangle, smooth_triangle, " + attributes},
       {"union { sphere { 0, 1 } hollow ^sphere { 0, 1 } }",

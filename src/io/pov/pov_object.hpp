@@ -1,0 +1,33 @@
+#pragma once
+/// An object of a POV-Ray text, as it stands there.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "durero/scene/body.hpp"
+#include "pov_shapes.hpp"
+
+namespace durero::io {
+
+/// What an object tells of its look: the number of its material, or that it has none.
+struct ObjectMaterial {
+  bool is_told = false;
+  std::optional<std::uint32_t> material{};
+};
+
+/// An object as it stands in the text: a shape, or what another holds.
+struct PovObject {
+  std::size_t at;  ///< its word
+  std::string_view word;
+  std::string_view text{};  ///< of what it consists of, without attributes
+  std::optional<PovShape> shape{};
+  std::optional<scene::Solid> box{};
+  std::vector<PovObject> parts{};
+  ObjectMaterial look{};
+  std::array<bool, 3> flags{};  ///< in step with their words
+};
+
+}  // namespace durero::io
