@@ -82,9 +82,9 @@ class Plain {
 };
 
 /// The bodies of a scene, those with a finite box in a tree.
-class Bodies {
+class BodyIndex {
  public:
-  explicit Bodies(const scene::Scene& scene) {
+  explicit BodyIndex(const scene::Scene& scene) {
     std::vector<surface::Box> boxes;
     std::vector<Body> apart;
     scene.for_each([&](ElementRef e, const auto&) {
@@ -139,10 +139,10 @@ class Bodies {
 
 /// The search of one ray among the bodies, beside what it meets first of the other elements. A parameter that is less
 /// when rounded is less; where both round to one number, exact ones decide.
-class Nearest {
+class NearestOfBoth {
  public:
   /// Begins with what the ray meets first of the elements of the tables.
-  Nearest(const Query& query, Hit plain) : query_(query), plain_(std::move(plain)) {
+  NearestOfBoth(const Query& query, Hit plain) : query_(query), plain_(std::move(plain)) {
     if (plain_.resultado == Resultado::hit) limit_ = plain_.t;
   }
 
@@ -238,7 +238,7 @@ class ComposedEngine final : public engine::Engine {
  private:
   template <class Exactly>
   Hit first_hit(const Query& query, Hit plain, Exactly exactly) const {
-    Nearest nearest(query, std::move(plain));
+    NearestOfBoth nearest(query, std::move(plain));
     bodies_.any(
         query, [&] { return nearest.limit(); },
         [&](ElementRef element, const Figure& figure, bool on) {
@@ -257,7 +257,7 @@ class ComposedEngine final : public engine::Engine {
   bool is_exact_;
   Plain plain_;
   std::unique_ptr<const engine::Engine> of_plain_;
-  Bodies bodies_;
+  BodyIndex bodies_;
 };
 
 }  // namespace

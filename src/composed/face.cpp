@@ -17,7 +17,7 @@ Dyadic rounding_of(const Dyadic& value) {
   return number::shifted(magnitude(value), -53) + Dyadic(number::Integer(1), -1075);
 }
 
-Dyadic value_at(const Form<Dyadic>& form, const Four& w) {
+Dyadic value_at(const SpaceForm<Dyadic>& form, const Four& w) {
   Dyadic sum;
   for (std::size_t j = 0; j < 4; ++j)
     for (std::size_t i = 0; i <= j; ++i) {
@@ -28,22 +28,22 @@ Dyadic value_at(const Form<Dyadic>& form, const Four& w) {
 }
 
 // Times a power of two, so that the greatest coefficient is of magnitude 1 … 2.
-Form<Dyadic> scaled(const Form<Dyadic>& form) {
+SpaceForm<Dyadic> scaled(const SpaceForm<Dyadic>& form) {
   std::int64_t greatest = std::numeric_limits<std::int64_t>::min();
   for (const Dyadic& each : form.coefficients())
     if (sign(each) != 0) greatest = std::max(greatest, number::floor_log2(each));
   std::array<Dyadic, matrix_places> m = form.coefficients();
   for (Dyadic& each : m) each = number::shifted(each, -greatest);
-  return Form<Dyadic>(std::move(m));
+  return SpaceForm<Dyadic>(std::move(m));
 }
 
-Form<Dyadic> magnitudes(const Form<Dyadic>& form) {
+SpaceForm<Dyadic> magnitudes(const SpaceForm<Dyadic>& form) {
   std::array<Dyadic, matrix_places> m = form.coefficients();
   std::ranges::transform(m, m.begin(), magnitude);
-  return Form<Dyadic>(std::move(m));
+  return SpaceForm<Dyadic>(std::move(m));
 }
 
-std::array<double, matrix_places> rounded(const Form<Dyadic>& form) {
+std::array<double, matrix_places> rounded(const SpaceForm<Dyadic>& form) {
   std::array<double, matrix_places> m{};
   std::ranges::transform(form.coefficients(), m.begin(),
                          [](const Dyadic& each) { return number::round_to_binary64(each); });
@@ -52,7 +52,7 @@ std::array<double, matrix_places> rounded(const Form<Dyadic>& form) {
 
 }  // namespace
 
-Face::Face(const Form<Dyadic>& form)
+Face::Face(const SpaceForm<Dyadic>& form)
     : form_(scaled(form)), magnitudes_(magnitudes(form_)), rough_(roughly(form_)), rounded_(rounded(form_)) {}
 
 // |f(w + d) − f(w)| ≤ F(|w| + δ) − F(|w|) for |dᵢ| ≤ δᵢ, where F has the magnitudes of the coefficients.
@@ -84,7 +84,7 @@ double Face::value(const glm::dvec3& w) const {
   return w.x * of(0) + w.y * of(1) + w.z * of(2) + of(3);
 }
 
-int multiple(const Form<Dyadic>& a, const Form<Dyadic>& b) {
+int multiple(const SpaceForm<Dyadic>& a, const SpaceForm<Dyadic>& b) {
   const auto &m = a.coefficients(), &n = b.coefficients();
   const auto first =
       static_cast<std::size_t>(std::ranges::find_if(n, [](const Dyadic& each) { return sign(each) != 0; }) - n.begin());

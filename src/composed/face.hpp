@@ -11,12 +11,12 @@ namespace durero::composed {
 class Face {
  public:
   /// Of a polynomial other than 0.
-  explicit Face(const Form<Dyadic>& form);
+  explicit Face(const SpaceForm<Dyadic>& form);
 
   /// The polynomial times a power of two.
-  const Form<Dyadic>& form() const { return form_; }
+  const SpaceForm<Dyadic>& form() const { return form_; }
   /// Its coefficients to about 50 bits.
-  const Form<RealBall>& rough() const { return rough_; }
+  const SpaceForm<RealBall>& rough() const { return rough_; }
 
   /// Whether the polynomial may be 0 at a point whose rounding this is. False is certain.
   bool may_hold_near(const glm::dvec3& rounded) const;
@@ -27,13 +27,13 @@ class Face {
   /// @}
 
  private:
-  Form<Dyadic> form_, magnitudes_;  // in step; the magnitudes are not negative
-  Form<RealBall> rough_;
+  SpaceForm<Dyadic> form_, magnitudes_;  // in step; the magnitudes are not negative
+  SpaceForm<RealBall> rough_;
   std::array<double, matrix_places> rounded_;
 };
 
 /// 1 where a is a positive multiple of b, −1 a negative one, 0 where it is none (multiplo.def.1). Precondition: neither
 /// is 0.
-int multiple(const Form<Dyadic>& a, const Form<Dyadic>& b);
+int multiple(const SpaceForm<Dyadic>& a, const SpaceForm<Dyadic>& b);
 
 }  // namespace durero::composed

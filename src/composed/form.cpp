@@ -24,19 +24,19 @@ QuadraticForm square(const LinearForm& a) {
   return result;
 }
 
-Form<Dyadic> whole(const QuadraticForm& form) {
+SpaceForm<Dyadic> whole(const QuadraticForm& form) {
   number::Integer common = 1;
   for (const Rational& each : form.m) common = lcm(common, denominator(each));
   std::array<Dyadic, matrix_places> m;
   for (std::size_t i = 0; i < matrix_places; ++i)
     m[i] = Dyadic(number::Integer(numerator(form.m[i]) * (common / denominator(form.m[i]))), 0);
-  return Form<Dyadic>(std::move(m));
+  return SpaceForm<Dyadic>(std::move(m));
 }
 
-Form<RealBall> roughly(const Form<Dyadic>& form) {
+SpaceForm<RealBall> roughly(const SpaceForm<Dyadic>& form) {
   const auto& m = form.coefficients();
   return [&]<std::size_t... i>(std::index_sequence<i...>) {
-    return Form<RealBall>({RealBall(m[i])...});
+    return SpaceForm<RealBall>({RealBall(m[i])...});
   }(std::make_index_sequence<matrix_places>());
 }
 

@@ -68,8 +68,8 @@ std::vector<QuadraticForm> bounds_of(const scene::Triangle& triangle, const Seen
   return {ab, e11 * e22 - e12 * e12 - (ab + ca), ca};
 }
 
-std::vector<Form<Dyadic>> whole_bounds(const scene::Instance& of) {
-  std::vector<Form<Dyadic>> bounds;
+std::vector<SpaceForm<Dyadic>> whole_bounds(const scene::Instance& of) {
+  std::vector<SpaceForm<Dyadic>> bounds;
   const auto take = [&](const auto& shape) {
     for (const QuadraticForm& bound : bounds_of(shape, seen(of.mapa))) bounds.push_back(whole(bound));
   };
@@ -77,7 +77,7 @@ std::vector<Form<Dyadic>> whole_bounds(const scene::Instance& of) {
   return bounds;
 }
 
-Form<Dyadic> whole_power(const scene::Instance& of) {
+SpaceForm<Dyadic> whole_power(const scene::Instance& of) {
   return std::visit([&](const auto& shape) { return whole(QuadraticForm(potencia(shape, seen(of.mapa)))); }, of.shape);
 }
 
@@ -137,7 +137,7 @@ MovedShape::MovedShape(const scene::Instance& instance)
 Reach MovedShape::reach(const model::Rayo& rayo, bool on) const {
   auto [A, B, C] = power_.along(rayo);
   surface::exact::Coefficients f{std::move(A), std::move(B), on ? Dyadic() : std::move(C)};
-  for (const Form<Dyadic>& bound : bounds_) f.bounds.push_back(bound.along(rayo));
+  for (const SpaceForm<Dyadic>& bound : bounds_) f.bounds.push_back(bound.along(rayo));
   const surface::exact::Roots roots = surface::exact::roots(f);
   if (roots.every) return surface::exact::reach(f);  // the ray lies in the surface, and the bounds decide
   Reach result;

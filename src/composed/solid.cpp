@@ -19,14 +19,14 @@ using surface::exact::Segment;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-Form<Dyadic> opposite(const Form<Dyadic>& form) {
+SpaceForm<Dyadic> opposite(const SpaceForm<Dyadic>& form) {
   std::array<Dyadic, matrix_places> m = form.coefficients();
   for (Dyadic& each : m) each = -each;
-  return Form<Dyadic>(std::move(m));
+  return SpaceForm<Dyadic>(std::move(m));
 }
 
 /// Of a plane across an axis: what lies behind it, up to a number next to its own.
-Box box_of_half_space(const Form<Dyadic>& power) {
+Box box_of_half_space(const SpaceForm<Dyadic>& power) {
   Box box{glm::dvec3(-unbounded), glm::dvec3(unbounded)};
   const auto at = [&](std::size_t axis) -> const Dyadic& { return power.coefficients()[matrix_place(axis, 3)]; };
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -103,7 +103,7 @@ SolidFigure::~SolidFigure() = default;
 
 std::size_t SolidFigure::size() const { return faces_.size(); }
 
-SideTree SolidFigure::side_of(const Form<Dyadic>& form) {
+SideTree SolidFigure::side_of(const SpaceForm<Dyadic>& form) {
   for (std::size_t i = 0; i < faces_.size(); ++i)
     if (const int sign = multiple(form, faces_[i].form()); sign != 0) return SideTree::face(i, sign < 0);
   faces_.emplace_back(form);
@@ -118,7 +118,7 @@ SideTree SolidFigure::tree_of(const scene::Body& body) {
 SideTree SolidFigure::tree_of(const scene::Instance& instance) {
   const MovedShape shape(instance);
   std::vector<SideTree> parts{side_of(shape.power())};
-  for (const Form<Dyadic>& bound : shape.bounds()) parts.push_back(side_of(opposite(bound)));
+  for (const SpaceForm<Dyadic>& bound : shape.bounds()) parts.push_back(side_of(opposite(bound)));
   return SideTree::all(std::move(parts));
 }
 

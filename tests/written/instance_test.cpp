@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "durero/composed/engine.hpp"
 #include "durero/conform/families/families.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/written/engine.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
@@ -119,6 +121,61 @@ TEST_CASE("What an affine map makes of a surface and a ray meets where they met,
     });
     CHECK(10 * hits >= asked);
   }
+}
+
+/// What the program makes of the same: an instance of the shape of one, without a text.
+scene::Scene own_instances(const std::vector<std::pair<std::string, Instance>>& elements) {
+  const auto exact = [](const glm::dvec3& v) { return model::ExactVector(model::Vector(v)); };
+  scene::Scene scene;
+  for (const auto& [name, e] : elements) {
+    const scene::Scene unit = unit_element(e.tipo);
+    const model::Mapa mapa{exact(e.centro), exact(e.x), exact(e.y), exact(e.z)};
+    unit.for_each([&](scene::ElementRef, const auto& shape) {
+      scene.add(model::Elemento(name), scene::stand_in);
+      scene.set_body(*scene.find(name), {scene::Instance{shape, mapa}});
+    });
+  }
+  return scene;
+}
+
+/// A few instances that overlap, of random maps that do not turn to the left.
+std::vector<std::pair<std::string, Instance>> random_instances(conform::Random& random) {
+  std::vector<std::pair<std::string, Instance>> all;
+  for (const std::string_view tipo : {"elipsoide", "cilindro_oblicuo", "cono_oblicuo", "disco_oblicuo", "elipsoide"}) {
+    Instance e{tipo, random.in_cube(1), random.in_cube(1), random.in_cube(1), random.in_cube(1)};
+    if (glm::dot(e.x, glm::cross(e.y, e.z)) < 0) std::swap(e.x, e.y);
+    all.push_back({"e" + std::to_string(all.size()), e});
+  }
+  return all;
+}
+
+TEST_CASE("The program's instances answer as the text does, whatever the maps, rays and origins") {
+  conform::Random random(5);
+  const std::size_t scenes = test::fewer_when_sanitized(60), rays = 1250;
+  std::size_t asked = 0, hits = 0;
+  for (std::size_t i = 0; i < scenes; ++i) {
+    const auto all = random_instances(random);
+    const Written written = instances(all, text());
+    const scene::Scene own = own_instances(all);
+    const auto engine = composed::prepared(*engine::find("fast"), own);
+    for (std::size_t j = 0; j < rays; ++j) {
+      const glm::dvec3 p = random.in_cube(2);
+      const scene::Query ray{{model::Punto(p), model::Vector(random.in_cube(1) - p)}, {}};
+      const scene::Hit here = engine::first_hit(*engine, ray), there = engine::first_hit(*written.engine, ray);
+      REQUIRE(said(own, here) == said(written.scene, there));
+      REQUIRE(engine::occluded_segment(*engine, ray) == engine::occluded_segment(*written.engine, ray));
+      ++asked;
+      if (here.resultado != model::Resultado::hit) continue;
+      ++hits;
+      const glm::dvec3 v = random.in_cube(1);  // and from there on, as a mirror's ray
+      const scene::Query on{{model::Punto(here.punto), model::Vector(v)}, here.elementos};
+      const scene::Query on_there{on.rayo, there.elementos};
+      REQUIRE(said(own, engine::first_hit(*engine, on)) ==
+              said(written.scene, engine::first_hit(*written.engine, on_there)));
+      ++asked;
+    }
+  }
+  CHECK(4 * hits > asked);
 }
 
 TEST_CASE("The normal of an instance is at right angles to what the map makes of the tangents, and points outwards") {

@@ -73,10 +73,10 @@ QuadraticForm square(const LinearForm& a);
 
 /// A QuadraticForm with coefficients of that type, to be restricted to rays.
 template <class N>
-class Form {
+class SpaceForm {
  public:
   /// Of these coefficients, by matrix_place().
-  explicit Form(std::array<N, matrix_places> m) : m_(std::move(m)) {}
+  explicit SpaceForm(std::array<N, matrix_places> m) : m_(std::move(m)) {}
 
   /// The coefficients, by matrix_place().
   const std::array<N, matrix_places>& coefficients() const { return m_; }
@@ -99,9 +99,9 @@ class Form {
 };
 
 /// The form times a positive integer, without fractions: it has the same signs.
-Form<Dyadic> whole(const QuadraticForm& form);
+SpaceForm<Dyadic> whole(const QuadraticForm& form);
 /// The same form with coefficients known to about 50 bits.
-Form<RealBall> roughly(const Form<Dyadic>& form);
+SpaceForm<RealBall> roughly(const SpaceForm<Dyadic>& form);
 
 /// The sign of A·t² + 2B·t + C at a parameter, exactly.
 int sign_at(const surface::Quadratic<Dyadic>& f, const number::DyadicSurd& t);

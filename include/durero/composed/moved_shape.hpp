@@ -19,9 +19,9 @@ class MovedShape {
   explicit MovedShape(const scene::Instance& instance);
 
   /// The power, which is negative inside of a shape that closes or is closed.
-  const Form<Dyadic>& power() const { return power_; }
+  const SpaceForm<Dyadic>& power() const { return power_; }
   /// The bounds: two of a stretch of an axis, one of a disc, three of a triangle.
-  const std::vector<Form<Dyadic>>& bounds() const { return bounds_; }
+  const std::vector<SpaceForm<Dyadic>>& bounds() const { return bounds_; }
 
   /// The points of a ray on the surface; `on`: it starts there, so that the constant term of the power is 0.
   surface::exact::Reach reach(const model::Rayo& rayo, bool on) const;
@@ -35,9 +35,9 @@ class MovedShape {
 
  private:
   scene::Instance of_;
-  Form<Dyadic> power_;
-  Form<RealBall> rough_power_;
-  std::vector<Form<Dyadic>> bounds_;
+  SpaceForm<Dyadic> power_;
+  SpaceForm<RealBall> rough_power_;
+  std::vector<SpaceForm<Dyadic>> bounds_;
   std::array<surface::Dual<double>, 3> seen_;  // the coordinates of what is put at the origin, and how they grow
 };
 

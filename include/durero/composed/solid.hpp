@@ -38,7 +38,7 @@ class SolidFigure final : public Figure {
 
  private:
   /// What is inside of a face, which becomes one of faces_ if none is a multiple of it.
-  SideTree side_of(const Form<Dyadic>& form);
+  SideTree side_of(const SpaceForm<Dyadic>& form);
   SideTree tree_of(const scene::Body& body);
   SideTree tree_of(const scene::Instance& instance);
   SideTree tree_of(const scene::Solid& solid);

@@ -26,9 +26,9 @@ struct Body;
 
 /// Few elements have these, and a table keeps them apart.
 struct RareAttributes {
-  std::optional<Wrap> wrap{};              ///< how textures lie on a triangle
-  std::optional<VertexNormals> normals{};  ///< how a triangle is shaded
-  std::optional<glm::dvec3> motion{};      ///< its way in a unit of time; none where it rests
+  std::optional<Wrap> wrap{};                         ///< how textures lie on a triangle
+  std::optional<VertexNormals> normals{};             ///< how a triangle is shaded
+  std::optional<glm::dvec3> motion{};                 ///< its way in a unit of time; none where it rests
   std::optional<std::shared_ptr<const Body>> body{};  ///< what it is, where the row is a sphere that stands in for it
 };
 
