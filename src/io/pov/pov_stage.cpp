@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <utility>
 
 #include "durero/io/json/whole_number.hpp"
 #include "durero/io/number_text.hpp"
@@ -169,8 +172,31 @@ void PovStage::read_declaration() {
 
 void PovStage::read_sky() {
   in_.expect("{", "behind sky_sphere");
-  in_.skip_block();
-  ++skies_;
+  const PovWords begin = in_;
+  if (auto sky = read_gradient()) {
+    stage_.environment = std::move(sky);
+  } else {
+    in_.stand_where(begin);
+    in_.skip_block();
+    ++skies_;
+  }
+}
+
+/// A sky that goes from one colour straight below to another straight above, as it is written to POV-Ray; nothing of
+/// another, of which part has been passed.
+std::optional<scene::Environment> PovStage::read_gradient() {
+  scene::Environment sky;
+  const auto take_all = [&](std::initializer_list<std::string_view> words) {
+    return std::ranges::all_of(words, [&](std::string_view word) { return in_.take(word); });
+  };
+  if (!take_all({"pigment", "{", "gradient", "y", "color_map", "{"})) return std::nullopt;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (!take_all({"["}) || in_.take_number() != double(end) || in_.word() != "rgb") return std::nullopt;
+    const glm::dvec3& color = sky.colors[end] = in_.color("sky_sphere").rgb;
+    if (!(std::min({color.x, color.y, color.z}) >= 0) || !take_all({"]"})) return std::nullopt;
+  }
+  return take_all({"}", "scale", "2", "translate", "<", "0", ",", "-1", ",", "0", ">", "}", "}"}) ? std::optional(sky)
+                                                                                                 : std::nullopt;
 }
 
 void PovStage::name_losses(std::vector<std::string>& lost) const {

@@ -38,6 +38,7 @@ class PovStage {
   void read_version();
   void read_declaration();
   void read_sky();
+  std::optional<scene::Environment> read_gradient();
 
   PovWords& in_;
   scene::Stage& stage_;

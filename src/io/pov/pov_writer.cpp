@@ -40,14 +40,15 @@ class PovWriter {
     out_.text += fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n",
                              stage.max_depth.value_or(most_depth));
     write_camera(size);
-    out_.text += patterns_.declarations();
+    const std::size_t before = out_.text.size();
     if (stage.environment)
       write_sky(*stage.environment);
     else if (stage.background)
       out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
     write_lights();
-    for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material));
+    for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material, patterns_, {}));
     write_elements();
+    out_.text.insert(before, patterns_.declarations(out_.text));
     name_losses();
     return std::move(out_);
   }
@@ -124,8 +125,7 @@ class PovWriter {
   }
 
   std::string look(scene::ElementRef element, std::optional<std::uint32_t> material) const {
-    static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
-    if (!material) return plain;
+    if (!material) return pov_attributes({.color = glm::dvec3(0.8)}, patterns_, {});
     const scene::Material& m = scene_.stage().materials[*material];
     if (!m.textures.any() && !m.bump) return looks_[*material];
     const PovCoordinates at = pov_coordinates(scene_, element);

@@ -288,7 +288,7 @@ TEST_CASE("Terms of a material come back from an average; what a material has no
         scene::Material{.name = "f1", .color = {1, 0.5, 0}, .k_d = 0.375, .k_t = 0.25});
   CHECK(material("pigment { rgb <1, 3, 0> } finish { ambient 0 diffuse 0 emission 1 }") ==
         scene::Material{.name = "f1", .emission = {1, 3, 0}});
-  const std::string other = "1 texture left out: read are pigments of one colour with a finish, and averages of such";
+  const std::string other = "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages of such";
   for (const char* texture :
        {"texture { T_Gold }", "pigment { checker rgb 1, rgb 0 }", "pigment { color White }",
         "texture { pigment { rgb 1 } scale 2 }",
@@ -459,6 +459,52 @@ TEST_CASE("What was exported reads back, number for number where no loss is name
     RC_ASSERT(values(back.scene) == values(scene));
     RC_ASSERT(back.scene.stage().lights == scene.stage().lights);
   });
+}
+
+TEST_CASE("Checkers, stripes and a sky between two colours come back, number for number, where they are their surface's") {
+  const std::string scene = R"({"format":"durero-scene","version":1,"environment":{"gradient":[[0.5,0,0],[1,2,3]]},
+"textures":{"p1":{"checker":[[1,0,0.1],[0.5,1,0.3]],"repeat":[49,0.3]},"p2":{"stripes":[[0.7,0.1,0],[0,0,1]]}},
+"materials":{"f1":{"color":[1,1,1],"k_a":0.25,"k_d":0.5,"emission":[0.25,0.5,0],"textures":{"color":"p1","emission":"p1"}},
+"f2":{"color":[1,1,1],"k_s":0.5,"e":20,"textures":{"color":"p2"}},"f3":{"color":[0,0,0],"k_t":0.5,"textures":{"M_T":"p2"}}},
+"elementos":[{"id":"d1","tipo":"disco","centro":[1,2,3],"radio":0.7,"vector":[0,0.6,0.8],"material":"f1"},
+{"id":"s1","tipo":"esfera","centro":[0.1,0.2,0.3],"radio":0.3,"material":"f2"},
+{"id":"v1","tipo":"triangulo","vertices":[[0,0,0.1],[1,0,0.3],[0,0.7,0]],"material":"f3"}]})";
+  const scene::Scene first = io::read_scene(io::Source("f", scene));
+  const io::Exported out = io::pov_text(first);
+  const io::Imported back = import_text(out.text);
+  CHECK(back.lost.empty());
+  const scene::Stage &stage = back.scene.stage(), &before = first.stage();
+  CHECK(stage.textures == before.textures);
+  CHECK(stage.environment == before.environment);
+  REQUIRE(stage.materials.size() == 3);
+  CHECK(stage.materials[0] == before.materials[0]);
+  CHECK(stage.materials[1] == before.materials[1]);
+  CHECK(stage.materials[2].textures == before.materials[2].textures);
+  // On another surface it would be another texture.
+  const auto lost = [&](const std::string& from, const std::string& to) {
+    std::string text = out.text;
+    const std::size_t at = text.find(from);
+    REQUIRE(at != text.npos);
+    return import_text(text.replace(at, from.size(), to)).lost;
+  };
+  const Lines left_out{
+      "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages "
+      "of such"};
+  CHECK(lost("sphere { <0.1, 0.2, 0.3>, 0.3 }", "sphere { <0.1, 0.2, 0.3>, 0.25 }") == left_out);
+  for (const auto& [from, to] :
+       {std::pair("scale <1/49,", "scale <2/49,"), {"1/0.3, 1>", "1/-0.3, 1>"}, {"[0.5 rgb", "[0.25 rgb"},
+        {"checker rgb <2,", "checker rgb <3,"}, {"checker rgb", "hexagon rgb"}, {"warp {", "warp { spherical }, warp {"}}) {
+    CAPTURE(from);
+    CHECK(lost(from, to) == left_out);
+  }
+  CHECK(lost("[1 rgb <1, 2, 3>]", "[1 rgb <1, 2, -3>]") == Lines{"1 sky_sphere left out"});
+  CHECK(lost("scale 2 translate", "scale 3 translate") == Lines{"1 sky_sphere left out"});
+  // Their colours are numbers of the text's gamma.
+  std::string curved = out.text;
+  curved.replace(curved.find("assumed_gamma 1"), 15, "assumed_gamma 2");
+  const scene::Stage squared = import_text(curved).scene.stage();
+  CHECK(squared.textures.front().colors[1] == glm::dvec3(0.25, 1, 0.3 * 0.3));
+  CHECK(squared.environment->colors[1] == glm::dvec3(1, 4, 9));
 }
 
 TEST_CASE("Cones and cylinders of an ordinary scene come back up to the rounding of their ends") {
