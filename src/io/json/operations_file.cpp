@@ -29,7 +29,7 @@ struct OperationSchema {
   AnyEdit (*read)(const Inputs& in, const scene::Stage& stage);
 };
 
-constexpr std::string_view material = "material";
+constexpr std::string_view material_word = "material";
 
 template <class Shape>
 model::Operation read_addition(const Inputs& in) {
@@ -66,10 +66,10 @@ model::Operation read_general_addition(const Inputs& in) {
 }
 
 std::optional<std::uint32_t> read_material(const Inputs& in, const scene::Stage& stage) {
-  if (!in.has(material)) return std::nullopt;
-  const auto found = std::ranges::find(stage.materials, in.word(material), &scene::Material::name);
+  if (!in.has(material_word)) return std::nullopt;
+  const auto found = std::ranges::find(stage.materials, in.word(material_word), &scene::Material::name);
   if (found == stage.materials.end()) {
-    in.fail(material, fmt::format("unknown material {}", text::shown(in.word(material))),
+    in.fail(material_word, fmt::format("unknown material {}", text::shown(in.word(material_word))),
             "expected one of the scene's materials");
   }
   return static_cast<std::uint32_t>(found - stage.materials.begin());
@@ -112,11 +112,11 @@ std::vector<OperationSchema> all_schemas() {
   std::vector<OperationSchema> all;
   Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    Signature signature{Shape::Addition::schema, {"e"}, {material}};
+    Signature signature{Shape::Addition::schema, {"e"}, {material_word}};
     scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
     all.push_back({std::move(signature), read_edit<read_addition<Shape>>});
   });
-  general.optional.push_back(material);
+  general.optional.push_back(material_word);
   all.push_back({std::move(general), read_edit<read_general_addition>});
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_edit<read_removal<typename Shape::Removal>>});
@@ -144,7 +144,7 @@ std::string operation_name(std::string_view verb, std::string_view word) {
 std::optional<std::uint32_t> read_plain_material(const Inputs& in, const scene::Stage& stage) {
   const auto place = read_material(in, stage);
   if (place && has_textures(stage.materials[*place]))
-    in.fail(material, fmt::format("material {} has textures", text::shown(in.word(material))),
+    in.fail(material_word, fmt::format("material {} has textures", text::shown(in.word(material_word))),
             "expected one without: what a text declares has no coordinates (u, v)");
   return place;
 }
@@ -170,7 +170,7 @@ class WrittenSchemas {
 
  private:
   AnyEdit read_addition(const Source& source, const Call& call, const scene::Stage& stage) const {
-    Signature signature{addition_, {"e"}, {material}};
+    Signature signature{addition_, {"e"}, {material_word}};
     for (const WrittenAttribute& attribute : type_.attributes) signature.required.push_back(attribute.word);
     const Inputs in(source, call, signature);
     WrittenElement element{in.element().name(), place_, call.offset, {}, {}};
