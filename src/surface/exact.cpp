@@ -29,6 +29,16 @@ struct NearestPoint {
   }
 };
 
+/// Whether a parameter lies on the stretch.
+bool lies_on(RayStretch stretch, const Parameter& t) {
+  return stretch == RayStretch::whole || order(t, Parameter{.x = 1}) < 0;
+}
+
+/// Whether the ray runs along the element somewhere on the stretch.
+bool runs_along(const Reach& found, RayStretch stretch) {
+  return found.segment && (found.no_minimum() || lies_on(stretch, *found.segment->begin));
+}
+
 /// The order of all_hits. An absent begin stands for t → 0⁺, before every parameter.
 bool earlier(const Crossing& a, const Crossing& b) {
   if (!a.segment.begin || !b.segment.begin) {
@@ -73,6 +83,31 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
     const Reach found = reach(scene, e, rayo, en);
     return found.no_minimum() || (!found.empty() && order(found.first(), one) < 0);
   });
+}
+
+std::optional<std::vector<ElementPoint>> points_of(const scene::Scene& scene, scene::ElementSet elements,
+                                                   const model::Rayo& rayo, Origin en, RayStretch stretch) {
+  std::ranges::sort(elements, {}, [&](scene::ElementRef e) { return scene.name(e); });
+  std::vector<ElementPoint> points;
+  for (const scene::ElementRef e : elements) {
+    const Reach found = reach(scene, e, rayo, en);
+    if (runs_along(found, stretch)) return std::nullopt;
+    for (const Parameter& t : found.points())
+      if (lies_on(stretch, t)) points.push_back({e, rounded_hit(rayo, t, {}).punto});
+  }
+  return points;
+}
+
+std::optional<std::vector<ElementPoint>> points_between(const scene::Scene& scene, const model::Rayo& rayo, Origin en,
+                                                        RayStretch stretch, const Passes& passes) {
+  scene::ElementSet met;
+  const bool is_dark = scene.any_of([&](scene::ElementRef e, const auto&) {
+    const Reach found = reach(scene, e, rayo, en);
+    if (found.empty() || !(found.no_minimum() || lies_on(stretch, found.first()))) return false;
+    met.push_back(e);
+    return !passes(e);
+  });
+  return is_dark ? std::nullopt : points_of(scene, std::move(met), rayo, en, stretch);
 }
 
 std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <initializer_list>
 #include <utility>
+#include <variant>
 
 #include "durero/io/json/whole_number.hpp"
 #include "durero/io/number_text.hpp"
@@ -14,6 +15,7 @@
 #include "io/cursor.hpp"
 #include "io/json/stage_fields.hpp"
 #include "io/losses.hpp"
+#include "pov_light.hpp"
 
 namespace durero::io {
 
@@ -63,20 +65,14 @@ void PovStage::read_camera() {
 
 void PovStage::read_light() {
   in_.expect("{", "behind light_source");
-  const std::size_t at = in_.offset();
-  const glm::dvec3 position = in_.triple("light_source");
-  in_.comma("light_source");
-  const glm::dvec3 color = in_.color("light_source").rgb;
-  check_rule(in_, at, "the colour of a light_source", light_color, color, &model::Fuente_inv_1);
-  if (in_.take("parallel")) {
-    const glm::dvec3 way = (in_.take("point_at") ? in_.triple("point_at") : glm::dvec3(0)) - position;
-    check_rule(in_, at, "the way of a parallel light", direction, way);
-    stage_.directional_lights.push_back({way, color});
-    ++parallels_;
+  const auto read = read_pov_light(in_);
+  if (const auto* const light = std::get_if<scene::Light>(&read)) {
+    if (!light->extent.is_point()) ++areas_;
+    stage_.lights.push_back(*light);
   } else {
-    stage_.lights.push_back({position, color});
+    stage_.directional_lights.push_back(std::get<scene::DirectionalLight>(read));
+    ++parallels_;
   }
-  if (!in_.take("}")) in_.fail_here("expected }, or parallel and point_at: no other light_source is read");
 }
 
 void PovStage::read_background() {
@@ -204,6 +200,8 @@ void PovStage::name_losses(std::vector<std::string>& lost) const {
            "changed: a scene's has square pixels and right angles, and mirrors nothing");
   add_loss(lost, parallels_, "parallel light", "parallel lights",
            "read as directional: a scene has none that some things stand behind");
+  add_loss(lost, areas_, "area_light", "area_lights",
+           "read as a light of some size: a scene's shine from all of their points, and not from a grid of lamps");
   add_loss(lost, skies_, "sky_sphere", "sky_spheres", "left out");
   add_loss(lost, settings_, "global setting", "global settings", "left out: a scene has none such");
   const bool is_told = gamma_ && gamma_->power;

@@ -400,13 +400,22 @@ void check_elements(const scene::Scene& scene, const scene::Scene& back, double 
   }
 }
 
+/// Whether a light comes back: a triangle as a point, and a disc up to the rounding of its axes.
+bool is_read_back(const scene::Light& light, const scene::Light& back) {
+  if (light.position != back.position || light.color != back.color || light.cone != back.cone) return false;
+  const scene::LightExtent &from = light.extent, &to = back.extent;
+  if (from.shape == scene::LightShape::triangle) return to.is_point();
+  if (from.shape == scene::LightShape::disc)
+    return to.shape == from.shape && near(from.radius, to.radius, 1e-15) &&
+           glm::distance(glm::normalize(from.normal), glm::normalize(to.normal)) < 1e-15;
+  return from == to;
+}
+
 void check_stage(const scene::Stage& stage, const scene::Stage& back) {
   const auto size = stage.resolution.value_or(scene::default_resolution);
   CHECK(back.resolution == size);
   CHECK(back.background == (stage.environment ? std::nullopt : stage.background));
-  std::vector<scene::Light> points = stage.lights;  // POV-Ray's text has no shapes of lights
-  for (scene::Light& light : points) light.extent = {};
-  CHECK(back.lights == points);
+  CHECK(std::ranges::equal(stage.lights, back.lights, is_read_back));
   CHECK(back.max_depth == stage.max_depth.value_or(15));
   REQUIRE(back.directional_lights.size() == stage.directional_lights.size());
   for (std::size_t i = 0; i < stage.directional_lights.size(); ++i)
@@ -597,15 +606,32 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
        "the text ends; expected } behind texture_map"},
       {"camera { }\n^camera { }", "a second camera; expected one"},
       {"camera { ^orthographic }",
-       "\"orthographic\" stands here; expected one of location, direction, right, up, sky, angle, look_at, "
-       "perspective, or "
-       "}: no other camera is read"},
+       "\"orthographic\" stands here; expected one of location, direction, right, up, sky, angle, look_at, aperture, "
+       "focal_point, blur_samples, confidence, variance, perspective, or }: no other camera is read"},
+      {"camera { ^aperture -1 }", "aperture is -1; expected a number from 0 (Lente.inv.2)"},
+      {"^camera { aperture 1 focal_point -z }",
+       "the distance of focal_point is -1; expected a number above 0 (Lente.inv.3)"},
       {"camera { right x*^wide }", "\"wide\" in right; expected a finite number"},
       {"camera { ^angle 180 }", "angle is 180; expected an angle in degrees, above 0 and below 180"},
       {"^camera { look_at 0 }", "the camera looks at its own eye; expected look_at elsewhere"},
       {"^camera { direction y }", "up is parallel to the view; expected another direction"},
-      {"light_source { 0, rgb 1 ^spotlight }",
-       "\"spotlight\" stands here; expected }, or parallel and point_at: no other light_source is read"},
+      {"light_source { 0, rgb 1 ^looks_like }",
+       "\"looks_like\" stands here; expected one of parallel, spotlight, point_at, radius, falloff, tightness, "
+       "area_light, adaptive, jitter, circular, orient, area_illumination, or }: no other light_source is read"},
+      {"light_source { 0, rgb 1 spotlight radius ^91 }",
+       "radius is 91; expected an angle in degrees, from 0 to 90 (Cono_de_Luz.inv.2)"},
+      {"light_source { 0, rgb 1 spotlight falloff ^0 }",
+       "falloff is 0; expected an angle in degrees, above 0, up to 90 (Cono_de_Luz.inv.2)"},
+      {"light_source { ^0, rgb 1 spotlight falloff 20 }",
+       "the light is full up to 30 degrees and ends at 20; expected an end no sooner (Cono_de_Luz.inv.2)"},
+      {"light_source { ^0, rgb 1 spotlight point_at 0 }",
+       "the cone of a light leads to its own place; expected another place (Cono_de_Luz.inv.1)"},
+      {"light_source { ^y, rgb 1 parallel spotlight }",
+       "a parallel light has a cone or an area; expected one that is parallel alone"},
+      {"light_source { ^y, rgb 1 area_light x, x*2, 3, 3 }",
+       "an area_light has parallel sides; expected sides with an area between them"},
+      {"light_source { ^y, rgb 1 area_light x, z*2, 3, 3 circular }",
+       "a circular area_light is no circle; expected sides of one length, at right angles"},
       {"light_source { ^0, rgb -1 }",
        "the colour of a light_source is negative; expected red, green and blue, each from 0 (Fuente.inv.1)"},
       {"light_source { ^0, rgb 1 parallel }", "the way of a parallel light is the null vector; expected a direction"},
@@ -638,4 +664,24 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
 
 TEST_CASE("No damage to a POV-Ray text does worse than an error") {
   CHECK(test::refused_after_damage(sample, 20000, reading) > 10000);
+}
+
+TEST_CASE("Spotlights, area_lights and lenses are read, and the places where POV-Ray has them") {
+  const io::Imported i =
+      import_as_it_stands(R"(camera { location -z*5 look_at 0 aperture 0.5 focal_point z blur_samples 20, 40 }
+light_source { <1, 2, 3>, rgb 1 spotlight point_at <0, 1, 0> radius 10 falloff 20 tightness 3 }
+light_source { <1, 2, 3>, rgb 1 spotlight }
+light_source { y*3, rgb 1 area_light x*2, z*4, 5, 5 adaptive 1 jitter area_illumination on }
+light_source { y*3, rgb 1 area_light x*2, z*2, 5, 5 circular }
+light_source { y*3, rgb 1 area_light x*2, z*2, 5, 5 circular orient }
+sphere { 0, 1 })");
+  const scene::Stage& stage = i.scene.stage();
+  CHECK((stage.camera->aperture == 0.25 && stage.camera->focus == 6));
+  REQUIRE(stage.lights.size() == 5);
+  CHECK(stage.lights[0].cone == scene::LightCone{{0, 1, 0}, 10, 20, 3});
+  CHECK(stage.lights[1].cone == scene::LightCone{{1, 2, 4}});
+  using Shape = scene::LightShape;
+  CHECK(stage.lights[2].extent == scene::LightExtent{.shape = Shape::rectangle, .edges = {{{2, 0, 0}, {0, 0, 4}}}});
+  CHECK(stage.lights[3].extent == scene::LightExtent{.shape = Shape::disc, .radius = 1, .normal = {0, -1, 0}});
+  CHECK(stage.lights[4].extent == scene::LightExtent{.shape = Shape::sphere, .radius = 1});
 }

@@ -263,14 +263,30 @@ TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are cou
   CHECK(has(out, "texture { pigment { rgb <1, 1, 1> } normal { function { 0.25 + (Image1("));
 }
 
-TEST_CASE("what blurs a picture is left out, and named") {
+TEST_CASE("lens, shapes and cones of lights are written, and what moves is left out and named") {
   const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,
-"aperture":0.5,"shutter":1,"motion":[1,0,0]},"materials":{"m":{"color":[1,1,1],"gloss":9}},
-"lights":[{"position":[0,9,0],"color":[1,1,1],"sphere":{"radius":1}},{"position":[1,9,0],"color":[1,1,1]}],
+"aperture":0.5,"focus":3,"shutter":1,"motion":[1,0,0]},"materials":{"m":{"color":[1,1,1],"gloss":9}},
+"lights":[{"position":[0,9,0],"color":[1,1,1],"sphere":{"radius":1}},{"position":[1,9,0],"color":[1,1,1]},
+{"position":[2,9,0],"color":[1,1,1],"disc":{"radius":0.5,"normal":[0,0,2]}},
+{"position":[3,9,0],"color":[1,1,1],"rectangle":{"edges":[[1,0,0],[0,0,2]]}},
+{"position":[4,9,0],"color":[1,1,1],"triangle":{"edges":[[1,0,0],[0,0,2]]}},
+{"position":[5,9,0],"color":[1,1,1],"spot":{"towards":[1,2,3],"inner":10,"outer":20,"tightness":4}}],
 "elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"m","motion":[0,1,0]}])");
-  CHECK(out.lost == std::vector<std::string>{"1 lens left out: not written to POV-Ray",
+  CHECK(out.lost == std::vector<std::string>{"1 triangle that shines written as a point: POV-Ray has no such light",
                                              "1 shutter left out: not written to POV-Ray",
                                              "2 motions left out: not written to POV-Ray",
-                                             "1 shape of a light left out: not written to POV-Ray",
                                              "1 gloss left out: not written to POV-Ray"});
+  CHECK(has(out, " aperture 1 focal_point <0, 0, -2> blur_samples 64 variance 0 }\n"));
+  CHECK(has(out,
+            "light_source { <0, 9, 0>, rgb <1, 1, 1> area_light <2, 0, 0>, <0, 2, 0>, 9, 9 jitter "
+            "area_illumination circular orient }\n"));
+  CHECK(has(out, "light_source { <1, 9, 0>, rgb <1, 1, 1> }\n"));
+  CHECK(has(out,
+            "light_source { <3, 9, 0>, rgb <1, 1, 1> area_light <1, 0, 0>, <0, 0, 2>, 9, 9 jitter "
+            "area_illumination }\n"));
+  CHECK(has(out, "light_source { <4, 9, 0>, rgb <1, 1, 1> }\n"));
+  CHECK(has(out,
+            "light_source { <5, 9, 0>, rgb <1, 1, 1> spotlight point_at <1, 2, 3> radius 10 falloff 20 tightness 4 "
+            "}\n"));
+  CHECK(has(out, " 9, 9 jitter area_illumination circular }\n"));
 }
