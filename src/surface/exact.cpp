@@ -29,16 +29,6 @@ struct NearestPoint {
   }
 };
 
-/// Whether a parameter lies on the stretch.
-bool lies_on(RayStretch stretch, const Parameter& t) {
-  return stretch == RayStretch::whole || order(t, Parameter{.x = 1}) < 0;
-}
-
-/// Whether the ray runs along the element somewhere on the stretch.
-bool runs_along(const Reach& found, RayStretch stretch) {
-  return found.segment && (found.no_minimum() || lies_on(stretch, *found.segment->begin));
-}
-
 /// The order of all_hits. An absent begin stands for t → 0⁺, before every parameter.
 bool earlier(const Crossing& a, const Crossing& b) {
   if (!a.segment.begin || !b.segment.begin) {
@@ -90,10 +80,9 @@ std::optional<std::vector<ElementPoint>> points_of(const scene::Scene& scene, sc
   std::ranges::sort(elements, {}, [&](scene::ElementRef e) { return scene.name(e); });
   std::vector<ElementPoint> points;
   for (const scene::ElementRef e : elements) {
-    const Reach found = reach(scene, e, rayo, en);
-    if (runs_along(found, stretch)) return std::nullopt;
-    for (const Parameter& t : found.points())
-      if (lies_on(stretch, t)) points.push_back({e, rounded_hit(rayo, t, {}).punto});
+    const auto found = parameters_on(reach(scene, e, rayo, en), stretch);
+    if (!found) return std::nullopt;
+    for (const Parameter& t : *found) points.push_back({e, rounded_hit(rayo, t, {}).punto});
   }
   return points;
 }

@@ -41,9 +41,6 @@ struct Crossing {
 /// first_hit.
 std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& rayo, Origin en = {});
 
-/// The stretch of a ray that a light is seen along: up to the parameter one, where it stands, or without end.
-enum class RayStretch : std::uint8_t { segment, whole };
-
 /// A point of an element.
 struct ElementPoint {
   scene::ElementRef element;  ///< the element
