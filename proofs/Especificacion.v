@@ -1849,6 +1849,11 @@ Definition repartos (ds fs : set Cuadrica) : set (set Cuadrica) :=
   /\ forall (a b : Cuadrica) (k : R), a ∈ Cuadrica_ok -> b ∈ Cuadrica_ok -> multiplo a b k
   -> (k > 0 -> a ∈ l <-> b ∈ l) /\ (k < 0 -> a ∈ l <-> b ∉ l). (* repartos.def.1 *)
 
+Definition solido_union (S T : set (set Cuadrica)) : set (set Cuadrica) := S ∪ T. (* solido_union.def.1 *)
+Definition solido_interseccion (S T : set (set Cuadrica)) : set (set Cuadrica) :=
+  S ∩ T. (* solido_interseccion.def.1 *)
+Definition solido_diferencia (S T : set (set Cuadrica)) : set (set Cuadrica) := S ∖ T. (* solido_diferencia.def.1 *)
+
 Definition solido_esfera (centro : Punto) (radio : R) : set (set Cuadrica) :=
   fun l => l ∈ ℙ Cuadrica_ok /\ exists c : Cuadrica, c ∈ l
   /\ forall w : Punto, valor c w = potencia_esfera w centro radio. (* solido_esfera.def.1 *)
@@ -1910,11 +1915,11 @@ Definition superficie_desde_conj_2 : Prop :=
 
 Definition cuerpo_conj_1 : Prop :=
   forall S T : set (set Cuadrica), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
-  -> cuerpo (S ∪ T) ≡ cuerpo S ∪ cuerpo T. (* cuerpo.conj.1 *)
+  -> cuerpo (solido_union S T) ≡ cuerpo S ∪ cuerpo T. (* cuerpo.conj.1 *)
 
 Definition interior_conj_1 : Prop :=
   forall S T : set (set Cuadrica), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
-  -> interior (S ∩ T) ≡ interior S ∩ interior T. (* interior.conj.1 *)
+  -> interior (solido_interseccion S T) ≡ interior S ∩ interior T. (* interior.conj.1 *)
 
 Definition superficie_conj_1 : Prop :=
   forall (S : set (set Cuadrica)) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok)
@@ -1923,11 +1928,11 @@ Definition superficie_conj_1 : Prop :=
 
 Definition interior_conj_2 : Prop :=
   forall S T : set (set Cuadrica), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
-  -> interior (S ∖ T) ≡ interior S ∖ cuerpo T. (* interior.conj.2 *)
+  -> interior (solido_diferencia S T) ≡ interior S ∖ cuerpo T. (* interior.conj.2 *)
 
 Definition cuerpo_conj_2 : Prop :=
   forall (S T : set (set Cuadrica)) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok) -> T ∈ ℙ (ℙ Cuadrica_ok)
-  -> w ∈ cuerpo (S ∖ T) -> w ∈ cuerpo S /\ w ∉ interior T. (* cuerpo.conj.2 *)
+  -> w ∈ cuerpo (solido_diferencia S T) -> w ∈ cuerpo S /\ w ∉ interior T. (* cuerpo.conj.2 *)
 
 Definition interior_conj_3 : Prop :=
   forall (S : set (set Cuadrica)) (w : Punto), S ∈ ℙ (ℙ Cuadrica_ok) -> w ∈ interior S

@@ -211,13 +211,13 @@ Qed.
 Lemma of_quadrics ds fs l : l ∈ repartos ds fs -> l ∈ ℙ Cuadrica_ok.
 Proof. now intros [H _]. Qed.
 
-(** Discharges repartos.def.1, cuerpo.def.1, cuerpo.conj.1. *)
+(** Discharges repartos.def.1, solido_union.def.1, cuerpo.def.1, cuerpo.conj.1. *)
 Theorem the_body_of_a_union_is_the_union_of_the_bodies : cuerpo_conj_1.
-Proof. intros S T _ _ w. unfold cuerpo, union. firstorder. Qed.
+Proof. intros S T _ _ w. unfold cuerpo, solido_union, union. firstorder. Qed.
 
-(** Discharges interior.def.1, interior.conj.1. *)
+(** Discharges solido_interseccion.def.1, interior.def.1, interior.conj.1. *)
 Theorem the_interior_of_an_intersection_is_that_of_both : interior_conj_1.
-Proof. intros S T _ _ w. unfold interior, inter. firstorder. Qed.
+Proof. intros S T _ _ w. unfold interior, solido_interseccion, inter. firstorder. Qed.
 
 (** Discharges superficie.def.1, superficie.conj.1. *)
 Theorem the_rest_of_space_has_the_same_surface : superficie_conj_1.
@@ -238,9 +238,9 @@ Proof.
   - intros Q. now apply I in Q.
 Qed.
 
-(** Discharges interior.conj.2. *)
+(** Discharges solido_diferencia.def.1, interior.conj.2. *)
 Theorem the_interior_of_a_difference_is_outside_of_what_is_taken : interior_conj_2.
-Proof. intros S T _ _ w. unfold interior, cuerpo, diff. firstorder. Qed.
+Proof. intros S T _ _ w. unfold interior, cuerpo, solido_diferencia, diff. firstorder. Qed.
 
 (** Discharges cuerpo.conj.2. *)
 Theorem a_difference_has_nothing_of_the_inside_of_what_is_taken : cuerpo_conj_2.
@@ -456,6 +456,18 @@ Proof.
       (potencia_cilindro w c r d = 0 /\ 0 <= avance w c d /\ avance w c d <= h).
     destruct (Rle_lt_dec 0 (potencia_cilindro w c r d)), (Rle_lt_dec (avance w c d) 0), (Rle_lt_dec h (avance w c d));
       split; intros; lra.
+Qed.
+
+(** The other two lie between their lids, where their powers are not above 0. Discharges solido_cono.def.1,
+    solido_tronco.def.1. *)
+Theorem cones_lie_within_their_bounds c w r p d h :
+  (w ∈ cuerpo (solido_cono c p d h) -> potencia_cono w c p d h <= 0 /\ 0 <= avance w c d <= h) /\
+  (w ∈ cuerpo (solido_tronco c r p d h) -> potencia_tronco w c r p d h <= 0 /\ 0 <= avance w c d <= h).
+Proof.
+  assert (Side : forall l q, l ∈ repartos (dentro w) (fuera w) -> q ∈ l -> valor q w <= 0).
+  { intros l q [Hok [_ [Out _]]] Hq. apply Rnot_gt_le. intros E. apply (Out q); [split; auto | exact Hq]. }
+  split; intros [l [Hl [[_ [b [t [Hb [Ht E]]]]] [q [Hq F]]]]]; rewrite <- F; destruct (E w) as [Eb Et];
+    pose proof (Side l b Hl Hb); pose proof (Side l t Hl Ht); pose proof (Side l q Hl Hq); lra.
 Qed.
 
 (** ** Along a ray *)

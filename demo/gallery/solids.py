@@ -72,7 +72,7 @@ def die(x, z, half):
 
 def glass(x, y, z):
     """The lens, and its ring on a stem and a foot: what carries the lens is cut out for it."""
-    lens = intersection(sphere([x, y, z - 2.7], 3), sphere([x, y, z + 2.7], 3))
+    lens = intersection(sphere([x, y, z - 5.87], 6), sphere([x, y, z + 5.87], 6))
     ring = union(cylinder([x, y, z - 0.12], 1.36, [0, 0, 1], 0.24), cylinder([x, 0.1, z], 0.1, [0, 1, 0], 0.6),
                  intersection(sphere([x, -0.9, z], 1.1), behind([x, 0, z], [0, -1, 0])))
     return lens, difference(ring, cylinder([x, y, z - 0.5], 1.2, [0, 0, 1], 1), lens)
@@ -113,11 +113,11 @@ def main():
             "marble": {"color": [0.25, 0.42, 0.36], "k_a": 0.1, "k_d": 0.7, "k_s": 0.5, "e": 90, "k_ps": 0.08, "ambient": [0.06, 0.1, 0.09]},
         },
     }
-    lens, ring = glass(0.35, 1.72, -2.2)
+    lens, ring = glass(0.25, 1.72, -2.2)
     elements = [{"id": "floor", "tipo": "disco", "centro": [0, 0, 2], "radio": 11, "vector": [0, 1, 0], "material": "floor"},
                 {"id": "marble", **sphere([2.15, 0.5, -3.1], 0.36), "material": "marble"}]
     for name, material, solid in (("melencolia", "stone", melencolia(-2.7, 1.1, 1.3, 0.5)), ("lens", "glass", lens), ("ring", "brass", ring),
-                                  ("drilled", "brass", drilled(2.9, 0.6)), ("die", "ivory", die(0.5, 0.9, 0.62)),
+                                  ("drilled", "brass", drilled(2.9, 0.6)), ("die", "ivory", die(0.2, -0.1, 0.62)),
                                   ("red-die", "red", die(-2.2, -3.2, 0.4)), ("bowl", "copper", bowl(2.15, -3.1))):
         elements.append({"id": name, **solid, "material": material})
     print(scene_text(stage, elements))

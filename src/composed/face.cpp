@@ -55,8 +55,24 @@ std::array<double, matrix_places> rounded(const SpaceForm<Dyadic>& form) {
 Face::Face(const SpaceForm<Dyadic>& form)
     : form_(scaled(form)), magnitudes_(magnitudes(form_)), rough_(roughly(form_)), rounded_(rounded(form_)) {}
 
+// Computed in binary64, a value errs by less than 2⁻⁴⁸ of the sum of the magnitudes of its terms, each of which has at
+// most four roundings and is added in at most nine; half a unit in each coordinate changes it by less than 2⁻⁵⁰ of that
+// sum. What underflows is far below 2⁻⁹⁵⁰. So a value above 2⁻⁴⁴ of the sum, computed too, is not 0 nearby.
+bool Face::is_surely_far(const glm::dvec3& w) const {
+  const std::array<double, 4> at{w.x, w.y, w.z, 1};
+  double value = 0, sum = 0;
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i <= j; ++i) {
+      const double term = (i == j ? 1 : 2) * rounded_[matrix_place(i, j)] * at[i] * at[j];
+      value += term;
+      sum += std::abs(term);
+    }
+  return std::isfinite(sum) && sum > 0x1p-900 && std::abs(value) > 0x1p-44 * sum;
+}
+
 // |f(w + d) − f(w)| ≤ F(|w| + δ) − F(|w|) for |dᵢ| ≤ δᵢ, where F has the magnitudes of the coefficients.
 bool Face::may_hold_near(const glm::dvec3& rounded) const {
+  if (is_surely_far(rounded)) return false;
   Four w, size, beyond;
   for (int i = 0; i < 3; ++i) {
     const auto axis = static_cast<std::size_t>(i);

@@ -27,6 +27,8 @@ class Face {
   /// @}
 
  private:
+  bool is_surely_far(const glm::dvec3& w) const;
+
   SpaceForm<Dyadic> form_, magnitudes_;  // in step; the magnitudes are not negative
   SpaceForm<RealBall> rough_;
   std::array<double, matrix_places> rounded_;

@@ -71,7 +71,7 @@ void walk(const FacesAlong& along, const SideTree& tree, Visit visit) {
   if (visit(nullptr, at_first, at_first)) return;
   const auto end = along.crossings.end();
   for (auto from = along.crossings.begin(); from != end;) {
-    const auto to = std::find_if(from, end, [&](const Crossing& each) { return each.t != from->t; });
+    const auto to = std::find_if(from, end, [&](const FaceCrossing& each) { return each.t != from->t; });
     const std::vector<std::int8_t> before = sides;
     for (auto each = from; each != to; ++each) sides[each->face] = 0;
     const Place here = tree.place(sides);

@@ -120,7 +120,7 @@ FacesAlong faces_along(std::span<const Face> faces, const model::Rayo& rayo, con
     for (const Parameter& t : roots.values())
       if (number::sign(t) > 0) along.crossings.push_back({t, i, turns});
   }
-  std::ranges::stable_sort(along.crossings, [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+  std::ranges::stable_sort(along.crossings, [](const FaceCrossing& a, const FaceCrossing& b) { return a.t < b.t; });
   return along;
 }
 

@@ -17,7 +17,7 @@ using surface::exact::Parameter;
 using Starts = std::vector<std::uint8_t>;
 
 /// A place where a ray meets a face at some t > 0.
-struct Crossing {
+struct FaceCrossing {
   Parameter t;
   std::size_t face;
   bool turns;  ///< whether the side of the face changes there; a ray that touches a quadric stays on its side
@@ -26,7 +26,7 @@ struct Crossing {
 /// The faces along a ray: their sides as it leaves its origin, and where it meets them, ascending.
 struct FacesAlong {
   std::vector<std::int8_t> sides;   ///< 0 where the ray lies in the face
-  std::vector<Crossing> crossings;  ///< those at one t beside each other
+  std::vector<FaceCrossing> crossings;  ///< those at one t beside each other
 };
 
 /// Exactly. Precondition: there are as many starts as faces.

@@ -114,15 +114,15 @@ std::vector<Cuadricas> repartos(const Cuadricas& cs, const Cuadricas& ds, const 
   return all;
 }
 
-Solido operator|(const Solido& s, const Solido& t) {
+Solido solido_union(const Solido& s, const Solido& t) {
   return {both(s.cuadricas, t.cuadricas), [s, t](const Cuadricas& l) { return s.contains(l) || t.contains(l); }};
 }
 
-Solido operator&(const Solido& s, const Solido& t) {
+Solido solido_interseccion(const Solido& s, const Solido& t) {
   return {both(s.cuadricas, t.cuadricas), [s, t](const Cuadricas& l) { return s.contains(l) && t.contains(l); }};
 }
 
-Solido operator-(const Solido& s, const Solido& t) { return s & complemento(t); }
+Solido solido_diferencia(const Solido& s, const Solido& t) { return s & complemento(t); }
 
 Solido complemento(const Solido& s) {
   return {s.cuadricas, [s](const Cuadricas& l) { return !s.contains(l); }};

@@ -11,10 +11,10 @@ using accel::BoxTree;
 
 namespace {
 
-std::vector<surface::Box> random_boxes(test::Random& random, std::size_t count) {
+std::vector<surface::Box> random_boxes(test::Random& random, std::size_t count, double half) {
   std::vector<surface::Box> boxes;
   for (std::size_t i = 0; i < count; ++i) {
-    const glm::dvec3 at = random.in_cube(4);
+    const glm::dvec3 at = random.in_cube(half);
     boxes.push_back({at, at + glm::dvec3(random.uniform(0, 0.5), random.uniform(0, 0.5), random.uniform(0, 0.5))});
   }
   return boxes;
@@ -33,7 +33,7 @@ std::set<std::uint32_t> met(const std::vector<surface::Box>& boxes, const trace:
 TEST_CASE("A tree over boxes visits each that the ray may meet up to the limit, once") {
   test::Random random(7);
   for (const std::size_t count : {0, 1, 2, 9, 300}) {
-    const auto boxes = random_boxes(random, count);
+    const auto boxes = random_boxes(random, count, 2);
     const BoxTree tree(boxes);
     for (int i = 0; i < 200; ++i) {
       const trace::Ray ray(test::random_ray(random));
@@ -55,9 +55,9 @@ TEST_CASE("A tree over boxes visits each that the ray may meet up to the limit, 
 
 TEST_CASE("A visit that answers ends the walk, and a limit that falls prunes it") {
   test::Random random(8);
-  const auto boxes = random_boxes(random, 300);
+  const auto boxes = random_boxes(random, 1000, 1);
   const BoxTree tree(boxes);
-  const trace::Ray ray(test::random_ray(random));
+  const trace::Ray ray(model::Rayo(model::Punto(-9, 0.1, 0.2), model::Vector(1, 0, 0)));
   REQUIRE(met(boxes, ray, 1e9).size() > 3);
   std::size_t visits = 0;
   CHECK(tree.any(

@@ -103,10 +103,10 @@ TEST_CASE("The box of a copy holds its points, and that of a plane is all of spa
         const auto w = points.sample(random);
         if (!w) continue;
         const model::Surd at[3] = {w->x, w->y, w->z};
-        for (int i = 0; i < 3; ++i) {
-          if (std::isinf(box.low[i])) continue;
-          RC_ASSERT(model::Surd(box.low[i]) <= at[i]);
-          RC_ASSERT(at[i] <= model::Surd(box.high[i]));
+        for (int axis = 0; axis < 3; ++axis) {
+          if (std::isinf(box.low[axis])) continue;
+          RC_ASSERT(model::Surd(box.low[axis]) <= at[axis]);
+          RC_ASSERT(at[axis] <= model::Surd(box.high[axis]));
         }
       }
       RC_ASSERT((std::isinf(box.low.x) == std::is_same_v<Shape, scene::Plane>));

@@ -117,6 +117,15 @@ TEST_CASE("cuerpo.def.1, interior.def.1, superficie.def.1: off the faces those o
   });
 }
 
+TEST_CASE("solido_union.def.1, solido_interseccion.def.1, solido_diferencia.def.1: those of sets of allotments") {
+  for (const Cuadricas& l : {Cuadricas{}, Cuadricas{ball}, Cuadricas{plane}, Cuadricas{ball, plane}}) {
+    const bool in_ball = l.contains(ball), in_lower = l.contains(plane);
+    CHECK(solido_union(solid_ball, lower).contains(l) == (in_ball || in_lower));
+    CHECK(solido_interseccion(solid_ball, lower).contains(l) == (in_ball && in_lower));
+    CHECK(solido_diferencia(solid_ball, lower).contains(l) == (in_ball && !in_lower));
+  }
+}
+
 TEST_CASE("superficie.def.1: shared faces, edges and what is taken from itself") {
   const Solido two = cube(0) | cube(1);
   const ExactPoint shared(1, Surd(half()), Surd(half())), edge(1, 1, Surd(half())), side(Surd(half()), 1, Surd(half()));

@@ -58,10 +58,16 @@ struct Solido {
   std::function<bool(const Cuadricas&)> contains;  ///< l ∈ this
 };
 
-/// @{ The union, the intersection and the difference of sets of allotments.
-Solido operator|(const Solido& s, const Solido& t);
-Solido operator&(const Solido& s, const Solido& t);
-Solido operator-(const Solido& s, const Solido& t);
+/// What is in either solid (solido_union.def.1).
+Solido solido_union(const Solido& s, const Solido& t);
+/// What is in both (solido_interseccion.def.1).
+Solido solido_interseccion(const Solido& s, const Solido& t);
+/// What is in the first alone (solido_diferencia.def.1).
+Solido solido_diferencia(const Solido& s, const Solido& t);
+/// @{ The same, as operators.
+inline Solido operator|(const Solido& s, const Solido& t) { return solido_union(s, t); }
+inline Solido operator&(const Solido& s, const Solido& t) { return solido_interseccion(s, t); }
+inline Solido operator-(const Solido& s, const Solido& t) { return solido_diferencia(s, t); }
 /// @}
 /// All allotments but those of s: the rest of space.
 Solido complemento(const Solido& s);
