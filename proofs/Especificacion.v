@@ -1,4 +1,4 @@
-(** The Z text of spec/*.tex, tablas.tex apart, in Coq, written by `durero spec export --coq` of its sections: change the
+(** The Z text of spec/*.tex, without tablas and malla, in Coq, written by `durero spec export --coq` of its sections: change the
     text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
@@ -118,7 +118,8 @@ Inductive Respuesta := | elemento_agregado | elemento_eliminado | esfera_agregad
   | tronco_agregado | plano_agregado | disco_agregado | triangulo_agregado | esfera_eliminada | cilindro_eliminado |
   cono_eliminado | tronco_eliminado | plano_eliminado | disco_eliminado | triangulo_eliminado | elemento_ya_existe |
   elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario | altura_no_positiva |
-  proporcion_no_positiva | vertices_alineados.
+  proporcion_no_positiva | vertices_alineados | malla_agregada | malla_eliminada | malla_reemplazada | vertice_movido
+  | malla_ya_existe | malla_no_existe | cara_incompleta | cara_sin_nombre | vertice_no_existe | es_de_malla.
 
 (** * escena.tex *)
 
