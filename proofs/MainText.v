@@ -18,8 +18,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
-  Iluminacion Power Luz Haces Distribuida Proyeccion Distancias Instancias Solidos.
-  Iluminacion Power Luz Sheets Haces Distribuida Proyeccion Distancias.
+  Iluminacion Power Luz Sheets Haces Distribuida Proyeccion Distancias Instancias Solidos.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
