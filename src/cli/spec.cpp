@@ -138,7 +138,8 @@ void add_run(CLI::App& spec, const std::shared_ptr<SpecOptions>& options, int& s
   auto* command = spec.add_subcommand("run", "Step through the operations of a Z text");
   command->add_option("FILES", run.files, "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   command->add_option("--state", run.setup.state,
-                      "The state schema; without it, that of most components with operations");
+                      "The state schema; without it, that of most components with operations, and of the program's own "
+                      "text Escena");
   command->add_option("--init", run.setup.init, "The initial schema; without it, Init, or Init and the state's name");
   command->add_option("--given", run.given, "A given set's members: NAME=3, or NAME=ann,bob");
   add_let(*command, run.setup.constants);

@@ -267,6 +267,8 @@ class Runner {
 
 int spec_run(RunCall call) {
   for (const std::string& typed : call.given) add_typed_members(typed, call.setup);
+  // The scene is the state of the program's own text, though a scene with meshes has a component more.
+  if (call.files.empty() && call.setup.state.empty()) call.setup.state = "Escena";
   std::optional<Machine> machine;
   try {
     with_constants([&] { machine.emplace(specification_of(call.files), call.setup); });
