@@ -10,6 +10,10 @@ BEGIN {
   said["altura"] = "The height (`altura?`), a real: what is not in Rmas is refused by name."
   said["proporcion"] = "The radius by height (`proporcion?`), a real: what is not in Rmas is refused by name."
   said["vertices"] = "The vertices (`vertices?`): what is not in Vertices is refused by name."
+  said["m"] = "The name of the mesh (`m?`)."
+  said["red"] = "The points and faces that are to be a mesh (`red?`): what is not in Malla is refused by name."
+  said["n"] = "The number of the vertex (`n?`)."
+  said["punto"] = "Where the vertex goes (`punto?`)."
   said["tipo"] = "The type of elements that it is about."
   said["answer"] = "The r! when it is done."
   said["schema"] = "The name of the partial operation in the text."
@@ -38,7 +42,7 @@ FNR == 1 {
   documented = 0
   schema = 0
   of_model = FILENAME ~ /durero\/model\//
-  of_schemas = FILENAME ~ /durero\/model\/(tipo\/|operaciones)/
+  of_schemas = FILENAME ~ /durero\/model\/(tipo\/|operaciones|malla)/
   of_shapes = FILENAME ~ /durero\/scene\/shape\// && FILENAME !~ /attribute/
 }
 # The first comment of a file is of the file: this line is in the place of one that says nothing.

@@ -1,4 +1,4 @@
-(** The Z text of spec/*.tex, tablas.tex apart, in Coq, written by `durero spec export --coq` of its sections: change the
+(** The Z text of spec/*.tex, without tablas and malla, in Coq, written by `durero spec export --coq` of its sections: change the
     text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
@@ -118,7 +118,8 @@ Inductive Respuesta := | elemento_agregado | elemento_eliminado | esfera_agregad
   | tronco_agregado | plano_agregado | disco_agregado | triangulo_agregado | esfera_eliminada | cilindro_eliminado |
   cono_eliminado | tronco_eliminado | plano_eliminado | disco_eliminado | triangulo_eliminado | elemento_ya_existe |
   elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario | altura_no_positiva |
-  proporcion_no_positiva | vertices_alineados.
+  proporcion_no_positiva | vertices_alineados | malla_agregada | malla_eliminada | malla_reemplazada | vertice_movido
+  | malla_ya_existe | malla_no_existe | cara_incompleta | cara_sin_nombre | vertice_no_existe | es_de_malla.
 
 (** * escena.tex *)
 
@@ -618,6 +619,57 @@ Definition visible_lejos (s : Escena) (p : Punto) (l : Vector) (en : set Element
   /\ Vector_y (Rayo_v rayo) = Vector_y l /\ Vector_z (Rayo_v rayo) = Vector_z l
   /\ ~ occluded s rayo en. (* visible_lejos.def.1 *)
 
+Definition ante (s : Escena) (rayo : Rayo) (en : set Elemento) (e : Elemento) (punto : Punto) : Prop :=
+  e ∈ elementos s /\ punto ∈ alcance s rayo en e /\ exists t : R, t ∈ Rmas /\ t < 1
+  /\ Punto_x punto = Punto_x (Rayo_p rayo) + t * Vector_x (Rayo_v rayo)
+  /\ Punto_y punto = Punto_y (Rayo_p rayo) + t * Vector_y (Rayo_v rayo)
+  /\ Punto_z punto = Punto_z (Rayo_p rayo) + t * Vector_z (Rayo_v rayo). (* ante.def.1 *)
+
+Definition ante_lejos (s : Escena) (rayo : Rayo) (en : set Elemento) (e : Elemento) (punto : Punto) : Prop :=
+  e ∈ elementos s /\ punto ∈ alcance s rayo en e. (* ante_lejos.def.1 *)
+
+Definition enumerado (S : rel Elemento Punto) (n : R) (c : rel R (Elemento * Punto)) : Prop :=
+  n >= 0 /\ (forall i : R, i ∈ integers -> 0 <= i < n -> exists v1, (i, v1) ∈ c /\ v1 ∈ S)
+  /\ (forall i j : R, i ∈ integers -> j ∈ integers -> 0 <= i < j -> j < n -> exists v1 v2, (i, v1) ∈ c
+  /\ (j, v2) ∈ c /\ v1 <> v2) /\ forall a : Elemento * Punto, a ∈ S -> exists i : R, i ∈ integers /\ 0 <= i < n
+  /\ exists v1, (i, v1) ∈ c /\ v1 = a. (* enumerado.def.1 *)
+
+Definition atenuado (dada resto : rel R R) : Prop :=
+  (exists v1, (0, v1) ∈ resto /\ v1 = 1) /\ forall i : R, i ∈ integers -> i >= 0
+  -> exists v1 v2 v3, (i + 1, v1) ∈ resto /\ (i, v2) ∈ resto /\ (i, v3) ∈ dada /\ v1 = v2 * v3. (* atenuado.def.1 *)
+
+Definition transmitido (S : rel Elemento Punto) (paso : rel (Elemento * Punto) R) (k : R) : Prop :=
+  exists (n : R) (c : rel R (Elemento * Punto)) (dada resto : rel R R), n ∈ integers /\ c ∈ integers ⟶ univ
+  /\ dada ∈ integers ⟶ univ /\ resto ∈ integers ⟶ univ /\ enumerado S n c
+  /\ (forall i : R, i ∈ integers -> exists v1 v2 v3, (i, v1) ∈ dada /\ (i, v2) ∈ c /\ (v2, v3) ∈ paso /\ v1 = v3)
+  /\ atenuado dada resto /\ exists v1, (n, v1) ∈ resto /\ v1 = k. (* transmitido.def.1 *)
+
+Definition menguada (f : Fuente) (k : R) (g : Fuente) : Prop :=
+  Fuente_l g = Fuente_l f /\ Fuente_S g = k * Fuente_S f /\ Fuente_V g = Fuente_V f. (* menguada.def.1 *)
+
+Record Cono_de_Luz := mk_Cono_de_Luz {
+  Cono_de_Luz_eje : Vector;
+  Cono_de_Luz_pleno : R;
+  Cono_de_Luz_borde : R;
+  Cono_de_Luz_estrechez : R
+}.
+
+Record Cono_de_Luz_ok (s : Cono_de_Luz) : Prop := {
+  Cono_de_Luz_inv_1 : producto (Cono_de_Luz_eje s) (Cono_de_Luz_eje s) = 1; (* Cono_de_Luz.inv.1 *)
+  Cono_de_Luz_inv_2 : 0 < Cono_de_Luz_borde s /\ Cono_de_Luz_borde s <= Cono_de_Luz_pleno s
+    /\ Cono_de_Luz_pleno s <= 1; (* Cono_de_Luz.inv.2 *)
+  Cono_de_Luz_inv_3 : Cono_de_Luz_estrechez s ∈ Cantidad (* Cono_de_Luz.inv.3 *)
+}.
+
+Definition intensidad (c : Cono_de_Luz) (w : Vector) (k : R) : Prop :=
+  producto w w = 1 /\ (producto (Cono_de_Luz_eje c) w < Cono_de_Luz_borde c -> k = 0)
+  /\ (producto (Cono_de_Luz_eje c) w >= Cono_de_Luz_pleno c
+  -> k = elevado (producto (Cono_de_Luz_eje c) w) (Cono_de_Luz_estrechez c))
+  /\ (Cono_de_Luz_borde c <= producto (Cono_de_Luz_eje c) w /\ producto (Cono_de_Luz_eje c) w < Cono_de_Luz_pleno c
+  -> (exists x : R, x ∈ Parte /\ x * (Cono_de_Luz_pleno c - Cono_de_Luz_borde c) = producto (Cono_de_Luz_eje c) w
+  - Cono_de_Luz_borde c /\ k = elevado (producto (Cono_de_Luz_eje c) w) (Cono_de_Luz_estrechez c) * (x * x * (3
+  - 2 * x)))). (* intensidad.def.1 *)
+
 Definition normal_suave (a b c : Vector) (u v : R) (n : Vector) : Prop :=
   Vector_x n = (1 - u - v) * Vector_x a + u * Vector_x b + v * Vector_x c
   /\ Vector_y n = (1 - u - v) * Vector_y a + u * Vector_y b + v * Vector_y c
@@ -706,6 +758,37 @@ Definition visible_conj_1 : Prop :=
   forall (s : Escena) (p q : Punto) (l : Vector) (en : set Elemento), Escena_ok s
   -> Vector_x l = Punto_x q - Punto_x p -> Vector_y l = Punto_y q - Punto_y p -> Vector_z l = Punto_z q - Punto_z p
   -> visible_lejos s p l en -> visible s p q en. (* visible.conj.1 *)
+
+Definition ante_conj_1 : Prop :=
+  forall (s : Escena) (rayo : Rayo) (en : set Elemento), Escena_ok s -> rayo ∈ Rayo_ok
+  -> (occluded_segment s rayo en <-> (exists (e : Elemento) (punto : Punto), ante s rayo en e punto))
+  /\ (occluded s rayo en <-> (exists (e : Elemento) (punto : Punto), ante_lejos s rayo en e punto)). (* ante.conj.1 *)
+
+Definition transmitido_conj_1 : Prop :=
+  forall (S : rel Elemento Punto) (paso : rel (Elemento * Punto) R) (k j : R), paso ∈ univ ⟶ univ
+  -> transmitido S paso k -> transmitido S paso j -> k = j. (* transmitido.conj.1 *)
+
+Definition transmitido_conj_2 : Prop :=
+  forall (S : rel Elemento Punto) (paso : rel (Elemento * Punto) R) (k : R), paso ∈ univ ⟶ univ
+  -> transmitido S paso k -> (S ≡ ∅ -> k = 1)
+  /\ ((exists a : Elemento * Punto, a ∈ S /\ exists v1, (a, v1) ∈ paso /\ v1 = 0) -> k = 0). (* transmitido.conj.2 *)
+
+Definition transmitido_conj_3 : Prop :=
+  forall (S : rel Elemento Punto) (paso : rel (Elemento * Punto) R) (k : R), paso ∈ univ ⟶ Parte
+  -> transmitido S paso k -> k ∈ Parte. (* transmitido.conj.3 *)
+
+Definition menguada_conj_1 : Prop :=
+  forall (m : Material) (n v : Vector) (f g : Fuente) (k : R), m ∈ Material_ok -> f ∈ Fuente_ok -> g ∈ Fuente_ok
+  -> k ∈ Parte -> menguada f k g -> aportacion m n v g = k * aportacion m n v f. (* menguada.conj.1 *)
+
+Definition intensidad_conj_1 : Prop :=
+  forall (c : Cono_de_Luz) (w : Vector), c ∈ Cono_de_Luz_ok -> producto w w = 1
+  -> (exists! k : R, intensidad c w k) /\ forall k : R, intensidad c w k -> k ∈ Parte. (* intensidad.conj.1 *)
+
+Definition intensidad_conj_2 : Prop :=
+  forall (c : Cono_de_Luz) (w : Vector) (k : R), c ∈ Cono_de_Luz_ok -> intensidad c w k
+  -> (w = Cono_de_Luz_eje c -> k = 1) /\ (producto (Cono_de_Luz_eje c) w = Cono_de_Luz_borde c
+  /\ Cono_de_Luz_borde c < Cono_de_Luz_pleno c -> k = 0). (* intensidad.conj.2 *)
 
 Definition Material_conj_1 : Prop :=
   forall m n : Material, m ∈ Material_ok -> n ∈ Material_ok -> exists! razon : R, razon ∈ Rmas

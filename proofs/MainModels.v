@@ -1,5 +1,5 @@
-(** What is proved of the models beside the text, and nothing else: the executable oracle, the compact tables, and
-    acceleration, with the tests of its boxes in floating point. As in MainText.v, which has the names, each proof is a reference.
+(** What is proved of the models beside the text, and nothing else: the executable oracle, the compact tables,
+    acceleration, with the tests of its boxes in floating point, and scenes with meshes. As in MainText.v, which has the names, each proof is a reference.
 
     tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
 From Coq Require Import Reals List.
@@ -7,7 +7,7 @@ From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams.
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims Beside Watertight.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -343,3 +343,77 @@ Theorem a_beam_keeps_what_its_high_side_holds px py qx qy cx cy t x0 x1 y0 y1 b 
   Beams.side 53 1024 px b py + Beams.slack64 b X Y <= C -> Beams.side 53 1024 cx b cy + Beams.slack64 b X Y <= C ->
   Beams.side 53 1024 x0 b (Beams.far_corner b y0 y1) <= C.
 Proof. exact (Beams.high_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y C). Qed.
+
+(** * Scenes with meshes *)
+
+(** Of meshes, from spec/malla.tex, under any names of faces that are of one face each: a first scene exists; triangles of
+    different meshes have different names, and all are triangles of the scene; the operations are total; a mesh that was
+    added can be removed, which gives the scene before; to replace a mesh is to remove it and to add the other, and to move
+    a vertex is to replace the mesh by the moved one. *)
+Section Meshes.
+Variables (Elemento : Type) (nombre_cara : rel (Elemento * nat) Elemento).
+Hypothesis named : Malla.nombre_cara_def_1 Elemento nombre_cara.
+
+Theorem the_conjectures_of_meshes_hold :
+  Malla.Init_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.suyos_conj_1 Elemento nombre_cara
+  /\ Malla.de_malla_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Malla_Total_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Malla_Total_conj_1 Elemento nombre_cara
+  /\ Malla.Reemplazar_Malla_Total_conj_1 Elemento nombre_cara
+  /\ Malla.Mover_Vertice_Total_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Malla_conj_1 Elemento nombre_cara
+  /\ Malla.Reemplazar_Malla_conj_1 Elemento nombre_cara
+  /\ Malla.Mover_Vertice_conj_1 Elemento nombre_cara.
+Proof.
+  exact (conj (MeshClaims.a_first_scene_with_meshes_exists Elemento nombre_cara) (conj
+    (Meshes.different_meshes_have_different_names Elemento nombre_cara named) (conj
+    (Meshes.triangles_of_meshes_are_triangles Elemento nombre_cara) (conj (MeshClaims.adding_a_mesh_is_total Elemento
+    nombre_cara named) (conj (MeshClaims.removing_a_mesh_is_total Elemento nombre_cara named) (conj
+    (MeshClaims.replacing_a_mesh_is_total Elemento nombre_cara named) (conj (MeshClaims.moving_a_vertex_is_total
+    Elemento nombre_cara named) (conj (MeshClaims.adding_then_removing_a_mesh_is_the_identity Elemento nombre_cara
+    named) (conj (MeshClaims.replacing_is_removing_then_adding Elemento nombre_cara named)
+    (MeshClaims.moving_is_replacing_by_the_moved Elemento nombre_cara named)))))))))).
+Qed.
+
+(** And the operations of single elements are total beside meshes, which they leave as they are. *)
+Theorem single_elements_are_edited_beside_meshes :
+  Malla.Agregar_Esfera_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Cilindro_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Cono_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Tronco_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Plano_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Disco_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Triangulo_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Agregar_Elemento_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Esfera_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Cilindro_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Cono_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Tronco_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Plano_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Disco_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Triangulo_Mallas_conj_1 Elemento nombre_cara
+  /\ Malla.Eliminar_Elemento_Mallas_conj_1 Elemento nombre_cara.
+Proof.
+  exact (conj (Beside.Agregar_Esfera_Mallas_is_total Elemento nombre_cara) (conj
+    (Beside.Agregar_Cilindro_Mallas_is_total Elemento nombre_cara) (conj (Beside.Agregar_Cono_Mallas_is_total Elemento
+    nombre_cara) (conj (Beside.Agregar_Tronco_Mallas_is_total Elemento nombre_cara) (conj
+    (Beside.Agregar_Plano_Mallas_is_total Elemento nombre_cara) (conj (Beside.Agregar_Disco_Mallas_is_total Elemento
+    nombre_cara) (conj (Beside.Agregar_Triangulo_Mallas_is_total Elemento nombre_cara) (conj
+    (Beside.Agregar_Elemento_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Esfera_Mallas_is_total
+    Elemento nombre_cara) (conj (Beside.Eliminar_Cilindro_Mallas_is_total Elemento nombre_cara) (conj
+    (Beside.Eliminar_Cono_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Tronco_Mallas_is_total Elemento
+    nombre_cara) (conj (Beside.Eliminar_Plano_Mallas_is_total Elemento nombre_cara) (conj
+    (Beside.Eliminar_Disco_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Triangulo_Mallas_is_total
+    Elemento nombre_cara) (Beside.Eliminar_Elemento_Mallas_is_total Elemento nombre_cara)))))))))))))))).
+Qed.
+End Meshes.
+
+(** What makes a mesh watertight: an edge has one volume but for the sign, three signs decide what the line of a ray meets,
+    no line passes between two triangles that share an edge, and one that meets the one on that edge meets the other. *)
+Theorem no_line_passes_between_triangles_that_share_an_edge :
+  Malla.giro_conj_1 /\ Malla.giro_conj_2 /\ Malla.giro_conj_3 /\ Malla.giro_conj_4.
+Proof.
+  exact (conj Watertight.an_edge_turns_one_way (conj Watertight.three_signs_decide (conj Watertight.no_line_passes_between
+    Watertight.what_meets_the_edge_meets_both))).
+Qed.

@@ -19,6 +19,7 @@ From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Tipos Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve
   Iluminacion Power Luz Haces Distribuida Proyeccion Distancias Instancias Solidos.
+  Iluminacion Power Luz Sheets Haces Distribuida Proyeccion Distancias.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -512,4 +513,18 @@ Proof.
     Proyeccion.a_parallel_shadow_is_larger_by_the_heights (conj Proyeccion.in_its_very_direction_a_depth_map_is_right (conj
     Proyeccion.asked_beside_it_finds_a_plane_to_shadow_itself (conj Proyeccion.drawing_over_is_following_the_ray_straight_on
     (conj Proyeccion.without_own_colours_the_order_is_free Proyeccion.with_own_colours_the_order_counts)))))).
+Qed.
+
+(** Of the light that sheets let through, and of cones of light: there are both; what hides a light stands before it; no
+    order counts, nothing takes nothing, a stone takes all; a cone is full along its axis and ends without a step. *)
+Theorem the_conjectures_of_sheets_and_cones_hold (Elemento : Type) :
+  (exists (S : rel unit Punto) paso, paso ∈ univ ⟶ Parte /\ transmitido S paso (1 / 2)) /\ (exists c, c ∈ Cono_de_Luz_ok)
+  /\ ante_conj_1 Elemento /\ transmitido_conj_1 Elemento /\ transmitido_conj_2 Elemento /\ transmitido_conj_3 Elemento
+  /\ menguada_conj_1 /\ intensidad_conj_1 /\ intensidad_conj_2.
+Proof.
+  exact (conj Sheets.one_pane_lets_its_share_through (conj (ex_intro _ _ Sheets.a_cone_of_light) (conj
+    (Sheets.what_hides_a_light_stands_before_it Elemento) (conj (Sheets.what_is_let_through_has_no_order Elemento) (conj
+    (Sheets.nothing_takes_nothing_and_a_stone_takes_all Elemento) (conj (Sheets.of_shares_it_is_a_share Elemento) (conj
+    Sheets.of_a_share_of_a_light_its_share_is_sent_back (conj Sheets.a_cone_sends_one_share_each_way
+    Sheets.a_cone_is_full_along_its_axis_and_ends_without_a_step)))))))).
 Qed.

@@ -67,6 +67,9 @@ void add_depth_options(CLI::App& command, RenderOptions& options) {
       .add_option("--integrator", options.integrator,
                   "Whitted's algorithm, or paths: light that comes by way of all things; without it, whitted")
       ->check(one_of("integrator", words(render::integrator_names)));
+  command
+      .add_option("--shadows", options.shadows, "Glass hides a light as stone does, or colours it; without it, opaque")
+      ->check(one_of("rule of shadows", words(render::shadow_rule_names)));
   add_max_depth(command, options.max_depth);
   command
       .add_option("--min-weight", options.min_weight,
@@ -184,6 +187,10 @@ void check_together(const RenderOptions& options) {
          "--min-weight: of one integrator alone; expected --integrator whitted");
   refuse(options.wide.kind() != RayKind::lines && options.integrator == render::integrator_names[1],
          "--rays: of one integrator alone; expected --integrator whitted");
+  refuse(options.wide.kind() != RayKind::lines && options.shadows == render::shadow_rule_names[1],
+         "--shadows coloured: of rays that are lines alone; expected no --rays");
+  refuse(!options.with.empty() && options.shadows == render::shadow_rule_names[1],
+         "--shadows coloured: through elements of the program's own; expected no --with");
   check_together(options.wide, option_of_lines(options));
   if (options.preview || !options.samples) return;
   const double side = std::sqrt(*options.samples);
@@ -205,6 +212,7 @@ render::RenderSettings frame_of(const RenderOptions& options) {
   frame.max_depth = options.max_depth;
   frame.min_weight = options.min_weight.value_or(0);
   frame.integrator = value_of_name<render::Integrator>(render::integrator_names, options.integrator);
+  frame.shadows = value_of_name<render::ShadowRule>(render::shadow_rule_names, options.shadows);
   frame.samples.sampling = sampling_of(options);
   frame.samples.most = options.samples.value_or(options.is_statistical() ? statistical_samples : 1);
   frame.samples.seed = options.seed.value_or(0);
@@ -231,6 +239,7 @@ std::vector<render::Note> notes_of(const RenderOptions& options, const scene::St
   if (const auto& crop = frame.crop; crop && crop->size != size)
     call += fmt::format(" --crop {},{},{},{}", crop->x, crop->y, crop->size.width, crop->size.height);
   if (frame.integrator != render::Integrator{}) call += " --integrator " + options.integrator;
+  if (frame.shadows != render::ShadowRule{}) call += " --shadows " + options.shadows;
   call += fmt::format(" --max-depth {}", frame.max_depth.value_or(render::depth_of(stage, frame.integrator)));
   if (frame.min_weight > 0) call += fmt::format(" --min-weight {}", frame.min_weight);
   const render::Samples& samples = frame.samples;

@@ -20,7 +20,7 @@ namespace durero::cli {
 struct RenderOptions {
   std::string scene, out, size, crop;
   std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
-  std::string tone, sampling, integrator;
+  std::string tone, sampling, integrator, shadows;
   std::optional<std::uint32_t> samples, max_depth, seed;
   std::optional<double> min_weight, width, confidence;
   std::size_t threads = 0;

@@ -2,6 +2,9 @@
 // and never more.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/constants.hpp"
 #include "durero/oracle/samples.hpp"
@@ -39,6 +42,10 @@ TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing
   bounds.states = call.states;
   bounds.draws = 16 * call.states;
   if (!call.let.empty()) bounds.constants = oracle::spec::given_constants(text, call.let);
+  if (own)
+    for (auto& [name, value] : oracle::spec::sample_constants())
+      if (std::ranges::none_of(bounds.constants, [&](const auto& given) { return given.first == name; }))
+        bounds.constants.emplace_back(name, std::move(value));
   zed::Valuation taken;
   const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;

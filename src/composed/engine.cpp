@@ -22,6 +22,8 @@ using model::Resultado;
 using scene::ElementRef;
 using scene::Hit;
 using scene::Query;
+using surface::exact::ElementPoint;
+using surface::exact::RayStretch;
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
 
@@ -65,14 +67,17 @@ class Plain {
     return own;
   }
 
-  /// The elements where they stand in the whole scene.
+  /// @{ The elements where they stand in the whole scene.
+  ElementRef element(ElementRef own) const {
+    return own.tipo == scene::Sphere::tipo ? ElementRef{own.tipo, place_there_[own.index]} : own;
+  }
   scene::ElementSet elements(const scene::ElementSet& own) const {
     scene::ElementSet there = own;
-    for (ElementRef& e : there)
-      if (e.tipo == scene::Sphere::tipo) e.index = place_there_[e.index];
+    for (ElementRef& e : there) e = element(e);
     std::ranges::sort(there);
     return there;
   }
+  /// @}
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -231,6 +236,18 @@ class ComposedEngine final : public engine::Engine {
     });
   }
 
+  std::optional<std::vector<ElementPoint>> points_between(const scene::Scene& scene, const Query& query,
+                                                          RayStretch stretch,
+                                                          const surface::exact::Passes& passes) const override {
+    auto points = of_plain_->points_between(plain_.scene().scene, plain_.query(query), stretch,
+                                            [&](ElementRef e) { return passes(plain_.element(e)); });
+    if (!points) return std::nullopt;
+    for (ElementPoint& each : *points) each.element = plain_.element(each.element);
+    if (!add_points_of_bodies(query, stretch, passes, *points)) return std::nullopt;
+    std::ranges::stable_sort(*points, {}, [&](const ElementPoint& each) { return scene.name(each.element); });
+    return points;
+  }
+
   glm::dvec3 normal(const scene::Scene& scene, ElementRef element, const glm::dvec3& point) const override {
     return scene.body(element) == nullptr ? Engine::normal(scene, element, point) : bodies_[element].normal(point);
   }
@@ -246,6 +263,21 @@ class ComposedEngine final : public engine::Engine {
           return false;
         });
     return nearest.hit(exactly);
+  }
+
+  /// Adds the points of bodies on a stretch; false where a body passes no light, or the ray runs along one.
+  bool add_points_of_bodies(const Query& query, RayStretch stretch, const surface::exact::Passes& passes,
+                            std::vector<ElementPoint>& points) const {
+    const double limit = stretch == RayStretch::segment ? 1 : no_limit;
+    return !bodies_.any(
+        query, [&] { return limit; },
+        [&](ElementRef element, const Figure& figure, bool on) {
+          const auto met = figure.parameters(query.rayo, on, stretch);
+          if (!met || (!met->empty() && !passes(element))) return true;
+          for (const Parameter& t : *met)
+            points.push_back({element, surface::exact::rounded_hit(query.rayo, t, {}).punto});
+          return false;
+        });
   }
 
   /// The exact parameter of a hit of those elements; nothing where the engine does not answer exactly.

@@ -25,6 +25,11 @@ class Copy final : public Figure {
     return met.no_minimum || (met.t && surface::exact::order(*met.t, Parameter{.x = 1}) < 0);
   }
 
+  std::optional<std::vector<Parameter>> parameters(const model::Rayo& rayo, bool on,
+                                                   surface::exact::RayStretch stretch) const override {
+    return surface::exact::parameters_on(shape_.reach(rayo, on), stretch);
+  }
+
   bool may_meet(const model::Rayo& rayo, bool on) const override { return shape_.may_meet(rayo, on); }
 
   surface::Box box() const override { return shape_.box(); }

@@ -155,6 +155,20 @@ bool SolidFigure::hides(const model::Rayo& rayo, bool on) const {
   return met.no_minimum || (met.t && *met.t < Parameter{.x = 1});
 }
 
+std::optional<std::vector<Parameter>> SolidFigure::parameters(const model::Rayo& rayo, bool on,
+                                                              surface::exact::RayStretch stretch) const {
+  std::vector<Parameter> met;
+  bool runs_along = false;
+  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, Place here, Place after) {
+    const bool is_beyond = t != nullptr && !lies_on(stretch, *t);
+    runs_along = !is_beyond && after == Place::surface;
+    if (!is_beyond && t != nullptr && here == Place::surface) met.push_back(*t);
+    return is_beyond || runs_along;
+  });
+  if (runs_along) return std::nullopt;
+  return met;
+}
+
 // first() itself begins with the quick answer.
 bool SolidFigure::may_meet(const model::Rayo&, bool) const { return true; }
 

@@ -34,6 +34,11 @@ class LightBuffered final : public Engine {
       }
     });
   }
+  std::optional<std::vector<surface::exact::ElementPoint>> points_between(
+      const scene::Scene&, const scene::Query& query, surface::exact::RayStretch stretch,
+      const surface::exact::Passes& passes) const override {
+    return trace::points_between_among(buffer_.tables(), query, stretch, passes);
+  }
 
  private:
   accel::LightBuffer buffer_;

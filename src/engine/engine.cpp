@@ -67,6 +67,11 @@ class Analytic final : public Engine {
   void occluded_segments(std::span<const Query> queries, std::span<bool> occluded) const override {
     trace::occluded_segments(tables_, queries, occluded);
   }
+  std::optional<std::vector<surface::exact::ElementPoint>> points_between(
+      const scene::Scene&, const scene::Query& query, surface::exact::RayStretch stretch,
+      const surface::exact::Passes& passes) const override {
+    return trace::points_between_among(tables_, query, stretch, passes);
+  }
 
  private:
   trace::Tables tables_;
@@ -153,6 +158,12 @@ void Engine::first_elements(std::span<const Query> queries, std::span<trace::Fir
     first_hits(some, std::span(hits).first(some.size()));
     for (std::size_t i = 0; i < some.size(); ++i) elements[begin + i] = trace::first_element(hits[i]);
   }
+}
+
+std::optional<std::vector<surface::exact::ElementPoint>> Engine::points_between(
+    const Scene& scene, const Query& query, surface::exact::RayStretch stretch,
+    const surface::exact::Passes& passes) const {
+  return surface::exact::points_between(scene, query.rayo, query.en, stretch, passes);
 }
 
 glm::dvec3 Engine::normal(const Scene& scene, scene::ElementRef element, const glm::dvec3& point) const {

@@ -21,6 +21,11 @@ class Fast final : public Engine {
   void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
     trace::occluded_segments_in_lanes(tree_, queries, occluded);
   }
+  std::optional<std::vector<surface::exact::ElementPoint>> points_between(
+      const scene::Scene&, const scene::Query& query, surface::exact::RayStretch stretch,
+      const surface::exact::Passes& passes) const override {
+    return trace::points_between_among(tree_, query, stretch, passes);
+  }
 
  private:
   accel::WideBvh tree_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/container/vector.hpp>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,8 +62,27 @@ class Rescaled final : public Engine {
     }
   }
 
+  std::optional<std::vector<surface::exact::ElementPoint>> points_between(
+      const scene::Scene&, const scene::Query& query, surface::exact::RayStretch stretch,
+      const surface::exact::Passes& passes) const override {
+    const auto rayo = ray_in_unit(query.rayo, stretch);
+    if (!rayo) return surface::exact::points_between(scene_, query.rayo, query.en, stretch, passes);
+    const auto found = inner_.points_between(scaled_, {*rayo, query.en}, stretch, passes);
+    if (!found) return std::nullopt;
+    scene::ElementSet elements;
+    for (const surface::exact::ElementPoint& each : *found)
+      if (elements.empty() || elements.back() != each.element) elements.push_back(each.element);
+    return surface::exact::points_of(scene_, std::move(elements), query.rayo, query.en, stretch);
+  }
+
  private:
   static constexpr std::size_t at_a_time = 1 << 16;  // queries that are copied into the unit together
+
+  std::optional<model::Rayo> ray_in_unit(const model::Rayo& rayo, surface::exact::RayStretch stretch) const {
+    if (stretch == surface::exact::RayStretch::segment) return segment_in_unit(rayo, unit_);
+    const auto ray = in_unit(rayo, unit_);
+    return ray ? std::optional(ray->rayo) : std::nullopt;
+  }
 
   /// Calls take(number, answer, of_parameter) for the answers of ask(queries), and alone(number) for rays that are not
   /// exact in the unit.

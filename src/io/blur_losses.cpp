@@ -11,19 +11,43 @@
 
 namespace durero::io {
 
+namespace {
+
+/// A line of things that are left out, where there are some.
+struct LeftOut {
+  std::vector<std::string>& lost;
+  std::string fate;
+
+  void add(std::ptrdiff_t n, std::string_view one, std::string_view many) const {
+    add_loss(lost, static_cast<std::size_t>(n), one, many, fate);
+  }
+};
+
+LeftOut left_out(std::vector<std::string>& lost, std::string_view format) {
+  return {lost, fmt::format("left out: not written to {}", format)};
+}
+
+}  // namespace
+
+void add_motion_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format) {
+  const scene::Stage& stage = scene.stage();
+  const LeftOut out = left_out(lost, format);
+  out.add(stage.camera && stage.camera->shutter > 0, "shutter", "shutters");
+  const bool camera_moves = stage.camera && stage.camera->motion != glm::dvec3(0);
+  out.add(static_cast<std::ptrdiff_t>(scene::moving_elements(scene)) + camera_moves, "motion", "motions");
+  out.add(std::ranges::count_if(stage.materials, [](const auto& material) { return !std::isinf(material.gloss); }),
+          "gloss", "glosses");
+}
+
 void add_blur_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format) {
   const scene::Stage& stage = scene.stage();
-  const auto add = [&](std::ptrdiff_t n, std::string_view one, std::string_view many) {
-    add_loss(lost, static_cast<std::size_t>(n), one, many, fmt::format("left out: not written to {}", format));
-  };
-  add(stage.camera && stage.camera->aperture > 0, "lens", "lenses");
-  add(stage.camera && stage.camera->shutter > 0, "shutter", "shutters");
-  const bool camera_moves = stage.camera && stage.camera->motion != glm::dvec3(0);
-  add(static_cast<std::ptrdiff_t>(scene::moving_elements(scene)) + camera_moves, "motion", "motions");
-  add(std::ranges::count_if(stage.lights, [](const auto& light) { return !light.extent.is_point(); }),
-      "shape of a light", "shapes of lights");
-  add(std::ranges::count_if(stage.materials, [](const auto& material) { return !std::isinf(material.gloss); }), "gloss",
-      "glosses");
+  const LeftOut out = left_out(lost, format);
+  out.add(stage.camera && stage.camera->aperture > 0, "lens", "lenses");
+  out.add(std::ranges::count_if(stage.lights, [](const auto& light) { return !light.extent.is_point(); }),
+          "shape of a light", "shapes of lights");
+  out.add(std::ranges::count_if(stage.lights, [](const auto& light) { return light.cone.has_value(); }),
+          "cone of a light", "cones of lights");
+  add_motion_losses(lost, scene, format);
 }
 
 }  // namespace durero::io

@@ -1,5 +1,5 @@
 #pragma once
-/// The losses of what blurs a picture, where a format has no such thing.
+/// The losses of what lights and blurs a picture, where a format has no such thing.
 
 #include <string>
 #include <string_view>
@@ -9,8 +9,10 @@
 
 namespace durero::io {
 
-/// Adds a line for lens, shutter, motions, shapes of lights and glossy mirrors, of a scene that has them. `format` is
-/// the name of the other format.
+/// @{ Adds a line for lens, shapes and cones of lights, shutter, motions and glossy mirrors, of a scene that has them;
+/// or of the last three alone. `format` is the name of the other format.
 void add_blur_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format);
+void add_motion_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format);
+/// @}
 
 }  // namespace durero::io

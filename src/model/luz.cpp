@@ -61,10 +61,65 @@ bool visible_lejos(const Escena& escena, const Punto& p, const Vector& l, const 
   return sees(p, l, [&](const Rayo& rayo) { return occluded(escena, rayo, en); });
 }
 
+bool ante_lejos(const Escena& escena, const Rayo& rayo, const std::set<Elemento>& en, const Elemento& e,
+                const ExactPoint& punto) {
+  return escena.elementos.contains(e) && alcance(escena, rayo, en, e).puntos.contains(punto);
+}
+
+bool ante(const Escena& escena, const Rayo& rayo, const std::set<Elemento>& en, const Elemento& e,
+          const ExactPoint& punto) {
+  if (!ante_lejos(escena, rayo, en, e, punto)) return false;
+  // The point is p + t·v, and t < 1 exactly where its product with v is less than that of p + v.
+  const ExactDirection v{rayo.v().x(), rayo.v().y(), rayo.v().z()};
+  const ExactDirection way{punto.x - Surd(rayo.p().x()), punto.y - Surd(rayo.p().y()), punto.z - Surd(rayo.p().z())};
+  return producto(way, v) < producto(v, v);
+}
+
+std::optional<std::vector<Encuentro>> enumerado(const Escena& escena, const Rayo& rayo, const std::set<Elemento>& en,
+                                                bool segment) {
+  std::vector<Encuentro> all;
+  for (const Elemento& e : escena.elementos) {
+    const Parameters there = alcance(escena, rayo, en, e).parameters;
+    if (there.interval && (!segment || there.any_below(1))) return std::nullopt;
+    for (const Surd& t : there.points)
+      if (!segment || t < Surd(1)) all.push_back({e, along(ExactPoint(rayo.p()), ExactVector(rayo.v()), t)});
+  }
+  return all;
+}
+
+std::vector<Rational> atenuado(std::span<const Rational> dada) {
+  std::vector<Rational> resto{1};
+  for (const Rational& each : dada) resto.push_back(resto.back() * each);
+  return resto;
+}
+
+Rational transmitido(std::span<const Encuentro> c, const std::function<Rational(const Encuentro&)>& paso) {
+  std::vector<Rational> dada;
+  for (const Encuentro& each : c) dada.push_back(paso(each));
+  return atenuado(dada).back();
+}
+
+Fuente menguada(const Fuente& f, const Rational& k) { return {f.l, k * f.S, f.V}; }
+
 ExactDirection normal_suave(const ExactDirection& a, const ExactDirection& b, const ExactDirection& c, const Surd& u,
                             const Surd& v) {
   const Surd first = Surd(1) - u - v;
   return {first * a.x + u * b.x + v * c.x, first * a.y + u * b.y + v * c.y, first * a.z + u * b.z + v * c.z};
+}
+
+Judgements inv(const Cono_de_Luz& c) {
+  return {{&Cono_de_Luz_inv_1, producto(c.eje, c.eje) == 1},
+          {&Cono_de_Luz_inv_2, 0 < c.borde && c.borde <= c.pleno && c.pleno <= 1},
+          {&Cono_de_Luz_inv_3, Cantidad::contains(c.estrechez).holds}};
+}
+
+Surd intensidad(const Cono_de_Luz& c, const ExactDirection& w) {
+  const Surd cosine = producto(c.eje, w);
+  if (cosine < Surd(c.borde)) return 0;
+  const Surd narrowed = elevado(cosine, c.estrechez);
+  if (cosine >= Surd(c.pleno)) return narrowed;
+  const Surd x = (cosine - Surd(c.borde)) * Surd(1 / (c.pleno - c.borde));
+  return narrowed * (x * x * (Surd(3) - Surd(2) * x));
 }
 
 Surd especular(const ExactDirection& l, const ExactDirection& n, const ExactDirection& v) {

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 
+#include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
@@ -75,10 +76,50 @@ EditedTables tables() {
   return found;
 }
 
+/// A square of two faces, its points alone, a face with a corner twice, and one that names a point that there is not.
+std::vector<Red> nets() {
+  const std::vector<Punto> square{origin, Punto(2, 0, 0), Punto(2, 2, 0), Punto(0, 2, 0)};
+  return {Red::of(square, {{0, 1, 2}, {0, 2, 3}}), Red::of(square, {}), Red::of(square, {{0, 1, 1}}),
+          Red::of(square, {{0, 1, 4}})};
+}
+
+/// The meshes whose faces have names.
+std::set<Elemento> mesh_names() { return {Elemento("a"), Elemento("e1"), Elemento("e2")}; }
+
+/// Scenes with meshes: none, one, two and some beside other elements, and one whose vertex was moved.
+std::vector<zed::Value> scenes_with_meshes() {
+  Mallas s = Init_Mallas();
+  std::vector<zed::Value> found;
+  const auto keep = [&] { found.push_back(binding(components(s))); };
+  keep();
+  const std::vector<Red> some = nets();
+  for (const MeshOperation& edit :
+       std::vector<MeshOperation>{Agregar_Malla{Elemento("a"), some[0]}, Agregar_Malla{Elemento("e1"), some[1]},
+                                  Mover_Vertice{Elemento("a"), 2, Punto(2, 2, 1)},
+                                  Reemplazar_Malla{Elemento("e1"), some[0]}, Eliminar_Malla{Elemento("a")}}) {
+    apply(s, edit);
+    keep();
+  }
+  apply_total(s, Agregar_Esfera{Elemento("e1"), origin, 1});
+  apply_total(s, Agregar_Triangulo{Elemento("a:0"), Terna{origin, aside, far_point}});
+  keep();
+  return found;
+}
+
+/// Pairs of triangles that share an edge across the third axis, or beside it: flat, and folded.
+std::vector<zed::Value> neighbours() {
+  const Punto left(-2, 0, 5), right(2, 0, 5), front(0, -3, 5), back(0, 3, 5), raised(0, 3, 7);
+  const auto pair = [](const Punto& a, const Punto& b, const Punto& c, const Punto& d) {
+    return zed::Value::pair(value(Terna{a, b, c}), value(Terna{b, a, d}));
+  };
+  return {pair(left, right, back, front), pair(right, left, front, raised), pair(front, back, left, right),
+          pair(aside, right, back, front)};
+}
+
 std::vector<zed::Value> names() {
   std::vector<zed::Value> found;
   for (int i = 1; i <= 9; ++i) found.push_back(value(Elemento("e" + std::to_string(i))));
-  found.push_back(value(Elemento("a")));
+  for (const char* each : {"a", "a:0", "e1:1"}) found.push_back(value(Elemento(each)));
   return found;
 }
 
@@ -176,6 +217,9 @@ zed::Samples samples() {
   EditedTables of_edits = tables();
   return {
       {"Escena", scenes()},
+      {"Mallas", scenes_with_meshes()},
+      {"Red", values(nets())},
+      {"Vecinos", neighbours()},
       {"Init_Tablas", {of_edits.alone.front()}},
       {"Tablas", std::move(of_edits.alone)},
       {"Retrieve", std::move(of_edits.with_scene)},
@@ -196,5 +240,7 @@ zed::Samples samples() {
       {"Ventana", windows()},
   };
 }
+
+zed::Valuation sample_constants() { return {{{"nombre_cara", ""}, names_of_faces(mesh_names(), 2)}}; }
 
 }  // namespace durero::oracle::spec

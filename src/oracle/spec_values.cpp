@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/spec.hpp"
 #include "durero/scene/tablas.hpp"
@@ -90,6 +91,26 @@ std::vector<Value> values_of(Named parts) {
   return values;
 }
 
+/// A component that is a function of numbers.
+template <class Image>
+Value numbered(const std::map<model::Ordinal, Image>& pairs) {
+  std::vector<Value> members;
+  members.reserve(pairs.size());
+  for (const auto& [n, image] : pairs) members.push_back(Value::pair(number(n), value(image)));
+  return Value::set(std::move(members));
+}
+
+template <class Op>
+Named inputs_of_mesh(const Op& in) {
+  Named named{{input("m"), value(in.m)}};
+  if constexpr (requires { in.red; }) named.emplace_back(input("red"), value(in.red));
+  if constexpr (requires { in.punto; }) {
+    named.emplace_back(input("n"), number(in.n));
+    named.emplace_back(input("punto"), value(in.punto));
+  }
+  return named;
+}
+
 template <class Op>
 Named inputs_of(const Op& in) {
   Named named{{input("e"), value(in.e)}};
@@ -163,6 +184,34 @@ Value value(const model::Escena& escena) {
   return Value::binding(names, values_of(std::move(parts)));
 }
 
+Value value(const model::Cara& c) {
+  static const zed::Signature names = zed::signature({{"i", ""}, {"j", ""}, {"k", ""}});
+  return Value::binding(names, {number(c.i), number(c.j), number(c.k)});
+}
+
+Value value(const model::Red& red) {
+  static const zed::Signature names = zed::signature({{"caras", ""}, {"puntos", ""}});
+  return Value::binding(names, {numbered(red.caras()), numbered(red.puntos())});
+}
+
+Named components(const model::Mallas& s) {
+  std::vector<Value> members;
+  members.reserve(s.mallas.size());
+  for (const auto& [m, malla] : s.mallas) members.push_back(Value::pair(value(m), value(malla.red())));
+  Named named = components(s.escena);
+  named.emplace_back(Name{"mallas", ""}, Value::set(std::move(members)));
+  return named;
+}
+
+Value names_of_faces(const std::set<model::Elemento>& meshes, model::Ordinal count) {
+  std::vector<Value> members;
+  for (const model::Elemento& m : meshes)
+    for (model::Ordinal n = 0; n < count; ++n)
+      if (const auto name = model::nombre_cara(m, n))
+        members.push_back(Value::pair(Value::pair(value(m), number(n)), value(*name)));
+  return Value::set(std::move(members));
+}
+
 Value value(scene::ElementRef place) { return Value::pair(value(place.tipo), number(place.index)); }
 
 Named components(const scene::Tablas& tables) {
@@ -181,6 +230,10 @@ Named components(const scene::Tablas& tables) {
     named.emplace_back(Name{std::string(column.word), ""}, function(tables.*column.values, name_value, of_each));
   });
   return named;
+}
+
+Named inputs(const model::MeshOperation& operation) {
+  return std::visit([](const auto& in) { return inputs_of_mesh(in); }, operation);
 }
 
 Named inputs(const model::Operation& operation) {

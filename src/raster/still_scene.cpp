@@ -16,6 +16,8 @@ const scene::Camera& still_camera(const scene::Scene& scene) {
   const auto has_extent = [](const scene::Light& light) { return !light.extent.is_point(); };
   if (std::ranges::any_of(stage.lights, has_extent))
     throw std::domain_error("a light has an extent; expected point lights and directions");
+  if (std::ranges::any_of(stage.lights, [](const scene::Light& light) { return light.cone.has_value(); }))
+    throw std::domain_error("a light shines into a cone; expected lights that shine all around");
   return *stage.camera;
 }
 

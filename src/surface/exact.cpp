@@ -75,6 +75,30 @@ bool occluded_segment(const scene::Scene& scene, const model::Rayo& rayo, Origin
   });
 }
 
+std::optional<std::vector<ElementPoint>> points_of(const scene::Scene& scene, scene::ElementSet elements,
+                                                   const model::Rayo& rayo, Origin en, RayStretch stretch) {
+  std::ranges::sort(elements, {}, [&](scene::ElementRef e) { return scene.name(e); });
+  std::vector<ElementPoint> points;
+  for (const scene::ElementRef e : elements) {
+    const auto found = parameters_on(reach(scene, e, rayo, en), stretch);
+    if (!found) return std::nullopt;
+    for (const Parameter& t : *found) points.push_back({e, rounded_hit(rayo, t, {}).punto});
+  }
+  return points;
+}
+
+std::optional<std::vector<ElementPoint>> points_between(const scene::Scene& scene, const model::Rayo& rayo, Origin en,
+                                                        RayStretch stretch, const Passes& passes) {
+  scene::ElementSet met;
+  const bool is_dark = scene.any_of([&](scene::ElementRef e, const auto&) {
+    const Reach found = reach(scene, e, rayo, en);
+    if (found.empty() || !(found.no_minimum() || lies_on(stretch, found.first()))) return false;
+    met.push_back(e);
+    return !passes(e);
+  });
+  return is_dark ? std::nullopt : points_of(scene, std::move(met), rayo, en, stretch);
+}
+
 std::vector<Crossing> all_hits(const scene::Scene& scene, const model::Rayo& rayo, Origin en) {
   std::vector<Crossing> crossings;
   scene.for_each([&](scene::ElementRef e, const auto&) {

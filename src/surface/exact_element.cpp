@@ -175,4 +175,16 @@ Reach reach(const Coefficients& f) {
   return result;
 }
 
+bool lies_on(RayStretch stretch, const Parameter& t) {
+  return stretch == RayStretch::whole || order(t, Parameter{.x = 1}) < 0;
+}
+
+std::optional<std::vector<Parameter>> parameters_on(const Reach& found, RayStretch stretch) {
+  if (found.segment && (found.no_minimum() || lies_on(stretch, *found.segment->begin))) return std::nullopt;
+  std::vector<Parameter> on;
+  for (const Parameter& t : found.points())
+    if (lies_on(stretch, t)) on.push_back(t);
+  return on;
+}
+
 }  // namespace durero::surface::exact

@@ -186,6 +186,27 @@ has path.png '--integrator path --max-depth 1000 --sampling net --samples 1'
 refused 'render: --seed -1: ' render blurred.json -o new.png --seed -1
 absent new.png
 
+# Shadows of glass: the text's without a word, and others by a word, which the note keeps.
+sed -e 's/"materials":{/"materials":{"pane":{"color":[0,0,0],"k_d":0,"k_t":0.9,"M_T":[1,0.5,0.25]},/' \
+  -e 's/"elementos":\[/"elementos":[{"id":"pane-1","tipo":"plano","centro":[0,7,0],"vector":[0,1,0],"material":"pane"},/' \
+  scene.json >pane.json
+run 0 render pane.json -o one.png
+run 0 render pane.json -o three.png --shadows opaque
+same one.png three.png
+run 0 render pane.json -o other.png --shadows coloured --threads 1
+run 0 render pane.json -o three.png --shadows coloured --threads 3 --engine exact
+same other.png three.png
+has other.png '--shadows coloured'
+checks=$((checks + 1))
+cmp -s one.png other.png && fail 'coloured shadows draw no other picture'
+refused 'render: --shadows grey: no such rule of shadows; expected one of opaque, coloured' \
+  render scene.json -o new.png --shadows grey
+refused '--shadows coloured: of rays that are lines alone; expected no --rays' \
+  render scene.json -o new.png --shadows coloured --rays cones
+refused "--shadows coloured: through elements of the program's own; expected no --with" \
+  render scene.json -o new.png --shadows coloured --with torus.tex
+absent new.png
+
 # A preview: k passes are the same picture whenever it ends, the file is whole at any time, and an interrupted one is kept.
 run 0 render scene.json -o first.png --preview --samples 1
 is out '1 pass'

@@ -2,6 +2,7 @@
 #include "durero/composed/engine.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 
 #include "durero/conform/families/families.hpp"
@@ -81,6 +82,19 @@ scene::Query in(const scene::Scene& there, const scene::Scene& here, const scene
   return moved;
 }
 
+/// The points that stand before a light, elements by their names; nothing where one of them passes none.
+using Between = std::optional<std::vector<std::pair<std::string, glm::dvec3>>>;
+
+Between between(const engine::Engine& engine, const scene::Scene& scene, const scene::Query& query,
+                surface::exact::RayStretch stretch, std::string_view opaque) {
+  const auto points =
+      engine.points_between(scene, query, stretch, [&](scene::ElementRef e) { return scene.name(e).name() != opaque; });
+  if (!points) return std::nullopt;
+  std::vector<std::pair<std::string, glm::dvec3>> named;
+  for (const auto& [element, point] : *points) named.emplace_back(scene.name(element).name(), point);
+  return named;
+}
+
 void check_same(const scene::Scene& plain, const std::vector<scene::Query>& rays, std::size_t one_of) {
   const scene::Scene scene = with_instances(plain, one_of);
   const auto expected = row("exact").prepare(plain);
@@ -91,6 +105,10 @@ void check_same(const scene::Scene& plain, const std::vector<scene::Query>& rays
   for (std::size_t i = 0; i < rays.size(); ++i) {
     REQUIRE(said(scene, hits[i]) == said(plain, engine::first_hit(*expected, rays[i])));
     REQUIRE(engine::occluded_segment(*engine, queries[i]) == engine::occluded_segment(*expected, rays[i]));
+    for (const auto stretch : {surface::exact::RayStretch::segment, surface::exact::RayStretch::whole})
+      for (const std::string_view opaque : {"", "a"})
+        REQUIRE(between(*engine, scene, queries[i], stretch, opaque) ==
+                between(*expected, plain, rays[i], stretch, opaque));
   }
 }
 

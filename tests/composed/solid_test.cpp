@@ -147,6 +147,26 @@ TEST_CASE("balls that touch: a point of the surface of the union, and all of the
   CHECK(first_t(joined(Operation::intersected, balls), ray({1, -2, 0}, {0, 1, 0})) == 2);
 }
 
+TEST_CASE("all points on a stretch: of a union those outside, and none where the ray runs along a face") {
+  using surface::exact::RayStretch;
+  const auto all = [](const scene::Body& body, const Rayo& rayo, RayStretch stretch) -> std::optional<Ends> {
+    const auto met = SolidFigure(solid_of(body)).parameters(rayo, false, stretch);
+    if (!met) return std::nullopt;
+    Ends t;
+    for (const auto& each : *met) t.push_back(number::round_to_binary64(each));
+    return t;
+  };
+  const scene::Body two = joined(Operation::united, {sphere({0, 0, 0}, 1), sphere({1, 0, 0}, 1)});
+  CHECK(all(two, ray({-3, 0, 0}, {1, 0, 0}), RayStretch::whole) == Ends{2, 5});
+  CHECK(all(two, ray({-3, 0, 0}, {1, 0, 0}), RayStretch::segment) == Ends{});
+  CHECK(all(two, ray({-3, 0, 0}, {4, 0, 0}), RayStretch::segment) == Ends{0.5});
+  CHECK(all(two, ray({-3, 0, 0}, {5, 0, 0}), RayStretch::segment) == Ends{0.4});
+  const scene::Body cube = box({0, 0, 0}, {1, 1, 1});
+  CHECK(all(cube, ray({-1, 0.5, 1}, {1, 0, 0}), RayStretch::whole) == std::nullopt);
+  CHECK(all(cube, ray({-1, 0.5, 1}, {1, 0, 0}), RayStretch::segment) == Ends{});
+  CHECK(all(cube, ray({0.5, 0.5, 1}, {1, 0, 0}), RayStretch::segment) == std::nullopt);
+}
+
 TEST_CASE("a ray in a face: its edge is first; from the face on there is no first point") {
   const scene::Body cube = box({0, 0, 0}, {1, 1, 1});
   CHECK(first_t(cube, ray({-1, 0.5, 0}, {1, 0, 0})) == 1);

@@ -141,3 +141,12 @@ TEST_CASE("on rays along the axes, in the planes of boxes, and through their cor
       }
   check_same(scene, queries, "the lattice");
 }
+
+TEST_CASE("what stands before a light is the same by exact arithmetic and by closed forms") {
+  for (std::uint64_t seed = 1; seed <= fewer_when_sanitized(20); ++seed) {
+    Random random(seed);
+    const scene::Scene scene = random_scene(random, 30);
+    check_same_between(scene, *engine::find("analytic")->prepare(scene), *engine::find("exact")->prepare(scene),
+                       random_queries(scene, random, 40), "analytic, seed " + std::to_string(seed));
+  }
+}

@@ -104,7 +104,12 @@ inline void set_any_stage(scene::Stage& stage) {
   }
   if (flip()) stage.resolution = {*rc::gen::inRange(1U, 65536U), *rc::gen::inRange(1U, 65536U)};
   if (flip()) stage.background = any_share() * 3.0;
-  for (int n = *rc::gen::inRange(0, 3); n > 0; --n) stage.lights.push_back({any_triple(), any_share() * 1e10});
+  for (int n = *rc::gen::inRange(0, 3); n > 0; --n) {
+    scene::Light& light = stage.lights.emplace_back(any_triple(), any_share() * 1e10);
+    if (*rc::gen::arbitrary<bool>())
+      light.cone = {.towards = light.position + glm::dvec3(0, 1, 2), .inner = *rc::gen::inRange(0, 40) / 2.0};
+    if (light.cone && light.cone->towards == light.position) light.cone.reset();  // where the sum is rounded
+  }
   for (int n = *rc::gen::inRange(0, 3); n > 0; --n) {
     const glm::dvec3 direction = any_triple();
     stage.directional_lights.push_back({direction == glm::dvec3{} ? glm::dvec3{0, 0, 1} : direction, any_share()});

@@ -138,6 +138,95 @@ TEST_CASE("visible_lejos.def.1: of a light without end, an element at any distan
   CHECK(visible(escena, {0, 0, 0}, {0, 0, 1}, {}));
 }
 
+TEST_CASE("ante.def.1 and ante_lejos.def.1: an element stands between in each of its points before the light") {
+  Escena escena = Init();
+  apply(escena, Agregar_Esfera{esfera, {0, 0, 5}, 1});
+  const Rayo beyond({0, 0, 0}, {0, 0, 7}), within({0, 0, 0}, {0, 0, 5}), at({0, 0, 0}, {0, 0, 4});
+  const ExactPoint near{0, 0, 4}, far{0, 0, 6};
+  CHECK(ante(escena, beyond, {}, esfera, near));
+  CHECK(ante(escena, beyond, {}, esfera, far));
+  CHECK(ante(escena, within, {}, esfera, near));
+  CHECK_FALSE(ante(escena, within, {}, esfera, far));
+  CHECK_FALSE(ante(escena, at, {}, esfera, near));  // the light is in the very point
+  CHECK(ante_lejos(escena, at, {}, esfera, near));
+  CHECK(ante_lejos(escena, at, {}, esfera, far));
+  CHECK_FALSE(ante_lejos(escena, at, {}, esfera, {0, 0, 5}));
+  CHECK_FALSE(ante_lejos(escena, at, {}, Elemento("other"), near));
+}
+
+TEST_CASE("enumerado.def.1: each point once, from a start on an element its other one, and none along a surface") {
+  Escena escena = Init();
+  apply(escena, Agregar_Esfera{esfera, {0, 0, 5}, 1});
+  apply(escena, Agregar_Plano{Elemento("wall"), {0, 0, 6}, {0, 0, 1}});
+  const Rayo rayo({0, 0, 0}, {0, 0, 7});
+  const auto all = enumerado(escena, rayo, {}, true);
+  REQUIRE(all);
+  REQUIRE(all->size() == 3);
+  for (const Encuentro& each : *all) CHECK(ante(escena, rayo, {}, each.e, each.punto));
+  CHECK(enumerado(escena, {{0, 0, 0}, {0, 0, 6}}, {}, true)->size() == 1);
+  CHECK(enumerado(escena, {{0, 0, 0}, {0, 0, 6}}, {}, false)->size() == 3);
+  CHECK(enumerado(escena, {{0, 0, 4}, {0, 0, 9}}, {esfera}, true)->size() == 2);
+  CHECK_FALSE(enumerado(escena, {{0, 0, 6}, {1, 0, 0}}, {}, true));
+  Escena tall = Init();
+  apply(tall, Agregar_Cilindro{Elemento("tube"), {0, 0, 5}, 1, {0, 0, 1}, 2});
+  CHECK(enumerado(tall, {{1, 0, 0}, {0, 0, 5}}, {}, true)->empty());  // it runs along the tube beyond the light
+  CHECK_FALSE(enumerado(tall, {{1, 0, 0}, {0, 0, 6}}, {}, true));
+  CHECK_FALSE(enumerado(tall, {{1, 0, 0}, {0, 0, 5}}, {}, false));
+}
+
+TEST_CASE("atenuado.def.1 and transmitido.def.1: all that stands between takes its share, in any order") {
+  const std::vector<Rational> shares{part(1, 2), part(2, 3), part(3, 4)};
+  CHECK(atenuado(shares) == std::vector<Rational>{1, part(1, 2), part(1, 3), part(1, 4)});
+  CHECK(atenuado({}) == std::vector<Rational>{1});
+  Escena escena = Init();
+  apply(escena, Agregar_Esfera{esfera, {0, 0, 5}, 1});
+  apply(escena, Agregar_Plano{Elemento("wall"), {0, 0, 8}, {0, 0, 1}});
+  const auto passes = [&](const Encuentro& each) { return each.e == esfera ? part(2, 3) : part(1, 5); };
+  CHECK(transmitido(*enumerado(escena, {{0, 0, 0}, {0, 0, 9}}, {}, true), passes) == part(4, 45));
+  CHECK(transmitido(*enumerado(escena, {{0, 0, 0}, {0, 0, 7}}, {}, true), passes) == part(4, 9));
+  CHECK(transmitido(*enumerado(escena, {{0, 0, 0}, {0, 0, 5}}, {}, true), passes) == part(2, 3));
+  CHECK(transmitido({}, passes) == 1);
+}
+
+TEST_CASE("menguada.def.1: the share of a light, from the same direction") {
+  const Fuente left = menguada({slanted, 3, 1}, part(1, 4));
+  CHECK(left.l == slanted);
+  CHECK(left.S == part(3, 4));
+  CHECK(left.V == 1);
+}
+
+TEST_CASE("Cono_de_Luz.inv.1, Cono_de_Luz.inv.2, Cono_de_Luz.inv.3: each is broken alone") {
+  using Labels = std::vector<std::string_view>;
+  const Cono_de_Luz cone{up, part(4, 5), part(3, 5), 2};
+  const auto with = [&](auto component, auto value) {
+    Cono_de_Luz other = cone;
+    other.*component = value;
+    return broken(inv(other));
+  };
+  CHECK(broken(inv(cone)).empty());
+  CHECK(with(&Cono_de_Luz::eje, ExactDirection{0, 0, 2}) == Labels{"Cono_de_Luz.inv.1"});
+  CHECK(with(&Cono_de_Luz::pleno, part(3, 5)).empty());
+  CHECK(with(&Cono_de_Luz::pleno, Rational(1)).empty());
+  CHECK(with(&Cono_de_Luz::pleno, Rational(1 + little)) == Labels{"Cono_de_Luz.inv.2"});
+  CHECK(with(&Cono_de_Luz::pleno, part(3, 5) - little) == Labels{"Cono_de_Luz.inv.2"});
+  CHECK(with(&Cono_de_Luz::borde, Rational(0)) == Labels{"Cono_de_Luz.inv.2"});
+  CHECK(with(&Cono_de_Luz::estrechez, Rational(0)).empty());
+  CHECK(with(&Cono_de_Luz::estrechez, Rational(-little)) == Labels{"Cono_de_Luz.inv.3"});
+}
+
+TEST_CASE("intensidad.def.1: full within, nothing without, smooth between, and narrowed by a power") {
+  const Cono_de_Luz cone{up, part(9, 10), part(3, 5), 0}, narrowed{up, part(9, 10), part(3, 5), 2};
+  CHECK(intensidad(cone, up) == 1);
+  CHECK(intensidad(cone, {part(3, 5), part(4, 5), 0}) == 0);
+  CHECK(intensidad(cone, {part(4, 5), 0, part(3, 5)}) == 0);
+  // x = (4/5 − 3/5)/(9/10 − 3/5) = 2/3, and x²(3 − 2x) = 20/27
+  CHECK(intensidad(cone, slanted) == Surd(part(20, 27)));
+  CHECK(intensidad(narrowed, slanted) == Surd(part(16, 25) * part(20, 27)));
+  const Cono_de_Luz sharp{up, part(4, 5), part(4, 5), 3};
+  CHECK(intensidad(sharp, slanted) == Surd(part(64, 125)));  // without a way between, it is full at the edge
+  CHECK(intensidad(sharp, {part(4, 5), 0, part(3, 5)}) == 0);
+}
+
 TEST_CASE("normal_suave.def.1: the corner's own at a corner, and between them the shares of each") {
   const ExactDirection a{1, 0, 2}, b{0, 3, 1}, c{part(1, 2), part(-1, 2), 4};
   CHECK(normal_suave(a, b, c, 0, 0) == a);

@@ -12,10 +12,9 @@ using namespace durero::oracle;
 
 TEST_CASE("the samples are states of the text") {
   const zed::Samples samples = spec::samples();
-  const spec::Judge judge;
-  const zed::Evaluator& text = judge.evaluator();
+  const zed::Evaluator text(spec::text().sections, spec::sample_constants());
   for (const char* set : {"Escena", "Tablas", "Retrieve", "Rayo", "Punto", "Vector", "Terna", "Rmas", "Parte",
-                          "Cantidad", "Material", "conserva", "Fuente", "Ventana"})
+                          "Cantidad", "Material", "conserva", "Fuente", "Ventana", "Mallas", "Red", "Vecinos"})
     for (const zed::Value& each : samples.at(set)) {
       INFO(set << ": " << each.text());
       CHECK(text.contains(text.value(zed::Name{set, ""}), each) == zed::Truth::yes);
@@ -24,8 +23,9 @@ TEST_CASE("the samples are states of the text") {
 
 /// The conjectures that cannot be tried: of a function on all whole numbers, or on all ways of light, the evaluator
 /// cannot say that it is one; a ray whose direction may have any length is not determined, nor is what is nearest of
-/// all points of an element; and equations that tell a draw, a lens, a pencil, a beam or a shadow have no value among
-/// those drawn.
+/// all points of an element; equations that tell a draw, a lens, a pencil, a beam or a shadow have no value among
+/// those drawn, nor do those that tell a moved mesh; and the state in the middle of a composition is not determined.
+/// What these three say of meshes, model/malla_test tries.
 bool beyond_trial(const std::string& label) {
   static const char* const families[] = {"acumulado.",
                                          "aplicado.",
@@ -33,16 +33,19 @@ bool beyond_trial(const std::string& label) {
                                          "circulo_de_confusion.",
                                          "con_signo.",
                                          "de_luz_extensa.",
+                                         "Eliminar_Malla.conj.1",
                                          "haz.",
                                          "iluminada.",
                                          "mas_cercano.",
                                          "media.conj.1",
                                          "media.conj.2",
                                          "mezcla.conj.3",
+                                         "Mover_Vertice.conj.1",
                                          "oscura.",
                                          "rayo_de_lente.conj.1",
                                          "rayo_de_pixel.",
                                          "refraccion_paraxial.conj.1",
+                                         "Reemplazar_Malla.conj.1",
                                          "repartida.conj.1",
                                          "ruleta.conj.1",
                                          "traslado.conj.1",
@@ -52,9 +55,9 @@ bool beyond_trial(const std::string& label) {
 }
 
 TEST_CASE("no conjecture of the text is false on the samples, and each is tried that can be") {
-  const auto trials =
-      zed::try_conjectures(spec::text(), zed::check(spec::text()), spec::samples(), {.states = 8, .draws = 128});
-  CHECK(trials.size() == 122);
+  const auto trials = zed::try_conjectures(spec::text(), zed::check(spec::text()), spec::samples(),
+                                           {.states = 8, .draws = 128, .constants = spec::sample_constants()});
+  CHECK(trials.size() == 152);
   for (const zed::Trial& trial : trials) {
     INFO(trial.label);
     CHECK(trial.counterexample.empty());

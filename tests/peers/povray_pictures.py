@@ -25,7 +25,7 @@ from png import png_pixels  # noqa: E402
 OFF, FEW = 2, 0.01
 FEW_READ = 0.001  # of a text without reliefs, of which one cap of a solid is 0.9 %
 WIDTH = 320
-SCENES = ["demo/mirrors.json", "demo/still-life.json", "demo/gallery/whitted.json", "demo/gallery/everything.json", "tests/peers/worn.json", "tests/peers/relief.json", "demo/gallery/solids.json", "tests/peers/unions.pov", "tests/peers/solids.pov"]
+SCENES = ["demo/mirrors.json", "demo/still-life.json", "demo/gallery/whitted.json", "demo/gallery/everything.json", "tests/peers/worn.json", "tests/peers/spots.json", "tests/peers/relief.json", "demo/gallery/solids.json", "tests/peers/unions.pov", "tests/peers/solids.pov"]
 
 
 def drawn(durero, scene, folder):

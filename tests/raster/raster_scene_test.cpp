@@ -60,6 +60,9 @@ TEST_CASE("a lens, a motion, a light with an extent and normals of vertices are 
   scene.stage().lights[0].extent = {.shape = scene::LightShape::sphere, .radius = 1};
   CHECK_THROWS_WITH(draw(), Catch::Contains("a light has an extent"));
   scene.stage().lights[0].extent = {};
+  scene.stage().lights[0].cone = {.towards = {0, 0, 0}};
+  CHECK_THROWS_WITH(draw(), Catch::Contains("a light shines into a cone; expected lights that shine all around"));
+  scene.stage().lights[0].cone.reset();
   scene.set_vertex_normals(*scene.find("t100"), {glm::dvec3(0, 1, 0), {0, 1, 0}, {1, 1, 0}});
   CHECK_THROWS_WITH(draw(), Catch::Contains("element t100 is shaded by normals of its own"));
 }

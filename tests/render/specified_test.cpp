@@ -3,6 +3,7 @@
 // operation.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -11,8 +12,10 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/oracle/calculator.hpp"
 #include "durero/render/light/directions.hpp"
+#include "durero/render/light/light_cones.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/scene/camera.hpp"
+#include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
 #include "render/light/smooth_normal.hpp"
 #include "support/catch.hpp"
@@ -230,4 +233,61 @@ TEST_CASE("normal_suave.def.1: the smooth normal is along the direction that the
                            number::round_to_binary64(n.z)};
     CHECK(glm::distance(seen, glm::normalize(along)) <= 32 * u);
   }
+}
+
+// The cosine is a component of w here, without error. The quotient x rounds two differences, of at most 1, and itself:
+// it is within 3u of the exact one, relatively, as the differences of these 64ths are exact. x²(3 − 2x) has a slope of
+// at most 3/2 and five roundings of at most 3; a whole power up to 8 of a cosine up to 1 and pow() add 2u: in all below
+// 24u.
+TEST_CASE("intensidad.def.1: the share of a cone of light is near the one that the text has") {
+  std::mt19937_64 random(20261128);
+  int between = 0;
+  for (int sample = 0; sample < 90; ++sample) {
+    const Whole w = any_whole(random);
+    const double edge = double(1 + random() % 60) / 64, full = std::min(1.0, edge + double(random() % 32) / 64);
+    const double tightness = double(random() % 9);
+    const double seen = render::intensity({{0, 0, 1}, full, edge, tightness}, w.stored_unit());
+    const double cosine = double(w.z) / w.length;
+    if (cosine == edge || cosine == full) continue;
+    between += cosine > edge && cosine < full ? 1 : 0;
+    const std::string cone = fmt::format("⦉eje == {}, pleno == {}, borde == {}, estrechez == {}⦊", vector(0, 0, 1),
+                                         typed(full), typed(edge), typed(tightness));
+    const model::Cono_de_Luz exact{{0, 0, 1}, number::exact(full), number::exact(edge), number::exact(tightness)};
+    const model::ExactDirection way{w.part(w.x), w.part(w.y), w.part(w.z)};
+    const number::Surd share = model::intensidad(exact, way);
+    CHECK(so(fmt::format("({}, {}, {}) ∈ intensidad", cone, w.unit(), typed(share.x))));
+    CHECK_FALSE(so(fmt::format("({}, {}, {}) ∈ intensidad", cone, w.unit(), typed(share.x + Rational(1)))));
+    CHECK(std::abs(seen - number::round_to_binary64(share)) <= 24 * u);
+  }
+  CHECK(between >= 8);
+}
+
+// The points between a surface and a light, counted by the text of a scene: each that the program counts is one of
+// ante.
+TEST_CASE("ante.def.1 and transmitido.def.1: a picture takes the shares that the model takes") {
+  scene::Scene scene;
+  scene.apply(model::Agregar_Plano{model::Elemento("floor"), {0, 0, 0}, {0, 1, 0}});
+  scene.apply(model::Agregar_Esfera{model::Elemento("ball"), {0, 4, 0}, 1});
+  scene.apply(model::Agregar_Disco{model::Elemento("pane"), {0, 6, 0}, 2, {0, 1, 0}});
+  scene.stage().materials = {{.name = "ball", .color = glm::dvec3(0), .k_d = 0, .k_t = 0.5, .M_T = glm::dvec3(0.75)},
+                             {.name = "floor", .color = glm::dvec3(1)},
+                             {.name = "pane", .color = glm::dvec3(0), .k_d = 0, .k_t = 0.25}};
+  scene.set_material(*scene.find("ball"), 0);
+  scene.set_material(*scene.find("floor"), 1);
+  scene.set_material(*scene.find("pane"), 2);
+  scene.stage().lights = {{{0, 8, 0}, glm::dvec3(1)}};
+  const model::Escena escena = scene::retrieve(scene);
+  const model::Rayo shadow{{0, 0, 0}, {0, 8, 0}};
+  const auto all = model::enumerado(escena, shadow, {model::Elemento("floor")}, true);
+  REQUIRE(all);
+  const Rational share = model::transmitido(*all, [](const model::Encuentro& each) {
+    return each.e == model::Elemento("pane") ? Rational(1) / 4 : Rational(3) / 8;
+  });
+  CHECK(share == Rational(9) / 256);
+  const scene::Query query{{{3, 0.5, 0}, {-3, -0.5, 0}}};
+  const glm::dvec3 seen = render::brought(scene, *engine::find("exact")->prepare(scene), {&query, 1},
+                                          {.max_depth = 1, .shadows = render::ShadowRule::coloured})
+                              .at(0)
+                              .color;
+  CHECK(number::exact(seen.x) == share);
 }

@@ -39,6 +39,10 @@ def values(scene, key):
     return [element[key] for element in scene["elementos"] if key in element]
 
 
+def spots(scene):
+    return [light for light in scene.get("lights", []) if "spot" in light]
+
+
 def unknown_material(value):
     return any(material not in value.get("materials", {}) for material in values(value, "material"))
 
@@ -83,6 +87,9 @@ def classes(claim_ids, families):
             "no unit vector": lambda s: any(map(off_unit, values(s, "vector"))),
             "vertices on one line": lambda s: any(map(on_one_line, values(s, "vertices"))),
             "eye at look_at": lambda s: "camera" in s and s["camera"]["eye"] == s["camera"]["look_at"],
+            "spot at its light": lambda s: any(l["spot"]["towards"] == l["position"] for l in spots(s)),
+            "inner beyond outer": lambda s: any(
+                l["spot"].get("inner", 30) > l["spot"].get("outer", 45) for l in spots(s)),
             "unknown material": unknown_material,
             "unknown texture": unknown_texture,
             "groups that are no forest": no_forest},

@@ -4,7 +4,7 @@ AXIS = '"vector":[0,1,0]'
 SCENE = f"""{{"format":"durero-scene","version":1,
 "camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,"aperture":0.5,"focus":7,"shutter":2,"motion":[0,3,0]}},
 "resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}},{{"position":[6,5,-5],"color":[1,1,1],"disc":{{"radius":0.75,"normal":[0,-1,0.5]}}}},
-{{"position":[7,5,-5],"color":[1,1,1],"rectangle":{{"edges":[[1,0,0],[0,0,9]]}}}}],
+{{"position":[7,5,-5],"color":[1,1,1],"rectangle":{{"edges":[[1,0,0],[0,0,9]]}},"spot":{{"towards":[0,0,7],"inner":15,"outer":25,"tightness":2.5}}}}],
 "directional_lights":[{{"direction":[0,-1,0],"color":[0.5,0.5,1]}}],"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"gloss":12,"M_PS":[1,0.9,0.8],
 "k_t":0.6,"M_T":[0.9,1,1],"index":1.5,"emission":[0,2,0],"ambient":[0.1,0.2,0.3],"textures":{{"color":"pic","k_s":"p"}},
 "bump":{{"texture":"w","height":-0.5,"delta":0.25}}}}}},"max_depth":9,
@@ -59,6 +59,8 @@ CHANGES = {
 [0.6,0.8,0] | [0.6,0.9,0]
 [0,1,9] | [2,0,9]
 "look_at":[0,0,0] | "look_at":[0,1,-8]
+"towards":[0,0,7] | "towards":[7,5,-5]
+"outer":25 | "outer":14
 "material":"red" | "material":"rojo"
 "azul ñ" | {NO_UNICODE}
 "s1" | {LONGEST} | {TOO_LONG}
@@ -78,6 +80,9 @@ CHANGES = {
 "normal":[0,-1,0.5] | "normal":[0,0,5e-324] | "normal":[0,0,0]
 {{"edges":[[1,0,0],[0,0,9]]}} | {{"edges":[[1,0,0],[0,1,9]]}} | {{"edges":[[1,0,0]]}}
 "rectangle":{{ | "triangle":{{ | "square":{{
+"inner":15 | "inner":0 | "inner":-1
+"outer":25 | "outer":90 | "outer":90.5
+"tightness":2.5 | "tightness":0 | "tightness":-1
 "disc":{{"radius":0.75, | "disc":{{"radius":0.75, | "sphere":{{"radius":0.75,
 [8,6] | [1,65535] | [1,65536]
 [8,6] | [1,1] | [0,1]

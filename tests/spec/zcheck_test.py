@@ -50,6 +50,8 @@ RIGHT = [
     zed(r"A == \lambda Estado @ \bigcup \{~ c : cosas @ \{ c, c \} ~\}"),
     zed(r"A == (\lambda Estado @ \theta Estado)"),
     zed(r"A == [~ Estado | cosas = \emptyset ~] \lor (Estado \hide (peso) \land \lnot Estado)"),
+    zed(r"A == (Estado \hide (peso)) \semi (Estado \hide (cosas)) \land [~ \Delta Estado ~]"),
+    zed(r"\vdash? \forall \Delta Estado @ [~ \Delta Estado ~] \semi [~ \Delta Estado ~] \iff cosas' = cosas"),
     zed(r"A ::= uno | dos"),
     schema(r"\Delta Estado \\ c? : Cosa", "cosas' = \\emptyset % x\n\\also\n" + r"peso' = \{ c? \} \ndres peso"),
     schema(r"\Xi Estado \\ n! : \num", r"\exists c : cosas @ n! = peso(c) \land peso \limg cosas \rimg = \ran peso"),
@@ -71,6 +73,7 @@ WRONG = [  # the text, the line, what the message says
     (zed(r"A ::= \{~ n : \num | n > 0 ~\}"), 12, "introduces a new type"),
     (zed(r"A == \lambda Estado @ \theta Cosa"), 12, "a schema is expected"),
     (zed(r"A == Estado \hide (altura)"), 12, "not a component to hide"),
+    (zed(r"A == [~ cosas' : \num ~] \semi Estado"), 12, "component cosas"),
     (zed(r"A == Estado \land Cosa"), 12, "a schema is expected"),
     (zed(r"A == (1, 2).x"), 12, "no component x"),
     (zed(r"\vdash? Cosa = 1"), 12, "equality"),
@@ -105,8 +108,8 @@ WRONG = [  # the text, the line, what the message says
 # Right texts with notation that spec/ does without: generic schemas, compositions, LET, sequences and the like.
 NOT_READ = """
     abbreviation_generic arithmetic arrows composition_of_relations disjoint free_constructor
-    free_recursive generic_actuals lambda_guarded let_in mondex_purses operator_as_set products
-    relation_by_name schema_composition schema_generic schema_implication schema_piping
+    free_recursive generic_actuals lambda_guarded let_in operator_as_set products
+    relation_by_name schema_generic schema_implication schema_piping
     schema_projection schema_quantified schema_renaming sequences space_commands zword
 """
 # Wrong ones that it takes: a product in parentheses is to it the product without, and an actual may stay open.

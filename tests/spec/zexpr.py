@@ -225,6 +225,17 @@ def hiding(c, scope, node):
     return power(("schema", tuple(sorted(found.items()))))
 
 
+def composed(c, scope, node):
+    """S ⨟ T: the state after S is that before T, and neither is a component."""
+    first, second = (components(c, scope, kid) for kid in node.kids)
+    middle = [n for n in second if n[-1] not in "?!'" and n + "'" in first]
+    for n in middle:
+        c.same(node.line, second.pop(n), first.pop(n + "'"), f"component {n}")
+    for n, t in second.items():
+        c.same(node.line, t, first.setdefault(n, t), f"component {n}")
+    return power(("schema", tuple(sorted(first.items()))))
+
+
 RULES = {
     "number": number, "name": name, "theta": theta, "tuple": tuple_, "select": select, "apply": apply,
     "operator": operator, "decorate": decorate, r"\pre": precondition,
@@ -238,6 +249,6 @@ RULES = {
     "instance": instance, "sequence": sequence, r"prefix\seq": sequences, "binding": binding, "closure": closure,
     "iterate": iterate, r"prefix\negate": negative,
     r"\comp": composition, "inverse": inverse, "image": image, "if": choice, "display": display, "set": comprehension,
-    r"\lambda": function, r"\mu": description, "schema": schema, "hide": hiding,
+    r"\lambda": function, r"\mu": description, "schema": schema, "hide": hiding, "semi": composed,
     r"\land": connective, r"\lor": connective, r"\implies": connective, r"\iff": connective, r"\lnot": connective,
 }

@@ -79,15 +79,10 @@ class Parser(Terms):
         if self.sees(r"\pre"):
             op = self.take()
             return Node(op.text, (self.negation(),), op.line)
-        left = self.binary()
-        while self.sees(r"\hide"):
+        left = self.hiding()
+        while self.sees(r"\semi"):
             op = self.take()
-            self.take("(")
-            names = [self.name()]
-            while self.accept(","):
-                names.append(self.name())
-            self.take(")")
-            left = Node("hide", (left, tuple(names)), op.line)
+            left = Node("semi", (left, self.hiding()), op.line)
         chain = []
         while self.next.text in RELATIONS or self.own_role(True) == "relation":
             op = self.next
@@ -101,6 +96,18 @@ class Parser(Terms):
             chain.append(link)
             left = right
         return left if not chain else chain[0] if len(chain) == 1 else Node("chain", tuple(chain), chain[0].line)
+
+    def hiding(self):
+        left = self.binary()
+        while self.sees(r"\hide"):
+            op = self.take()
+            self.take("(")
+            names = [self.name()]
+            while self.accept(","):
+                names.append(self.name())
+            self.take(")")
+            left = Node("hide", (left, tuple(names)), op.line)
+        return left
 
     def expression(self):
         return self.quantified() if self.next.text in QUANTIFIERS else self.predicate()

@@ -4,6 +4,7 @@
 #include "durero/surface/exact.hpp"
 
 #include "durero/model/interseccion.hpp"
+#include "durero/model/luz.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "support/catch.hpp"
@@ -63,6 +64,21 @@ void same_answer(const scene::Scene& scene, const model::Rayo& rayo, const scene
   RC_ASSERT(surface::exact::occluded(scene, rayo, origin) == model::occluded(escena, rayo, names(scene, en)));
   RC_ASSERT(surface::exact::occluded_segment(scene, rayo, origin) ==
             model::occluded_segment(escena, rayo, names(scene, en)));
+  for (const bool segment : {true, false}) {
+    const auto expected = model::enumerado(escena, rayo, names(scene, en), segment);
+    const auto points = surface::exact::points_between(
+        scene, rayo, origin, segment ? surface::exact::RayStretch::segment : surface::exact::RayStretch::whole,
+        [](scene::ElementRef) { return true; });
+    RC_ASSERT(points.has_value() == expected.has_value());
+    if (!points) continue;
+    RC_ASSERT(points->size() == expected->size());
+    for (std::size_t i = 0; i < points->size(); ++i) {  // the text's set of names is ordered, too
+      RC_ASSERT(scene.name((*points)[i].element) == (*expected)[i].e);
+      RC_ASSERT((*points)[i].point.x == number::round_to_binary64((*expected)[i].punto.x));
+      RC_ASSERT((*points)[i].point.y == number::round_to_binary64((*expected)[i].punto.y));
+      RC_ASSERT((*points)[i].point.z == number::round_to_binary64((*expected)[i].punto.z));
+    }
+  }
 }
 
 }  // namespace
@@ -90,4 +106,27 @@ TEST_CASE("the exact oracle answers what the model answers") {
       same_answer(scene, {p, {-along, 0, along}}, random_origin(scene));
     }
   });
+}
+
+TEST_CASE(
+    "points_between: by name and along the ray; nothing where an element passes no light, or the ray runs along one") {
+  using surface::exact::RayStretch;
+  scene::Scene scene;
+  scene.apply(model::Agregar_Plano{model::Elemento("pane"), {0, 0, 3}, {0, 0, 1}});
+  scene.apply(model::Agregar_Esfera{model::Elemento("ball"), {0, 0, 5}, 1});
+  const scene::ElementRef pane = *scene.find("pane"), ball = *scene.find("ball");
+  const auto all = [](scene::ElementRef) { return true; };
+  const auto no_pane = [&](scene::ElementRef e) { return e != pane; };
+  using Points = std::vector<surface::exact::ElementPoint>;
+  const model::Rayo through({0, 0, 0}, {0, 0, 8}), into({0, 0, 0}, {0, 0, 5}), edge({0, 0, 0}, {0, 0, 3});
+  const auto between = [&](const model::Rayo& rayo, RayStretch stretch, const surface::exact::Passes& passes) {
+    return surface::exact::points_between(scene, rayo, {}, stretch, passes);
+  };
+  CHECK(between(through, RayStretch::segment, all) == Points{{ball, {0, 0, 4}}, {ball, {0, 0, 6}}, {pane, {0, 0, 3}}});
+  CHECK(between(into, RayStretch::segment, all) == Points{{ball, {0, 0, 4}}, {pane, {0, 0, 3}}});
+  CHECK(between(edge, RayStretch::segment, no_pane) == Points{});
+  CHECK(between(edge, RayStretch::whole, all)->size() == 3);
+  CHECK_FALSE(between(into, RayStretch::segment, no_pane));
+  CHECK_FALSE(between({{0, 0, 3}, {1, 0, 0}}, RayStretch::segment, all));
+  CHECK(surface::exact::points_of(scene, {ball}, into, {}, RayStretch::whole)->size() == 2);
 }

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "durero/model/tipos.hpp"
 #include "durero/scene/body.hpp"
@@ -31,6 +32,9 @@ class Figure {
   virtual First first(const model::Rayo& rayo, bool on) const = 0;
   /// Whether the ray meets it at some 0 < t < 1.
   virtual bool hides(const model::Rayo& rayo, bool on) const = 0;
+  /// The parameters of all points that the ray meets on a stretch, ascending. Nothing where it runs along it there.
+  virtual std::optional<std::vector<Parameter>> parameters(const model::Rayo& rayo, bool on,
+                                                           surface::exact::RayStretch stretch) const = 0;
   /// Whether the ray may meet it at some t > 0: a quick answer, false only where it meets it nowhere.
   virtual bool may_meet(const model::Rayo& rayo, bool on) const = 0;
   /// A box that holds every point; infinite where no finite one does.

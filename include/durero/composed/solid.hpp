@@ -25,6 +25,8 @@ class SolidFigure final : public Figure {
   /// the solid starts on every face that may hold at a point whose rounding its origin is (superficie_desde.def.1).
   First first(const model::Rayo& rayo, bool on) const override;
   bool hides(const model::Rayo& rayo, bool on) const override;
+  std::optional<std::vector<Parameter>> parameters(const model::Rayo& rayo, bool on,
+                                                   surface::exact::RayStretch stretch) const override;
   bool may_meet(const model::Rayo& rayo, bool on) const override;
   surface::Box box() const override { return box_; }
   glm::dvec3 normal(const glm::dvec3& point) const override;

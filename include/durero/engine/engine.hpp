@@ -15,6 +15,7 @@
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/surface/exact.hpp"
 #include "durero/trace/first_element.hpp"
 
 namespace durero::engine {
@@ -35,6 +36,13 @@ class Engine {
   /// occluded_segment of every query, in order: whether the ray meets some element at some 0 < t < 1. Preconditions are
   /// those of first_hits, for `occluded`.
   virtual void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const = 0;
+
+  /// The points of all elements that a ray of the engine's scene meets on a stretch, each rounded once: by the name of
+  /// the element, then ascending along the ray (enumerado of ante or ante_lejos). Nothing where one of the elements
+  /// does not pass light, or the ray runs along it there. Preconditions are those of first_hits.
+  virtual std::optional<std::vector<surface::exact::ElementPoint>> points_between(
+      const scene::Scene& scene, const scene::Query& query, surface::exact::RayStretch stretch,
+      const surface::exact::Passes& passes) const;
 
   /// The unit normal of an element at one of its points, as shading uses it: on either side of the surface, and the
   /// null vector where there is none. Precondition: the element is in the scene.

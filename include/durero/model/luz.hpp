@@ -3,6 +3,8 @@
 /// function is the definition of the same name, carried out in exact arithmetic, for one component of a colour.
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
@@ -30,6 +32,9 @@ inline constexpr contract::clause Material_inv_11{"Material.inv.11", "e ∈ Cant
 inline constexpr contract::clause Material_inv_12{"Material.inv.12", "indice ∈ Rmas"};
 inline constexpr contract::clause Fuente_inv_1{"Fuente.inv.1", "S ∈ Cantidad"};
 inline constexpr contract::clause Fuente_inv_2{"Fuente.inv.2", "V = 0 ∨ V = 1"};
+inline constexpr contract::clause Cono_de_Luz_inv_1{"Cono_de_Luz.inv.1", "producto(eje, eje) = 1"};
+inline constexpr contract::clause Cono_de_Luz_inv_2{"Cono_de_Luz.inv.2", "0 < borde ≤ pleno ≤ 1"};
+inline constexpr contract::clause Cono_de_Luz_inv_3{"Cono_de_Luz.inv.3", "estrechez ∈ Cantidad"};
 inline constexpr contract::clause Ventana_inv_1{"Ventana.inv.1", "H ≥ 1"};
 inline constexpr contract::clause Ventana_inv_2{"Ventana.inv.2", "V ≥ 1"};
 
@@ -85,12 +90,55 @@ bool visible(const Escena& escena, const Punto& p, const Punto& q, const std::se
 /// (θEscena, p, l, en) ∈ visible_lejos: nothing stands in the direction l (visible_lejos.def.1).
 bool visible_lejos(const Escena& escena, const Punto& p, const Vector& l, const std::set<Elemento>& en);
 
+/// (θEscena, rayo, en, e, punto) ∈ ante: e has that point before the parameter one of the ray (ante.def.1).
+bool ante(const Escena& escena, const Rayo& rayo, const std::set<Elemento>& en, const Elemento& e,
+          const ExactPoint& punto);
+
+/// (θEscena, rayo, en, e, punto) ∈ ante_lejos: e has that point on the ray (ante_lejos.def.1).
+bool ante_lejos(const Escena& escena, const Rayo& rayo, const std::set<Elemento>& en, const Elemento& e,
+                const ExactPoint& punto);
+
+/// A point of an element that stands before a light.
+struct Encuentro {
+  Elemento e;        ///< the element
+  ExactPoint punto;  ///< the point
+};
+
+/// c of (S, n, c) ∈ enumerado, where S is all that stands before a light (enumerado.def.1); nothing where there is no
+/// such c: the ray runs along an element. `segment`: S is of ante, else of ante_lejos.
+std::optional<std::vector<Encuentro>> enumerado(const Escena& escena, const Rayo& rayo, const std::set<Elemento>& en,
+                                                bool segment);
+
+/// resto of (dada, resto) ∈ atenuado: what is left behind the first i of them at i (atenuado.def.1).
+std::vector<Rational> atenuado(std::span<const Rational> dada);
+
+/// k of (S, paso, k) ∈ transmitido, where c counts S (transmitido.def.1).
+Rational transmitido(std::span<const Encuentro> c, const std::function<Rational(const Encuentro&)>& paso);
+
+/// g of (f, k, g) ∈ menguada: the light of which a share is left (menguada.def.1).
+Fuente menguada(const Fuente& f, const Rational& k);
+
 // Precondition of all that follows: what a function is given lies in one field.
 
 /// The only n with (a, b, c, u, v, n) ∈ normal_suave: the direction that a point of a triangle is shaded by, between
 /// the normals of its corners (normal_suave.def.1).
 ExactDirection normal_suave(const ExactDirection& a, const ExactDirection& b, const ExactDirection& c, const Surd& u,
                             const Surd& v);
+
+/// A cone that a light shines into.
+struct Cono_de_Luz {
+  ExactDirection eje;  ///< its axis, of length one
+  Rational pleno;      ///< the cosine up to which the light is full
+  Rational borde;      ///< the cosine beyond which there is none
+  Rational estrechez;  ///< the power of the cosine that narrows it
+};
+
+/// Cono_de_Luz.inv.1 to Cono_de_Luz.inv.3.
+Judgements inv(const Cono_de_Luz& c);
+
+/// The only k with (c, w, k) ∈ intensidad: the share of the light along the unit vector w (intensidad.def.1). Throws as
+/// elevado() does. Preconditions: inv(c), and w has the length one.
+Surd intensidad(const Cono_de_Luz& c, const ExactDirection& w);
 
 /// The cosine of the highlight (especular.def.1).
 Surd especular(const ExactDirection& l, const ExactDirection& n, const ExactDirection& v);

@@ -199,7 +199,17 @@ enum class Respuesta : std::uint8_t {
   vector_no_unitario,
   altura_no_positiva,
   proporcion_no_positiva,
-  vertices_alineados
+  vertices_alineados,
+  malla_agregada,
+  malla_eliminada,
+  malla_reemplazada,
+  vertice_movido,
+  malla_ya_existe,
+  malla_no_existe,
+  cara_incompleta,
+  cara_sin_nombre,
+  vertice_no_existe,
+  es_de_malla
 };
 /// The names, in the order of Respuesta.
 inline constexpr auto respuesta_names = std::to_array<std::string_view>(
@@ -207,8 +217,10 @@ inline constexpr auto respuesta_names = std::to_array<std::string_view>(
      "tronco_agregado",     "plano_agregado",     "disco_agregado",         "triangulo_agregado", "esfera_eliminada",
      "cilindro_eliminado",  "cono_eliminado",     "tronco_eliminado",       "plano_eliminado",    "disco_eliminado",
      "triangulo_eliminado", "elemento_ya_existe", "elemento_no_existe",     "tipo_incorrecto",    "radio_no_positivo",
-     "vector_no_unitario",  "altura_no_positiva", "proporcion_no_positiva", "vertices_alineados"});
-static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::vertices_alineados);
+     "vector_no_unitario",  "altura_no_positiva", "proporcion_no_positiva", "vertices_alineados", "malla_agregada",
+     "malla_eliminada",     "malla_reemplazada",  "vertice_movido",         "malla_ya_existe",    "malla_no_existe",
+     "cara_incompleta",     "cara_sin_nombre",    "vertice_no_existe",      "es_de_malla"});
+static_assert(Respuesta{respuesta_names.size() - 1} == Respuesta::es_de_malla);
 
 /// @{ Its name in the text.
 constexpr std::string_view name(Tipo tipo) noexcept { return tipo_names[static_cast<std::size_t>(tipo)]; }

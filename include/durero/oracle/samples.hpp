@@ -8,7 +8,12 @@ namespace durero::oracle::spec {
 /// Scenes of none to nine elements, which the model's own operations made, with each type among them, elements that
 /// touch, and some removed again, and the tables that the program keeps of them; rays through points of theirs, along
 /// generators and past them; such points and others; axes and vectors that are none; lengths that are positive and that
-/// are not; parameters; and materials, lights and windows. The same at every call.
+/// are not; parameters; materials, lights and windows; and meshes, what is none, and scenes with meshes. The same at
+/// every call.
 zed::Samples samples();
+
+/// Values for the constants that the text leaves open, which the samples ask for: the names of the faces of some
+/// meshes.
+zed::Valuation sample_constants();
 
 }  // namespace durero::oracle::spec

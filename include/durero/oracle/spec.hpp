@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/model/exact_point.hpp"
+#include "durero/model/malla.hpp"
 #include "durero/model/operation.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/element_ref.hpp"
@@ -37,6 +38,8 @@ zed::Value value(const model::Punto& p);
 zed::Value value(const model::Vector& v);
 zed::Value value(const model::Terna& v);
 zed::Value value(const model::Rayo& rayo);
+zed::Value value(const model::Cara& c);
+zed::Value value(const model::Red& red);
 zed::Value value(scene::ElementRef place);
 /// @}
 /// θEscena
@@ -44,14 +47,20 @@ zed::Value value(const model::Escena& escena);
 
 /// Components by name: of a state, of an operation.
 using Named = zed::Valuation;
-/// @{ The components of Escena, and of Tablas.
+/// @{ The components of Escena, of Mallas, and of Tablas.
 Named components(const model::Escena& escena);
+Named components(const model::Mallas& s);
 Named components(const scene::Tablas& tables);
 /// @}
 /// The binding of these components.
 zed::Value binding(Named parts);
-/// The inputs of an operation, `e?` and the others.
+/// @{ The inputs of an operation, `e?` or `m?` and the others.
 Named inputs(const model::Operation& operation);
+Named inputs(const model::MeshOperation& operation);
+/// @}
+/// The part of nombre_cara that names the faces below `count` of these meshes: a value for that constant of the text,
+/// which leaves it open.
+zed::Value names_of_faces(const std::set<model::Elemento>& meshes, model::Ordinal count);
 
 /// @{ The schema of the operation, and of its total one: `Agregar_Esfera`, `Agregar_Esfera_Total`.
 std::string schema_name(const model::Operation& operation);

@@ -41,6 +41,7 @@ struct RenderSettings {
   double min_weight = 0;                     ///< the least weight of a followed ray, as PathLimits says
   Samples samples{};                         ///< the points of each pixel
   Integrator integrator{};                   ///< the way of following light
+  ShadowRule shadows{};                      ///< what clear elements do to lights behind them
   /// Prepares an engine for a moving scene at another time; without it, the default engine is prepared.
   std::function<std::unique_ptr<const engine::Engine>(const scene::Scene&)> prepare{};
   const Caustics* caustics = nullptr;  ///< light that comes besides to matt surfaces

@@ -50,11 +50,22 @@ struct LightExtent {
   bool operator==(const LightExtent&) const = default;
 };
 
+/// A cone that a light shines into, about the way from its position to a place (Cono_de_Luz of spec/luz.tex). Angles
+/// are from the axis, in degrees.
+struct LightCone {
+  glm::dvec3 towards;    ///< the place, which is not the light's position
+  double inner = 30;     ///< the light is full up to this angle, from 0 to outer
+  double outer = 45;     ///< there is none beyond this angle, above 0 and up to 90
+  double tightness = 0;  ///< the power of the cosine of the angle that narrows the light, from 0
+  bool operator==(const LightCone&) const = default;
+};
+
 /// A light at a place. Colours are linear RGB, with the primaries of sRGB; 1 is the brightest that a picture shows.
 struct Light {
   glm::dvec3 position;   ///< where it stands
   glm::dvec3 color;      ///< how bright it is, the same at every distance; of a shape, as each of its points alone is
   LightExtent extent{};  ///< its shape
+  std::optional<LightCone> cone{};  ///< the cone that each of its points shines into; without one, all around
   bool operator==(const Light&) const = default;
 };
 

@@ -77,9 +77,17 @@ struct Reach {
   /// The nearest point. Precondition: not empty, and not no_minimum.
   const Parameter& first() const { return segment ? *segment->begin : t[0]; }
 };
+/// The stretch of a ray that a light is seen along: up to the parameter one, where it stands, or without end.
+enum class RayStretch : std::uint8_t { segment, whole };
+
 /// The reach by the signs of potencia, avance and bounds.
 Reach reach(const Coefficients& f);
 /// The reach of a shape; `on` is that of coefficients.
 Reach reach(scene::ShapeView shape, const model::Rayo& rayo, bool on = false);
+
+/// Whether a parameter t > 0 lies on the stretch.
+bool lies_on(RayStretch stretch, const Parameter& t);
+/// The parameters at which a ray meets what it reaches, on a stretch. Nothing where the ray runs along it there.
+std::optional<std::vector<Parameter>> parameters_on(const Reach& found, RayStretch stretch);
 
 }  // namespace durero::surface::exact

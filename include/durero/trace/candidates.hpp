@@ -10,11 +10,15 @@
 #include <concepts>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/surface/exact.hpp"
 #include "durero/trace/batch.hpp"
 #include "durero/trace/certified.hpp"
 #include "durero/trace/search.hpp"
@@ -116,6 +120,27 @@ bool occluded_segment_among(const Source& source, const model::Rayo& rayo, Origi
   const auto limit = [] { return 1.0; };
   return any_candidate(source, search.ray(), en, limit,
                        [&](scene::ElementRef e, Search::Range range) { return search.blocks_segment(e, range); });
+}
+
+/// surface::exact::points_between over a source of candidates.
+template <Candidates Source>
+std::optional<std::vector<surface::exact::ElementPoint>> points_between_among(const Source& source,
+                                                                              const scene::Query& query,
+                                                                              surface::exact::RayStretch stretch,
+                                                                              const surface::exact::Passes& passes) {
+  const bool whole = stretch == surface::exact::RayStretch::whole;
+  Counts unseen;
+  const Search search(source.scene(), query.rayo, query.en, unseen);
+  scene::ElementSet met;
+  const auto limit = [&] { return whole ? no_limit : 1.0; };
+  const bool is_dark =
+      any_candidate(source, search.ray(), query.en, limit, [&](scene::ElementRef e, Search::Range range) {
+        if (!(whole ? search.blocks(e, range) : search.blocks_segment(e, range))) return false;
+        met.push_back(e);
+        return !passes(e);
+      });
+  if (is_dark) return std::nullopt;
+  return surface::exact::points_of(source.scene(), std::move(met), query.rayo, query.en, stretch);
 }
 
 /// Calls answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling thread may use.

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "cone_fields.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/io/json/json.hpp"
 #include "durero/io/json/json_writer.hpp"

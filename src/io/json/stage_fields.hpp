@@ -14,6 +14,8 @@ inline bool is_view_angle(const double& angle) { return angle > 0 && angle < 180
 inline bool is_color(const glm::dvec3& c) { return c.x >= 0 && c.y >= 0 && c.z >= 0; }
 inline bool is_share_of_all(const double& k) { return k >= 0 && k <= 1; }
 inline bool is_exponent(const double& e) { return e >= 0; }
+inline bool is_inner_angle(const double& angle) { return angle >= 0 && angle <= 90; }
+inline bool is_outer_angle(const double& angle) { return angle > 0 && angle <= 90; }
 inline bool is_index(const double& index) { return index > 0; }
 inline bool is_share(const glm::dvec3& c) { return is_color(c) && c.x <= 1 && c.y <= 1 && c.z <= 1; }
 
@@ -30,12 +32,30 @@ template <class Value>
 inline constexpr Rule<Value> as_read{is_any<Value>, "", ""};
 
 inline constexpr Rule<double> view_angle{is_view_angle, "", "an angle in degrees, above 0 and below 180"};
+inline constexpr Rule<double> inner_angle{is_inner_angle, "", "an angle in degrees, from 0 to 90"};
+inline constexpr Rule<double> outer_angle{is_outer_angle, "", "an angle in degrees, above 0, up to 90"};
 inline constexpr Rule<glm::dvec3> light_color{is_color, "negative", "red, green and blue, each from 0"};
 inline constexpr Rule<glm::dvec3> share{is_share, "no share of light", "red, green and blue, each from 0 to 1"};
 inline constexpr Rule<double> share_of_all{is_share_of_all, "", "a share of light, 0 to 1"};
 inline constexpr Rule<double> exponent{is_exponent, "", "a number from 0"};
 inline constexpr Rule<double> refractive_index{is_index, "", "a number above 0"};
 inline constexpr Rule<double> from_zero = exponent, above_zero = refractive_index;
+
+/// Fails at that byte where the light of a cone would end before it stops being full. `In` is what reads.
+template <class In>
+void check_cone(const In& in, std::size_t at, const scene::LightCone& cone) {
+  if (cone.inner > cone.outer)
+    in.fail(at, fmt::format("the light is full up to {} degrees and ends at {}", cone.inner, cone.outer),
+            "expected an end no sooner (Cono_de_Luz.inv.2)", &model::Cono_de_Luz_inv_2);
+}
+
+/// Fails at that byte where the cone of a light leads to its own place.
+template <class In>
+void check_axis(const In& in, std::size_t at, const scene::Light& light) {
+  if (light.cone && light.cone->towards == light.position)
+    in.fail(at, "the cone of a light leads to its own place", "expected another place (Cono_de_Luz.inv.1)",
+            &model::Cono_de_Luz_inv_1);
+}
 
 using scene::Camera;
 using scene::DirectionalLight;
@@ -61,8 +81,9 @@ inline constexpr std::tuple light_fields = {
     Field<Light, scene::LightExtent>{"disc", &Light::extent, as_read<scene::LightExtent>},
     Field<Light, scene::LightExtent>{"sphere", &Light::extent, as_read<scene::LightExtent>},
     Field<Light, scene::LightExtent>{"triangle", &Light::extent, as_read<scene::LightExtent>},
-    Field<Light, scene::LightExtent>{"rectangle", &Light::extent, as_read<scene::LightExtent>}};
-/// The first of them stand in every light, and one of the others at most.
+    Field<Light, scene::LightExtent>{"rectangle", &Light::extent, as_read<scene::LightExtent>},
+    Field<Light, std::optional<scene::LightCone>>{"spot", &Light::cone, as_read<std::optional<scene::LightCone>>}};
+/// The first of them stand in every light, and one shape at most.
 inline constexpr std::size_t required_of_light = 2;
 
 inline constexpr std::tuple directional_light_fields = {

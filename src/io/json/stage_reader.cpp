@@ -42,7 +42,11 @@ glm::dvec3 read_background(json::Reader& in) {
 
 std::vector<scene::Light> read_lights(json::Reader& in) {
   std::vector<scene::Light> lights;
-  in.array("lights", [&] { read_fields(in, "a light", light_fields, lights.emplace_back(), required_of_light); });
+  in.array("lights", [&] {
+    const std::size_t at = in.offset();
+    read_fields(in, "a light", light_fields, lights.emplace_back(), required_of_light);
+    check_axis(in, at, lights.back());
+  });
   return lights;
 }
 

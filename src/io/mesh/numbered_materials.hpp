@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <utility>
 
 #include "durero/scene/scene.hpp"
 #include "durero/scene/stage.hpp"
@@ -14,19 +15,19 @@ class NumberedMaterials {
  public:
   explicit NumberedMaterials(scene::Scene& scene) : scene_(scene) {}
 
-  /// The number, from 0, of the material that looks so: one look is one material, whatever its name. It wears no
-  /// textures.
+  /// The number, from 0, of the material that looks so: one look is one material, whatever its name. It has no relief.
   std::uint32_t number(scene::Material look);
   /// Once no material follows: a stage's materials ascend by name; until here they are in the order of the file.
   void finish();
 
  private:
-  using Numbers = std::array<double, 22>;  ///< all that such a material has but for its name
+  using Numbers = std::array<double, 22>;
+  using Looks = std::pair<Numbers, decltype(scene::TextureUses::names)>;  ///< all that it has but for its name
 
   static Numbers numbers_of(const scene::Material& look);
 
   scene::Scene& scene_;
-  std::map<Numbers, std::uint32_t> known_;
+  std::map<Looks, std::uint32_t> known_;
 };
 
 }  // namespace durero::io

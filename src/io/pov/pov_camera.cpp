@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -24,6 +25,9 @@ constexpr CameraPart camera_parts[] = {{"location", &PovCamera::location},
                                        {"right", &PovCamera::right},
                                        {"up", &PovCamera::up},
                                        {"sky", &PovCamera::sky}};
+
+/// How the rays through a lens are chosen, which a scene leaves to whoever draws it.
+constexpr std::array<std::string_view, 3> blur_words{"blur_samples", "confidence", "variance"};
 
 /// Whether the pixels of a scene's camera have the rays of this one, to a thousandth of a pixel: for a line that tells
 /// of it, and no more.
@@ -61,10 +65,18 @@ void read_part(PovWords& in, std::optional<double> version, PovCamera& camera) {
     check_rule(in, at, "angle", view_angle, *camera.angle);
   } else if (in.take("look_at")) {
     camera.look_at = in.triple("look_at");
+  } else if (in.take("aperture")) {
+    camera.aperture = in.number("aperture");
+    check_rule(in, at, "aperture", from_zero, camera.aperture, &model::Lente_inv_2);
+  } else if (in.take("focal_point")) {
+    camera.focal_point = in.triple("focal_point");
+  } else if (is_one_of(blur_words, word)) {
+    in.pass();
+    in.skip_value();
   } else if (!in.take("perspective")) {
     in.fail_here(
-        "expected one of location, direction, right, up, sky, angle, look_at, perspective, or }: no other camera is "
-        "read");
+        "expected one of location, direction, right, up, sky, angle, look_at, aperture, focal_point, blur_samples, "
+        "confidence, variance, perspective, or }: no other camera is read");
   }
 }
 
@@ -85,6 +97,14 @@ void turn_to(const glm::dvec3& look_at, PovCamera& camera) {
   camera.up = along(hand * glm::cross(camera.direction, camera.right), camera.up);
 }
 
+/// The lens of a camera, which in POV-Ray is half as wide as its aperture says, and shows sharply the plane of a point.
+void set_lens(const PovWords& in, std::size_t at, const PovCamera& camera, scene::Camera& made) {
+  made.aperture = camera.aperture / 2;
+  if (camera.aperture == 0 || !camera.focal_point) return;
+  made.focus = glm::dot(*camera.focal_point - camera.location, glm::normalize(camera.direction));
+  check_rule(in, at, "the distance of focal_point", above_zero, made.focus, &model::Lente_inv_3);
+}
+
 }  // namespace
 
 ReadCamera read_pov_camera(PovWords& in, std::optional<double> version, std::optional<scene::Resolution> size) {
@@ -97,8 +117,9 @@ ReadCamera read_pov_camera(PovWords& in, std::optional<double> version, std::opt
   if (camera.angle) open_to(*camera.angle, camera);
   if (camera.look_at) turn_to(*camera.look_at, camera);
   const double fov_y = glm::degrees(2 * std::atan(glm::length(camera.up) / 2 / glm::length(camera.direction)));
-  const scene::Camera made{camera.location, camera.look_at.value_or(ahead(camera)),
-                           camera.look_at ? camera.sky : camera.up, fov_y};
+  scene::Camera made{camera.location, camera.look_at.value_or(ahead(camera)), camera.look_at ? camera.sky : camera.up,
+                     fov_y};
+  set_lens(in, at, camera, made);
   try {
     return {made, has_rays_of(made, camera, size.value_or(scene::default_resolution))};
   } catch (const std::domain_error& error) {

@@ -13,7 +13,8 @@ namespace durero::io {
 struct PovCamera {
   glm::dvec3 location{0}, direction{0, 0, 1}, right{4.0 / 3, 0, 0}, up{0, 1, 0}, sky{0, 1, 0};
   std::optional<double> angle{};
-  std::optional<glm::dvec3> look_at{};
+  std::optional<glm::dvec3> look_at{}, focal_point{};
+  double aperture = 0;
 };
 
 /// A camera of a scene, and whether its pixels have the rays of the one that was read.

@@ -61,9 +61,13 @@ PovGamma default_gamma(std::optional<double> version) {
 std::optional<std::size_t> make_linear(const PovGamma& gamma, scene::Stage& stage) {
   ColorLinearizer linear(gamma);
   if (stage.background) linear.make(*stage.background);
+  if (stage.environment)
+    for (glm::dvec3& color : stage.environment->colors) linear.make(color);
   for (scene::Light& light : stage.lights) linear.make(light.color);
   for (scene::DirectionalLight& light : stage.directional_lights) linear.make(light.color);
   for (scene::Material& material : stage.materials) linear.make(material);
+  for (scene::Texture& texture : stage.textures)
+    for (glm::dvec3& color : texture.colors) linear.make(color);
   return linear.changed();
 }
 

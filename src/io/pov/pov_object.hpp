@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "durero/scene/body.hpp"
+#include "pov_look.hpp"
 #include "pov_shapes.hpp"
 
 namespace durero::io {
@@ -16,6 +17,7 @@ namespace durero::io {
 struct ObjectMaterial {
   bool is_told = false;
   std::optional<std::uint32_t> material{};
+  std::optional<PovPlace> at{};  ///< where its textures stand
 };
 
 /// An object as it stands in the text: a shape, or what another holds.

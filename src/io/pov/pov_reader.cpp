@@ -15,6 +15,7 @@
 #include "io/losses.hpp"
 #include "io/mesh/numbered_materials.hpp"
 #include "pov_look.hpp"
+#include "pov_pattern.hpp"
 #include "pov_shapes.hpp"
 #include "pov_solids.hpp"
 #include "pov_stage.hpp"
@@ -44,6 +45,12 @@ std::string expected_of(std::string_view word, std::initializer_list<Words> list
 /// Objects within objects, at most: each is read by a call within a call.
 constexpr int deepest = 200;
 
+/// Whether the textures of a scene stand there on a shape.
+bool is_place_of(const scene::AnyShape& shape, const PovPlace& at) {
+  const PovCoordinates own = pov_coordinates(shape);
+  return at == PovPlace{own.place, own.depth};
+}
+
 /// Reads objects one after another; each is then put into the scene as a whole, since an attribute stands behind all
 /// that it is of.
 class PovReader {
@@ -61,6 +68,8 @@ class PovReader {
       add(read_object(1), {}, all);
     }
     materials_.finish();
+    scene_.stage().textures = looks_.patterns();
+    std::ranges::sort(scene_.stage().textures, {}, &scene::Texture::name);
     stage_.make_linear();
     scene_.audit();
     std::vector<std::string> lost = losses();
@@ -124,7 +133,10 @@ class PovReader {
       }
     }
     object.look.is_told = look.at.has_value();
-    if (auto material = looks_.material(look)) object.look.material = materials_.number(*std::move(material));
+    auto read = looks_.material(look);
+    if (!read) return;
+    object.look.material = materials_.number(std::move(read->material));
+    object.look.at = std::move(read->at);
   }
 
   /// Its parts stand before its attributes.
@@ -161,7 +173,8 @@ class PovReader {
     scene::Body body = solids_.body(object, look);
     const std::string name = numbered('b', bodies_);
     if (!look.is_told) ++counts_.bare;
-    scene_.add(model::Elemento{name}, scene::stand_in, look.material);
+    if (look.at) looks_.leave_out_texture();  // no texture lies on a solid
+    scene_.add(model::Elemento{name}, scene::stand_in, look.at ? std::nullopt : look.material);
     scene_.set_body(scene_.find(name).value(), std::move(body));
     into.elementos.insert(name);
   }
@@ -197,7 +210,9 @@ class PovReader {
   std::string add(const PovObject& object, const Shape& shape, const ObjectMaterial& look) {
     static constexpr std::string_view letters = "scktpdv";  // by type
     std::string name = numbered(letters[scene::place_of<Shape>], numbered_[scene::place_of<Shape>]);
-    const model::Answer answer = scene_.add(model::Elemento{name}, shape, look.material);
+    const bool has_place = !look.at || is_place_of(shape, *look.at);
+    if (!has_place) looks_.leave_out_texture();
+    const model::Answer answer = scene_.add(model::Elemento{name}, shape, has_place ? look.material : std::nullopt);
     if (answer.ok()) {
       if (!look.is_told) ++counts_.bare;
       return name;

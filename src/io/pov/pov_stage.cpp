@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <utility>
+#include <variant>
 
 #include "durero/io/json/whole_number.hpp"
 #include "durero/io/number_text.hpp"
@@ -11,6 +15,7 @@
 #include "io/cursor.hpp"
 #include "io/json/stage_fields.hpp"
 #include "io/losses.hpp"
+#include "pov_light.hpp"
 
 namespace durero::io {
 
@@ -60,20 +65,14 @@ void PovStage::read_camera() {
 
 void PovStage::read_light() {
   in_.expect("{", "behind light_source");
-  const std::size_t at = in_.offset();
-  const glm::dvec3 position = in_.triple("light_source");
-  in_.comma("light_source");
-  const glm::dvec3 color = in_.color("light_source").rgb;
-  check_rule(in_, at, "the colour of a light_source", light_color, color, &model::Fuente_inv_1);
-  if (in_.take("parallel")) {
-    const glm::dvec3 way = (in_.take("point_at") ? in_.triple("point_at") : glm::dvec3(0)) - position;
-    check_rule(in_, at, "the way of a parallel light", direction, way);
-    stage_.directional_lights.push_back({way, color});
-    ++parallels_;
+  const auto read = read_pov_light(in_);
+  if (const auto* const light = std::get_if<scene::Light>(&read)) {
+    if (!light->extent.is_point()) ++areas_;
+    stage_.lights.push_back(*light);
   } else {
-    stage_.lights.push_back({position, color});
+    stage_.directional_lights.push_back(std::get<scene::DirectionalLight>(read));
+    ++parallels_;
   }
-  if (!in_.take("}")) in_.fail_here("expected }, or parallel and point_at: no other light_source is read");
 }
 
 void PovStage::read_background() {
@@ -169,8 +168,31 @@ void PovStage::read_declaration() {
 
 void PovStage::read_sky() {
   in_.expect("{", "behind sky_sphere");
-  in_.skip_block();
-  ++skies_;
+  const PovWords begin = in_;
+  if (auto sky = read_gradient()) {
+    stage_.environment = std::move(sky);
+  } else {
+    in_.stand_where(begin);
+    in_.skip_block();
+    ++skies_;
+  }
+}
+
+/// A sky that goes from one colour straight below to another straight above, as it is written to POV-Ray; nothing of
+/// another, of which part has been passed.
+std::optional<scene::Environment> PovStage::read_gradient() {
+  scene::Environment sky;
+  const auto take_all = [&](std::initializer_list<std::string_view> words) {
+    return std::ranges::all_of(words, [&](std::string_view word) { return in_.take(word); });
+  };
+  if (!take_all({"pigment", "{", "gradient", "y", "color_map", "{"})) return std::nullopt;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (!take_all({"["}) || in_.take_number() != double(end) || in_.word() != "rgb") return std::nullopt;
+    const glm::dvec3& color = sky.colors[end] = in_.color("sky_sphere").rgb;
+    if (!(std::min({color.x, color.y, color.z}) >= 0) || !take_all({"]"})) return std::nullopt;
+  }
+  return take_all({"}", "scale", "2", "translate", "<", "0", ",", "-1", ",", "0", ">", "}", "}"}) ? std::optional(sky)
+                                                                                                 : std::nullopt;
 }
 
 void PovStage::name_losses(std::vector<std::string>& lost) const {
@@ -178,6 +200,8 @@ void PovStage::name_losses(std::vector<std::string>& lost) const {
            "changed: a scene's has square pixels and right angles, and mirrors nothing");
   add_loss(lost, parallels_, "parallel light", "parallel lights",
            "read as directional: a scene has none that some things stand behind");
+  add_loss(lost, areas_, "area_light", "area_lights",
+           "read as a light of some size: a scene's shine from all of their points, and not from a grid of lamps");
   add_loss(lost, skies_, "sky_sphere", "sky_spheres", "left out");
   add_loss(lost, settings_, "global setting", "global settings", "left out: a scene has none such");
   const bool is_told = gamma_ && gamma_->power;

@@ -38,6 +38,7 @@ class PovStage {
   void read_version();
   void read_declaration();
   void read_sky();
+  std::optional<scene::Environment> read_gradient();
 
   PovWords& in_;
   scene::Stage& stage_;
@@ -46,7 +47,7 @@ class PovStage {
   std::optional<PovGamma> gamma_{};
   std::size_t gamma_at_ = 0;  // where the text tells of it; its beginning where it does not
   std::size_t numbers_ = 0;   // that were made linear
-  std::size_t parallels_ = 0, settings_ = 0, versions_ = 0, declarations_ = 0, skies_ = 0;
+  std::size_t parallels_ = 0, areas_ = 0, settings_ = 0, versions_ = 0, declarations_ = 0, skies_ = 0;
 };
 
 /// The size that the first line of the text tells, where it is a comment with the call of POV-Ray: // … +W640 +H360.

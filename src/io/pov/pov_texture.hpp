@@ -8,10 +8,8 @@
 
 namespace durero::io {
 
-/// The attributes of an object of that material, which wears no texture: texture and, of glass, interior.
-std::string pov_attributes(const scene::Material& material);
-
-/// Those of an object of that material, whose textures stand at these coordinates.
+/// The attributes of an object of that material, whose textures stand at these coordinates: texture and, of glass,
+/// interior.
 std::string pov_attributes(const scene::Material& material, const PovPatterns& patterns, const PovCoordinates& at);
 
 }  // namespace durero::io

@@ -40,6 +40,12 @@ void PovWords::expect(std::string_view word, std::string_view where) {
   if (!take(word)) fail_here(fmt::format("expected {} {}", word, where));
 }
 
+std::optional<double> PovWords::take_number() {
+  const auto value = done() ? std::nullopt : read_finite(word_);
+  if (value) pass();
+  return value;
+}
+
 void PovWords::comma(std::string_view where) {
   if (!take(",") && (word_.starts_with('+') || word_.starts_with('-')))
     fail_here(fmt::format("expected a comma in {}: no sum is read", where));

@@ -4,6 +4,7 @@
 /// and the axes x, y and z, or one times a number.
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,12 +36,16 @@ class PovWords {
   /// What has been passed since that offset.
   std::string_view passed(std::size_t from) const { return source_.text().substr(from, end_ - from); }
 
+  /// Goes back, or on, to where that one stands in the same text.
+  void stand_where(const PovWords& other) { word_ = other.word_, at_ = other.at_, end_ = other.end_; }
   /// Passes what stands here. Precondition: !done().
   void pass();
   /// Passes that word, if it stands here.
   bool take(std::string_view word);
   /// Passes that word, or fails: `what stands here; expected word where`.
   void expect(std::string_view word, std::string_view where);
+  /// Passes a finite number, if one stands here.
+  std::optional<double> take_number();
   /// Passes a comma, which the language lets one leave out; it is missed where a sign makes a sum of both numbers.
   void comma(std::string_view where);
 

@@ -14,6 +14,7 @@
 #include "io/ends.hpp"
 #include "io/json/scene_elements.hpp"
 #include "io/losses.hpp"
+#include "pov_light.hpp"
 #include "pov_texture.hpp"
 
 namespace durero::io {
@@ -23,6 +24,9 @@ std::string text(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, 
 
 /// So far away that a parallel light stands before all that a scene has: as far as POV-Ray sees, but for a tenth.
 constexpr double far_away = 1e6;
+
+/// Rays of a pixel through a lens.
+constexpr int blur_samples = 64;
 
 /// Rays in a row of a scene that names no number: the most that its materials may need (docs/rendering.md).
 constexpr std::uint32_t most_depth = 15;
@@ -40,14 +44,15 @@ class PovWriter {
     out_.text += fmt::format("global_settings {{ assumed_gamma 1 max_trace_level {} adc_bailout 0 }}\n",
                              stage.max_depth.value_or(most_depth));
     write_camera(size);
-    out_.text += patterns_.declarations();
+    const std::size_t before = out_.text.size();
     if (stage.environment)
       write_sky(*stage.environment);
     else if (stage.background)
       out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
     write_lights();
-    for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material));
+    for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material, patterns_, {}));
     write_elements();
+    out_.text.insert(before, patterns_.declarations(out_.text));
     name_losses();
     return std::move(out_);
   }
@@ -63,9 +68,19 @@ class PovWriter {
     const double right = size.width - 0.5, bottom = size.height - 0.5, x = (size.width - 1) / 2.0,
                  y = (size.height - 1) / 2.0;
     const auto direction = [&](double across, double down) { return rays.ray_at(across, down).v().xyz(); };
-    out_.text += fmt::format("camera {{ location {} direction {} right {} up {} }}\n", text(scene_.stage().camera->eye),
+    const scene::Camera& camera = *scene_.stage().camera;
+    out_.text += fmt::format("camera {{ location {} direction {} right {} up {}{} }}\n", text(camera.eye),
                              text(direction(x, y)), text(direction(right, y) - direction(-0.5, y)),
-                             text(direction(x, -0.5) - direction(x, bottom)));
+                             text(direction(x, -0.5) - direction(x, bottom)), lens_text(camera));
+  }
+
+  /// POV-Ray's lens is half as wide as its aperture says.
+  static std::string lens_text(const scene::Camera& camera) {
+    if (camera.aperture == 0) return "";
+    const glm::dvec3 way = camera.look_at - camera.eye;
+    const glm::dvec3 focus = camera.focus > 0 ? camera.eye + camera.focus * glm::normalize(way) : camera.look_at;
+    return fmt::format(" aperture {} focal_point {} blur_samples {} variance 0", 2 * camera.aperture, text(focus),
+                       blur_samples);
   }
 
   void write_sky(const scene::Environment& environment) {
@@ -76,8 +91,7 @@ class PovWriter {
   }
 
   void write_lights() {
-    for (const scene::Light& light : scene_.stage().lights)
-      out_.text += fmt::format("light_source {{ {}, rgb {} }}\n", text(light.position), text(light.color));
+    for (const scene::Light& light : scene_.stage().lights) out_.text += pov_light(light);
     for (const scene::DirectionalLight& light : scene_.stage().directional_lights) {
       const glm::dvec3& d = light.direction;
       const double greatest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});  // whose square may overflow
@@ -124,8 +138,7 @@ class PovWriter {
   }
 
   std::string look(scene::ElementRef element, std::optional<std::uint32_t> material) const {
-    static const std::string plain = pov_attributes({.color = glm::dvec3(0.8)});
-    if (!material) return plain;
+    if (!material) return pov_attributes({.color = glm::dvec3(0.8)}, patterns_, {});
     const scene::Material& m = scene_.stage().materials[*material];
     if (!m.textures.any() && !m.bump) return looks_[*material];
     const PovCoordinates at = pov_coordinates(scene_, element);
@@ -245,7 +258,13 @@ class PovWriter {
                  scene_.stage().materials,
                  [&](const scene::Material& m) { return m.bump && !patterns_.is_exact(*m.bump); })),
              "relief", "reliefs", "drawn by the differences of POV-Ray: only those of waves are slopes");
-    add_blur_losses(out_.lost, scene_, "POV-Ray");
+    const auto lights_of = [&](auto which) {
+      return static_cast<std::size_t>(std::ranges::count_if(scene_.stage().lights, which));
+    };
+    add_loss(out_.lost,
+             lights_of([](const scene::Light& light) { return light.extent.shape == scene::LightShape::triangle; }),
+             "triangle that shines", "triangles that shine", "written as a point: POV-Ray has no such light");
+    add_motion_losses(out_.lost, scene_, "POV-Ray");
     ends_.name_losses(out_.lost, "POV-Ray");
     add_loss(out_.lost, rounded_maps_, "map", "maps", "rounded: an entry is no binary64");
     add_loss(out_.lost, empty_groups_, "group", "groups", "left out: nothing is in it");

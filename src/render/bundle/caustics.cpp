@@ -12,6 +12,7 @@
 
 #include "durero/render/bundle/pencil.hpp"
 #include "durero/render/light/directions.hpp"
+#include "durero/render/light/light_cones.hpp"
 #include "durero/scene/axes_across.hpp"
 #include "durero/scene/motion.hpp"
 #include "durero/surface/curvature.hpp"
@@ -42,6 +43,7 @@ struct LightWindow {
   double half;    ///< of the side of the square
   double radius;  ///< of the element's ball
   bool far;       ///< whether the light shines along a direction
+  std::optional<CosineCone> cone{};
 
   glm::dvec3 origin(double u, double v) const { return far ? from + u * first + v * second : from; }
   glm::dvec3 towards(double u, double v) const { return far ? axis : axis + u * first + v * second; }
@@ -53,7 +55,10 @@ struct LightWindow {
   }
   /// The flux through a unit of the square, for a light whose brightness at the first surface, `way` away, is 1.
   double flux(double u, double v, double way) const {
-    return far ? 1 : way * way / std::pow(glm::length(towards(u, v)), 3);
+    if (far) return 1;
+    const glm::dvec3 d = towards(u, v);
+    const double length = glm::length(d);
+    return way * way / std::pow(length, 3) * (cone ? intensity(*cone, d / length) : 1);
   }
 };
 
@@ -279,8 +284,9 @@ std::vector<LightWindow> windows_of(const scene::Scene& scene) {
     for (const scene::Light& light : stage.lights) {
       const glm::dvec3 to = ball.centre - light.position;
       const double distance = glm::length(to);
-      if (distance > ball.radius)
-        add(light.color, light.position, to / distance, std::tan(std::asin(ball.radius / distance)), false);
+      if (!(distance > ball.radius)) continue;
+      add(light.color, light.position, to / distance, std::tan(std::asin(ball.radius / distance)), false);
+      if (light.cone) windows.back().cone = cosine_cone(*light.cone, light.position);
     }
     for (const scene::DirectionalLight& light : stage.directional_lights) {
       const glm::dvec3 axis = unit(light.direction);

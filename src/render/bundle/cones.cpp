@@ -108,12 +108,15 @@ class ConeTracer {
   }
 
   void add_lights(const Encounter& at, const glm::dvec3& weight, glm::dvec3& sum) const {
-    for (const scene::Light& light : scene_.stage().lights) {
+    const std::vector<scene::Light>& lights = scene_.stage().lights;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const scene::Light& light = lights[i];
       const glm::dvec3 to_light = light.position - at.hit.punto;
       if (to_light == glm::dvec3(0)) continue;
       const double length = glm::length(to_light);
-      const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.facing) / length);
-      const glm::dvec3 color = weight * (light.color * seen);
+      const glm::dvec3 l = to_light / length;
+      const glm::dvec3 seen = sent(at, l, glm::dot(to_light, at.facing) / length);
+      const glm::dvec3 color = weight * (light.color * context_.cones.share(i, l) * seen);
       if (color == glm::dvec3(0)) continue;
       sum += color * open(at, to_light, light.extent.shape == scene::LightShape::sphere ? light.extent.radius : 0);
     }

@@ -44,7 +44,13 @@ std::vector<glm::dvec3> most_brought(const scene::Stage& stage, const PathLimits
 
 TracingContext::TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to,
                                const Caustics* also)
-    : scene(of), engine(by), limits(to), caustics(also), looks(of.stage()), most(most_brought(of.stage(), to)) {}
+    : scene(of),
+      engine(by),
+      limits(to),
+      caustics(also),
+      looks(of.stage()),
+      cones(of.stage()),
+      most(most_brought(of.stage(), to)) {}
 
 std::uint32_t depth_of(const scene::Stage& stage, Integrator integrator) {
   if (stage.max_depth) return *stage.max_depth;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "durero/engine/engine.hpp"
+#include "durero/render/light/light_cones.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "render/texture/looks.hpp"
 
@@ -22,6 +23,7 @@ struct TracingContext {
   const PathLimits limits;
   const Caustics* caustics;  ///< null where no such light is to be drawn
   const Looks looks;
+  const LightCones cones;
   const std::vector<glm::dvec3> most;  ///< bounds on the colour of a ray, by the number that it may still have in a row
 };
 

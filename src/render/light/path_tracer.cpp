@@ -54,10 +54,7 @@ struct WaitingLight {
 class PathTracer : public Tracer {
  public:
   explicit PathTracer(const TracingContext& context)
-      : context_(context),
-        stage_(context.scene.stage()),
-        emitters_(context.scene, context.engine),
-        shadows_(context.scene.stage()) {}
+      : context_(context), stage_(context.scene.stage()), emitters_(context.scene, context.engine), shadows_(context) {}
 
   void follow(std::span<const scene::Query> rays, std::span<const SampleSource> samples,
               std::span<PathRadiance> sums) override {
@@ -154,15 +151,18 @@ class PathTracer : public Tracer {
     const auto seen = [&](const glm::dvec3& color, const glm::dvec3& l) {
       return walk.weight * color * scattering.of_light(l);
     };
+    const ShadowStart from{walk.ray, at.hit, at.way};
     for (std::size_t i = 0; i < stage_.lights.size(); ++i) {
       const scene::Light& light = stage_.lights[i];
       const glm::dvec3 to = point_of(light, samples_[walk.ray].pair(dimension + of_first_light + i)) - at.hit.punto;
-      if (to != glm::dvec3(0)) shadows_.points.add(i, walk.ray, seen(light.color, unit(to)), at.hit, to);
+      if (to == glm::dvec3(0)) continue;
+      const glm::dvec3 l = unit(to);
+      shadows_.points.add(i, from, seen(light.color * context_.cones.share(i, l), l), to);
     }
     for (std::size_t i = 0; i < stage_.directional_lights.size(); ++i) {
       const scene::DirectionalLight& light = stage_.directional_lights[i];
       const glm::dvec3 l = -unit(light.direction);
-      shadows_.directions.add(i, walk.ray, seen(light.color, l), at.hit, -light.direction);
+      shadows_.directions.add(i, from, seen(light.color, l), -light.direction);
     }
   }
 

@@ -38,7 +38,7 @@ class WhittedTracer : public Tracer {
         scene_(followed.scene),
         engine_(followed.engine),
         limits_(followed.limits),
-        shadows_(followed.scene.stage()) {}
+        shadows_(followed) {}
 
   /// Adds what each ray brings to its sum.
   void follow(std::span<const scene::Query> rays, std::span<const SampleSource> samples,
@@ -116,19 +116,21 @@ class WhittedTracer : public Tracer {
   /// their way to where it waits is stalled there (the mirrors of demo/ took 5 % longer).
   [[gnu::flatten]] void ask_lights(const PathVertex& at) {
     const scene::Stage& stage = scene_.stage();
+    const ShadowStart from{at.path.ray, at.hit, at.way};
     for (std::size_t i = 0; i < stage.lights.size(); ++i) {
       const scene::Light& light = stage.lights[i];
       const glm::dvec3 to_light = place_of(light, i, at) - at.hit.punto;
       if (to_light == glm::dvec3(0)) continue;  // the light is at the point itself
       const double length = glm::length(to_light);
-      const glm::dvec3 seen = sent(at, to_light / length, glm::dot(to_light, at.facing) / length);
-      shadows_.points.add(i, at.path.ray, at.path.weight * (light.color * seen), at.hit, to_light);
+      const glm::dvec3 l = to_light / length;
+      const glm::dvec3 seen = sent(at, l, glm::dot(to_light, at.facing) / length);
+      shadows_.points.add(i, from, at.path.weight * (light.color * followed_.cones.share(i, l) * seen), to_light);
     }
     for (std::size_t i = 0; i < stage.directional_lights.size(); ++i) {
       const scene::DirectionalLight& light = stage.directional_lights[i];
       const glm::dvec3 l = -unit(light.direction);
-      shadows_.directions.add(i, at.path.ray, at.path.weight * (light.color * sent(at, l, glm::dot(l, at.facing))),
-                              at.hit, -light.direction);
+      shadows_.directions.add(i, from, at.path.weight * (light.color * sent(at, l, glm::dot(l, at.facing))),
+                              -light.direction);
     }
   }
 

@@ -6,7 +6,7 @@ namespace durero::zed {
 namespace {
 
 constexpr const char* head =
-    R"((** The Z text of spec/*.tex, tablas.tex apart, in Coq, written by `durero spec export --coq` of its sections: change the
+    R"((** The Z text of spec/*.tex, without tablas and malla, in Coq, written by `durero spec export --coq` of its sections: change the
     text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of

@@ -422,6 +422,40 @@ TEST_CASE("errors of what blurs a picture stand at the value") {
   CHECK(light(R"("triangle":{"edges":^[[1,0,0]]})") == "edges has 1 items; expected two edges");
   CHECK(light(R"("sphere":{"radius":1},^"disc":{"radius":1,"normal":[0,1,0]})") ==
         "a light has two shapes; expected one");
+  const auto spot = [&](const std::string& keys) { return light("\"spot\":{" + keys + "}"); };
+  CHECK(light(R"("spot":^{"inner":3})") == "key \"towards\" is missing in spot; expected it");
+  CHECK(spot(R"("towards":[1,2,3],"inner":^-1)") ==
+        "inner is -1; expected an angle in degrees, from 0 to 90 (Cono_de_Luz.inv.2)");
+  CHECK(spot(R"("towards":[1,2,3],"outer":^0)") ==
+        "outer is 0; expected an angle in degrees, above 0, up to 90 (Cono_de_Luz.inv.2)");
+  CHECK(spot(R"("towards":[1,2,3],"outer":^90.5)") ==
+        "outer is 90.5; expected an angle in degrees, above 0, up to 90 (Cono_de_Luz.inv.2)");
+  CHECK(spot(R"("towards":[1,2,3],"tightness":^-1)") ==
+        "tightness is -1; expected a number from 0 (Cono_de_Luz.inv.3)");
+  CHECK(light(R"("spot":^{"towards":[1,2,3],"outer":29})") ==
+        "the light is full up to 30 degrees and ends at 29; expected an end no sooner (Cono_de_Luz.inv.2)");
+  CHECK(error_at(with_part(R"("lights":[^{"position":[1,2,3],"color":[1,1,1],"spot":{"towards":[1,2,3]}}])")) ==
+        "the cone of a light leads to its own place; expected another place (Cono_de_Luz.inv.1)");
   CHECK(error_at(with_part(R"("materials":{"m":{"color":[1,1,1],"gloss":^-1}})")) ==
         "gloss is -1; expected a number from 0");
+}
+
+TEST_CASE("the cone of a light is read and written, and what it leaves out is as in POV-Ray") {
+  const auto read = [](const std::string& spot) {
+    return io::read_scene(
+        io::Source("f", R"({"format":"durero-scene","version":1,"lights":[{"position":[1,2,3],"color":[1,1,1],)" +
+                            spot + R"(}],"elementos":[]})"));
+  };
+  const scene::Scene plain = read(R"("spot":{"towards":[0,0,1]})");
+  const scene::LightCone cone = plain.stage().lights.at(0).cone.value();
+  CHECK((cone.towards == glm::dvec3(0, 0, 1) && cone.inner == 30 && cone.outer == 45 && cone.tightness == 0));
+  const scene::Scene whole =
+      read(R"("sphere":{"radius":2},"spot":{"towards":[0,0,1],"inner":7,"outer":8,"tightness":9})");
+  const scene::LightCone narrow = whole.stage().lights.at(0).cone.value();
+  CHECK((narrow.inner == 7 && narrow.outer == 8 && narrow.tightness == 9));
+  CHECK(whole.stage().lights.at(0).extent.radius == 2);
+  for (const scene::Scene* const scene : {&plain, &whole}) {
+    const std::string text = io::scene_text(*scene);
+    CHECK(io::read_scene(io::Source("g", text)).stage() == scene->stage());
+  }
 }

@@ -288,7 +288,7 @@ TEST_CASE("Terms of a material come back from an average; what a material has no
         scene::Material{.name = "f1", .color = {1, 0.5, 0}, .k_d = 0.375, .k_t = 0.25});
   CHECK(material("pigment { rgb <1, 3, 0> } finish { ambient 0 diffuse 0 emission 1 }") ==
         scene::Material{.name = "f1", .emission = {1, 3, 0}});
-  const std::string other = "1 texture left out: read are pigments of one colour with a finish, and averages of such";
+  const std::string other = "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages of such";
   for (const char* texture :
        {"texture { T_Gold }", "pigment { checker rgb 1, rgb 0 }", "pigment { color White }",
         "texture { pigment { rgb 1 } scale 2 }",
@@ -400,13 +400,22 @@ void check_elements(const scene::Scene& scene, const scene::Scene& back, double 
   }
 }
 
+/// Whether a light comes back: a triangle as a point, and a disc up to the rounding of its axes.
+bool is_read_back(const scene::Light& light, const scene::Light& back) {
+  if (light.position != back.position || light.color != back.color || light.cone != back.cone) return false;
+  const scene::LightExtent &from = light.extent, &to = back.extent;
+  if (from.shape == scene::LightShape::triangle) return to.is_point();
+  if (from.shape == scene::LightShape::disc)
+    return to.shape == from.shape && near(from.radius, to.radius, 1e-15) &&
+           glm::distance(glm::normalize(from.normal), glm::normalize(to.normal)) < 1e-15;
+  return from == to;
+}
+
 void check_stage(const scene::Stage& stage, const scene::Stage& back) {
   const auto size = stage.resolution.value_or(scene::default_resolution);
   CHECK(back.resolution == size);
   CHECK(back.background == (stage.environment ? std::nullopt : stage.background));
-  std::vector<scene::Light> points = stage.lights;  // POV-Ray's text has no shapes of lights
-  for (scene::Light& light : points) light.extent = {};
-  CHECK(back.lights == points);
+  CHECK(std::ranges::equal(stage.lights, back.lights, is_read_back));
   CHECK(back.max_depth == stage.max_depth.value_or(15));
   REQUIRE(back.directional_lights.size() == stage.directional_lights.size());
   for (std::size_t i = 0; i < stage.directional_lights.size(); ++i)
@@ -459,6 +468,52 @@ TEST_CASE("What was exported reads back, number for number where no loss is name
     RC_ASSERT(values(back.scene) == values(scene));
     RC_ASSERT(back.scene.stage().lights == scene.stage().lights);
   });
+}
+
+TEST_CASE("Checkers, stripes and a sky between two colours come back, number for number, where they are their surface's") {
+  const std::string scene = R"({"format":"durero-scene","version":1,"environment":{"gradient":[[0.5,0,0],[1,2,3]]},
+"textures":{"p1":{"checker":[[1,0,0.1],[0.5,1,0.3]],"repeat":[49,0.3]},"p2":{"stripes":[[0.7,0.1,0],[0,0,1]]}},
+"materials":{"f1":{"color":[1,1,1],"k_a":0.25,"k_d":0.5,"emission":[0.25,0.5,0],"textures":{"color":"p1","emission":"p1"}},
+"f2":{"color":[1,1,1],"k_s":0.5,"e":20,"textures":{"color":"p2"}},"f3":{"color":[0,0,0],"k_t":0.5,"textures":{"M_T":"p2"}}},
+"elementos":[{"id":"d1","tipo":"disco","centro":[1,2,3],"radio":0.7,"vector":[0,0.6,0.8],"material":"f1"},
+{"id":"s1","tipo":"esfera","centro":[0.1,0.2,0.3],"radio":0.3,"material":"f2"},
+{"id":"v1","tipo":"triangulo","vertices":[[0,0,0.1],[1,0,0.3],[0,0.7,0]],"material":"f3"}]})";
+  const scene::Scene first = io::read_scene(io::Source("f", scene));
+  const io::Exported out = io::pov_text(first);
+  const io::Imported back = import_text(out.text);
+  CHECK(back.lost.empty());
+  const scene::Stage &stage = back.scene.stage(), &before = first.stage();
+  CHECK(stage.textures == before.textures);
+  CHECK(stage.environment == before.environment);
+  REQUIRE(stage.materials.size() == 3);
+  CHECK(stage.materials[0] == before.materials[0]);
+  CHECK(stage.materials[1] == before.materials[1]);
+  CHECK(stage.materials[2].textures == before.materials[2].textures);
+  // On another surface it would be another texture.
+  const auto lost = [&](const std::string& from, const std::string& to) {
+    std::string text = out.text;
+    const std::size_t at = text.find(from);
+    REQUIRE(at != text.npos);
+    return import_text(text.replace(at, from.size(), to)).lost;
+  };
+  const Lines left_out{
+      "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages "
+      "of such"};
+  CHECK(lost("sphere { <0.1, 0.2, 0.3>, 0.3 }", "sphere { <0.1, 0.2, 0.3>, 0.25 }") == left_out);
+  for (const auto& [from, to] :
+       {std::pair("scale <1/49,", "scale <2/49,"), {"1/0.3, 1>", "1/-0.3, 1>"}, {"[0.5 rgb", "[0.25 rgb"},
+        {"checker rgb <2,", "checker rgb <3,"}, {"checker rgb", "hexagon rgb"}, {"warp {", "warp { spherical }, warp {"}}) {
+    CAPTURE(from);
+    CHECK(lost(from, to) == left_out);
+  }
+  CHECK(lost("[1 rgb <1, 2, 3>]", "[1 rgb <1, 2, -3>]") == Lines{"1 sky_sphere left out"});
+  CHECK(lost("scale 2 translate", "scale 3 translate") == Lines{"1 sky_sphere left out"});
+  // Their colours are numbers of the text's gamma.
+  std::string curved = out.text;
+  curved.replace(curved.find("assumed_gamma 1"), 15, "assumed_gamma 2");
+  const scene::Stage squared = import_text(curved).scene.stage();
+  CHECK(squared.textures.front().colors[1] == glm::dvec3(0.25, 1, 0.3 * 0.3));
+  CHECK(squared.environment->colors[1] == glm::dvec3(1, 4, 9));
 }
 
 TEST_CASE("Cones and cylinders of an ordinary scene come back up to the rounding of their ends") {
@@ -551,15 +606,32 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
        "the text ends; expected } behind texture_map"},
       {"camera { }\n^camera { }", "a second camera; expected one"},
       {"camera { ^orthographic }",
-       "\"orthographic\" stands here; expected one of location, direction, right, up, sky, angle, look_at, "
-       "perspective, or "
-       "}: no other camera is read"},
+       "\"orthographic\" stands here; expected one of location, direction, right, up, sky, angle, look_at, aperture, "
+       "focal_point, blur_samples, confidence, variance, perspective, or }: no other camera is read"},
+      {"camera { ^aperture -1 }", "aperture is -1; expected a number from 0 (Lente.inv.2)"},
+      {"^camera { aperture 1 focal_point -z }",
+       "the distance of focal_point is -1; expected a number above 0 (Lente.inv.3)"},
       {"camera { right x*^wide }", "\"wide\" in right; expected a finite number"},
       {"camera { ^angle 180 }", "angle is 180; expected an angle in degrees, above 0 and below 180"},
       {"^camera { look_at 0 }", "the camera looks at its own eye; expected look_at elsewhere"},
       {"^camera { direction y }", "up is parallel to the view; expected another direction"},
-      {"light_source { 0, rgb 1 ^spotlight }",
-       "\"spotlight\" stands here; expected }, or parallel and point_at: no other light_source is read"},
+      {"light_source { 0, rgb 1 ^looks_like }",
+       "\"looks_like\" stands here; expected one of parallel, spotlight, point_at, radius, falloff, tightness, "
+       "area_light, adaptive, jitter, circular, orient, area_illumination, or }: no other light_source is read"},
+      {"light_source { 0, rgb 1 spotlight radius ^91 }",
+       "radius is 91; expected an angle in degrees, from 0 to 90 (Cono_de_Luz.inv.2)"},
+      {"light_source { 0, rgb 1 spotlight falloff ^0 }",
+       "falloff is 0; expected an angle in degrees, above 0, up to 90 (Cono_de_Luz.inv.2)"},
+      {"light_source { ^0, rgb 1 spotlight falloff 20 }",
+       "the light is full up to 30 degrees and ends at 20; expected an end no sooner (Cono_de_Luz.inv.2)"},
+      {"light_source { ^0, rgb 1 spotlight point_at 0 }",
+       "the cone of a light leads to its own place; expected another place (Cono_de_Luz.inv.1)"},
+      {"light_source { ^y, rgb 1 parallel spotlight }",
+       "a parallel light has a cone or an area; expected one that is parallel alone"},
+      {"light_source { ^y, rgb 1 area_light x, x*2, 3, 3 }",
+       "an area_light has parallel sides; expected sides with an area between them"},
+      {"light_source { ^y, rgb 1 area_light x, z*2, 3, 3 circular }",
+       "a circular area_light is no circle; expected sides of one length, at right angles"},
       {"light_source { ^0, rgb -1 }",
        "the colour of a light_source is negative; expected red, green and blue, each from 0 (Fuente.inv.1)"},
       {"light_source { ^0, rgb 1 parallel }", "the way of a parallel light is the null vector; expected a direction"},
@@ -592,4 +664,24 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
 
 TEST_CASE("No damage to a POV-Ray text does worse than an error") {
   CHECK(test::refused_after_damage(sample, 20000, reading) > 10000);
+}
+
+TEST_CASE("Spotlights, area_lights and lenses are read, and the places where POV-Ray has them") {
+  const io::Imported i =
+      import_as_it_stands(R"(camera { location -z*5 look_at 0 aperture 0.5 focal_point z blur_samples 20, 40 }
+light_source { <1, 2, 3>, rgb 1 spotlight point_at <0, 1, 0> radius 10 falloff 20 tightness 3 }
+light_source { <1, 2, 3>, rgb 1 spotlight }
+light_source { y*3, rgb 1 area_light x*2, z*4, 5, 5 adaptive 1 jitter area_illumination on }
+light_source { y*3, rgb 1 area_light x*2, z*2, 5, 5 circular }
+light_source { y*3, rgb 1 area_light x*2, z*2, 5, 5 circular orient }
+sphere { 0, 1 })");
+  const scene::Stage& stage = i.scene.stage();
+  CHECK((stage.camera->aperture == 0.25 && stage.camera->focus == 6));
+  REQUIRE(stage.lights.size() == 5);
+  CHECK(stage.lights[0].cone == scene::LightCone{{0, 1, 0}, 10, 20, 3});
+  CHECK(stage.lights[1].cone == scene::LightCone{{1, 2, 4}});
+  using Shape = scene::LightShape;
+  CHECK(stage.lights[2].extent == scene::LightExtent{.shape = Shape::rectangle, .edges = {{{2, 0, 0}, {0, 0, 4}}}});
+  CHECK(stage.lights[3].extent == scene::LightExtent{.shape = Shape::disc, .radius = 1, .normal = {0, -1, 0}});
+  CHECK(stage.lights[4].extent == scene::LightExtent{.shape = Shape::sphere, .radius = 1});
 }

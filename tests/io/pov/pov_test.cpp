@@ -105,45 +105,102 @@ TEST_CASE("what ends in binary64 do not give is left out; what they round is cou
   CHECK(lost(R"("tipo":"cilindro","centro":[0,1000,0],"radio":1,"vector":[0,0.6,0.8],"altura":0.3)") == Lines{rounded});
 }
 
-TEST_CASE("a texture is a function of the place, and each term that it multiplies goes from black to itself") {
-  const auto of = [&](const std::string& texture, const std::string& material) {
-    return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{)" +
-                    texture + R"(}},"materials":{"m":{)" + material +
-                    R"(}},"elementos":[{"id":"p","tipo":"plano","centro":[1,2,3],"vector":[0,1,0],"material":"m"}])");
-  };
-  // The axes across +y are +x and -z.
-  const std::string u = "((1)*(x-(1))+(0)*(y-(2))+(0)*(z-(3)))", v = "((0)*(x-(1))+(0)*(y-(2))+(-1)*(z-(3)))";
-  const std::string black = "[0 pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 }]";
-  const io::Exported squares =
-      of(R"("checker":[[1,0,0],[0.5,1,0]],"repeat":[2,3])", R"("color":[1,0.5,0.25],"textures":{"color":"t"})");
+namespace {
+
+/// The text of one element that wears a texture t.
+io::Exported worn(const std::string& texture, const std::string& material, const std::string& element) {
+  return exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90},"textures":{"t":{)" + texture +
+                  R"(}},"materials":{"m":{)" + material + R"(}},"elementos":[{"id":"e","material":"m",)" + element +
+                  "}]");
+}
+const std::string plano = R"("tipo":"plano","centro":[1,2,3],"vector":[0,1,0])";
+/// The axes across +y are +x and -z; the pattern begins half a unit below.
+const std::string on_plane = "matrix <1, 0, 0, 0, 0, -1, 0, 1, 0, 1, 1.5, 3>";
+
+}  // namespace
+
+TEST_CASE("a checker and stripes are POV-Ray's own patterns, laid on the surface") {
+  const io::Exported squares = worn(R"("checker":[[1,0,0],[0.5,1,0]],"repeat":[2,3])",
+                                    R"("color":[1,0.5,0.25],"textures":{"color":"t"})", plano);
   CHECK(squares.lost.empty());
-  CHECK(has(squares, "[1 function { (1 + (-0.5)*Odd(floor(2*(" + u + ")) + floor(3*(" + v + ")))) } texture_map { " +
-                         black + " [1 pigment { rgb <3, 0, 0> } finish { ambient 0 diffuse 1 }] }]"));
-  CHECK(has(squares, "[1 function { (0 + (1)*Odd("));
-  CHECK(has(squares, "[1 pigment { rgb <0, 1.5, 0> } finish { ambient 0 diffuse 1 }]"));
-  CHECK(has(squares, "[1 pigment { rgb <0, 0, 0.75> } finish { ambient 0 diffuse 1 }]"));
-  // A share goes by the mean of the three, and what wears nothing stays whole.
-  const io::Exported share =
-      of(R"("stripes":[[1,1,1],[0,0,0]])", R"("color":[1,1,1],"k_ps":0.25,"textures":{"k_ps":"t"})");
-  CHECK(
-      has(share, "average texture_map { [1 pigment { rgb <2, 2, 2> } finish { ambient 0 diffuse 1 }] [1 function { ("));
-  CHECK(
-      has(share, ")/3 } texture_map { " + black +
-                     " [1 pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 reflection { rgb <0.5, 0.5, 0.5> } }] "
-                     "}] } }"));
-  for (const auto& [texture, declared, used] :
+  CHECK_FALSE(has(squares, "#declare"));
+  CHECK(has(squares, "texture { pigment { checker rgb <1, 0, 0>, rgb <0.5, 0.5, 0> scale <1/2, 1/3, 1> " + on_plane +
+                         " } finish { ambient 0 diffuse 1 } }"));
+  const std::string stripes = R"("stripes":[[1,1,1],[0,0,0.5]],"repeat":[0.5,1])",
+                    color = R"("color":[1,1,1],"textures":{"color":"t"})";
+  const auto of = [&](const std::string& element) { return worn(stripes, color, element); };
+  const std::string two = "pigment { gradient x color_map { [0.5 rgb <1, 1, 1>] [0.5 rgb <0, 0, 0.5>] } scale <2/0.5, 1/1, ";
+  CHECK(has(of(plano), two + "1> " + on_plane + " }"));
+  CHECK(has(of(R"("tipo":"disco","centro":[1,0,0],"radio":2,"vector":[0,0,1])"),
+            two + "1> matrix <4, 0, 0, 0, 4, 0, 0, 0, 1, -1, -2, -0.5> }"));
+  CHECK(has(of(R"("tipo":"triangulo","vertices":[[1,0,0],[3,0,0],[1,4,0]])"),
+            two + "1> matrix <2, 0, 0, 0, 4, 0, 0, 0, 1, 1, 0, -0.5> }"));
+  CHECK(has(of(R"("tipo":"esfera","centro":[1,2,3],"radio":2)"),
+            two + "4> warp { spherical dist_exp 0 } matrix <1, 0, 0, 0, 1, 0, 0, 0, -1, 1, 2, 3> }"));
+  CHECK(has(of(R"("tipo":"cilindro","centro":[1,2,3],"radio":2,"vector":[0,1,0],"altura":5)"),
+            two + "4> warp { cylindrical dist_exp 0 } matrix <1, 0, 0, 0, 5, 0, 0, 0, -1, 1, 2, 3> }"));
+  CHECK(has(of(R"("tipo":"cono","centro":[1,2,3],"proporcion":0.5,"vector":[0,1,0],"altura":4)"),
+            two + "4> warp { cylindrical dist_exp 0 } matrix <1, 0, 0, 0, 4, 0, 0, 0, -1, 1, 2, 3> }"));
+  CHECK(has(of(R"("tipo":"tronco","centro":[1,2,3],"radio":1,"proporcion":0.5,"vector":[0,1,0],"altura":4)"),
+            two + "6> warp { cylindrical dist_exp 0 } matrix"));
+  // The vertices are (1, 0), (0, 1) and (0, 0) of the square, so that its u goes from c to a, and its v from c to b.
+  CHECK(has(of(R"("tipo":"triangulo","vertices":[[1,0,0],[3,0,0],[1,4,0]],"uv":[[1,0],[0,1],[0,0]])"),
+            two + "1> matrix <0, -4, 0, 2, -4, 0, 0, 0, 1, 1, 4, -0.5> }"));
+  CHECK(has(of(R"("tipo":"triangulo","vertices":[[1,0,0],[3,0,0],[1,4,0]],"uv":[[1,0],[0,0],[2,0]])"),
+            "pigment { function { Odd(0.5*("));
+}
+
+TEST_CASE("a share that a pattern changes is two textures, and terms of one pattern share a pigment") {
+  const std::string squares = R"("checker":[[1,1,1],[0.25,0.5,0]],"repeat":[2,3])";
+  const io::Exported mirror = worn(squares, R"("color":[1,1,1],"k_ps":0.5,"textures":{"k_ps":"t"})", plano);
+  const auto black = [](const std::string& of) {
+    return "texture { pigment { rgb <0, 0, 0> } finish { ambient 0 diffuse 0 reflection { rgb " + of + " } } }";
+  };
+  CHECK(has(mirror,
+            "texture { average texture_map { [1 pigment { rgb <2, 2, 2> } finish { ambient 0 diffuse 1 }] [1 checker " +
+                black("<1, 1, 1>") + " " + black("<0.25, 0.25, 0.25>") + " scale <1/2, 1/3, 1> " + on_plane +
+                "] } }"));
+  // What shines of itself is a factor of the pigment, if it wears the same.
+  const std::string same = R"("color":[0.5,1,1],"ambient":[0.25,0.125,0],"textures":{"color":"t","ambient":"t"})";
+  CHECK(has(worn(squares, same, plano),
+            "texture { pigment { checker rgb <0.5, 1, 1>, rgb <0.125, 0.5, 0> scale <1/2, 1/3, 1> " + on_plane +
+                " } finish { ambient 0 diffuse 1 emission rgb <0.5, 0.125, 0> } }"));
+  const std::string other = R"("color":[0.5,1,1],"ambient":[0.25,0.125,0],"textures":{"color":"t"})";
+  CHECK(has(worn(squares, other, plano), "[1 pigment { rgb <0.5, 0.25, 0> } finish { ambient 0 diffuse 0 emission 1 }]"));
+  // Two factors of one term that wear one pattern are the product at each of its ends.
+  const std::string twice = R"("color":[1,1,1],"textures":{"color":"t","k_d":"t"})";
+  CHECK(has(worn(squares, twice, plano), "checker rgb <1, 1, 1>, rgb <0.0625, 0.125, 0> scale"));
+  // Between the colours of waves it is no mixture of these.
+  const std::string waves = R"("waves":[[1,1,1],[0.25,0.5,0]])";
+  CHECK(has(worn(waves, twice, plano), "average pigment_map { [1 function { (1 + (-0.75)*(0.5 + 0.5*sin("));
+  CHECK(has(worn(waves, R"("color":[1,1,1],"textures":{"color":"t"})", plano),
+            ") } color_map { [0 rgb <1, 1, 1>] [1 rgb <0.25, 0.5, 0>] } }"));
+}
+
+TEST_CASE("a picture is POV-Ray's where nothing multiplies it; else functions stand for it, and are declared") {
+  const auto of = [](const std::string& texture, const std::string& material) {
+    return worn(texture, material, plano);
+  };
+  const std::string white = R"("color":[1,1,1],"k_a":0.25,"textures":{"color":"t"})",
+                    grey = R"("color":[0.5,0.5,0.5],"textures":{"color":"t"})";
+  const io::Exported own = of(R"("image":"a.jpeg","filter":"nearest","curve":"linear","repeat":[2,2])", white);
+  CHECK(has(own, "[1 pigment { image_map { jpeg \"a.jpeg\" gamma 1 } scale <1/2, 1/2, 1> " + on_plane +
+                     " } finish { ambient 0 diffuse 2 }]"));
+  CHECK(has(own, "finish { ambient 0 diffuse 0.5 brilliance 0 }]"));
+  CHECK_FALSE(has(own, "#declare"));
+  for (const auto& [texture, material, declared, used] :
        {std::tuple(
-            R"("image":"a\"b.PNG","edges":"clamp")",
+            R"("image":"a\"b.PNG","edges":"clamp")", white,
             "#declare Image0 = function { pigment { image_map { png \"a\\\"b.PNG\" gamma srgb interpolate 2 } } }\n",
             "Image0(min(max(1*("),
-        {R"("image":"a.jpeg","filter":"nearest","curve":"linear")",
+        {R"("image":"a.jpeg","filter":"nearest","curve":"linear")", grey,
          "#declare Image0 = function { pigment { image_map { jpeg \"a.jpeg\" gamma 1 } } }\n", "Image0(1*("},
-        {R"("waves":[[1,1,1],[0,0,0]])", "#declare Turn", "(0.5 + 0.5*sin(2*pi*1*("},
-        {R"("p6m":[[1,1,1],[0,0,0]])", "#declare Hexagons", "Hexagons(1*("}}) {
+        {R"("p6m":[[1,1,1],[0,0,0]])", white, "#declare Hexagons", "function { Hexagons(1*("}}) {
     CAPTURE(texture);
-    const io::Exported out = of(texture, R"("color":[1,1,1],"textures":{"color":"t"})");
+    const io::Exported out = of(texture, material);
     CHECK(has(out, declared));
     CHECK(has(out, used));
+    CHECK_FALSE(has(out, "#declare Turn"));
     CHECK(out.lost.empty());
   }
 }
@@ -170,10 +227,9 @@ TEST_CASE("no relief turns the term of k_a, nor what shines of itself") {
   const io::Exported out = exported(R"("textures":{"t":{"waves":[[0,0,0],[1,1,1]]}},
     "materials":{"m":{"color":[1,1,1],"k_a":0.5,"k_s":0.25,"ambient":[1,0,0],"bump":{"texture":"t"}}},
     "elementos":[{"id":"d","tipo":"disco","centro":[0,0,0],"radio":2,"vector":[0,0,1],"material":"m"}])");
-  CHECK(has(out, "[1 pigment { rgb <4, 4, 4> } finish { ambient 0 diffuse 0.5 brilliance 0 }]"));
-  CHECK(has(out, "[1 pigment { rgb <4, 0, 0> } finish { ambient 0 diffuse 0 emission 1 }]"));
-  CHECK(has(out, "[1 pigment { rgb <4, 4, 4> } normal {"));
-  CHECK(has(out, "[1 pigment { rgb <0, 0, 0> } normal {"));
+  CHECK(has(out, "[1 pigment { rgb <2, 2, 2> } finish { ambient 0 diffuse 0.5 brilliance 0 }]"));
+  CHECK(has(out, "[1 pigment { rgb <2, 2, 2> } normal {"));
+  CHECK(has(out, "finish { ambient 0 diffuse 1 emission rgb <1, 0, 0> phong 0.5 phong_size 1 }]"));
 }
 
 TEST_CASE("what is around is a sky of the same colours") {
@@ -184,8 +240,8 @@ TEST_CASE("what is around is a sky of the same colours") {
   };
   const io::Exported gradient = of(R"("gradient":[[0.5,0,0],[1,2,3]])");
   CHECK(has(gradient,
-            "sky_sphere { pigment { function { 0.5 + 0.5*y } color_map { [0 rgb <0.5, 0, 0>] [1 rgb <1, 2, 3>] "
-            "} } }\n"));
+            "sky_sphere { pigment { gradient y color_map { [0 rgb <0.5, 0, 0>] [1 rgb <1, 2, 3>] } scale 2 translate <0, "
+            "-1, 0> } }\n"));
   CHECK_FALSE(has(gradient, "background"));
   CHECK(has(of(R"("equirectangular":"a.png")"), "Sky0(0.5 + atan2(x, -z)/(2*pi), "));
   CHECK(has(of(R"("spherical":"a.png")"), "1*Sky0(min(max(0.5 + 0.5*x/max(sqrt("));
@@ -204,17 +260,33 @@ TEST_CASE("pictures that POV-Ray cannot tell by name, levels and reliefs are cou
                                  "1 texture left out: by its name a file is neither PNG nor JPEG",
                                  "1 mipmap drawn by the picture alone: POV-Ray has no levels",
                                  "1 relief drawn by the differences of POV-Ray: only those of waves are slopes"});
-  CHECK(has(out, "texture { average texture_map { [1 pigment { rgb <1, 1, 1> } normal { function { 0.25 + (Image1("));
+  CHECK(has(out, "texture { pigment { rgb <1, 1, 1> } normal { function { 0.25 + (Image1("));
 }
 
-TEST_CASE("what blurs a picture is left out, and named") {
+TEST_CASE("lens, shapes and cones of lights are written, and what moves is left out and named") {
   const io::Exported out = exported(R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,
-"aperture":0.5,"shutter":1,"motion":[1,0,0]},"materials":{"m":{"color":[1,1,1],"gloss":9}},
-"lights":[{"position":[0,9,0],"color":[1,1,1],"sphere":{"radius":1}},{"position":[1,9,0],"color":[1,1,1]}],
+"aperture":0.5,"focus":3,"shutter":1,"motion":[1,0,0]},"materials":{"m":{"color":[1,1,1],"gloss":9}},
+"lights":[{"position":[0,9,0],"color":[1,1,1],"sphere":{"radius":1}},{"position":[1,9,0],"color":[1,1,1]},
+{"position":[2,9,0],"color":[1,1,1],"disc":{"radius":0.5,"normal":[0,0,2]}},
+{"position":[3,9,0],"color":[1,1,1],"rectangle":{"edges":[[1,0,0],[0,0,2]]}},
+{"position":[4,9,0],"color":[1,1,1],"triangle":{"edges":[[1,0,0],[0,0,2]]}},
+{"position":[5,9,0],"color":[1,1,1],"spot":{"towards":[1,2,3],"inner":10,"outer":20,"tightness":4}}],
 "elementos":[{"id":"a","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"m","motion":[0,1,0]}])");
-  CHECK(out.lost == std::vector<std::string>{"1 lens left out: not written to POV-Ray",
+  CHECK(out.lost == std::vector<std::string>{"1 triangle that shines written as a point: POV-Ray has no such light",
                                              "1 shutter left out: not written to POV-Ray",
                                              "2 motions left out: not written to POV-Ray",
-                                             "1 shape of a light left out: not written to POV-Ray",
                                              "1 gloss left out: not written to POV-Ray"});
+  CHECK(has(out, " aperture 1 focal_point <0, 0, -2> blur_samples 64 variance 0 }\n"));
+  CHECK(has(out,
+            "light_source { <0, 9, 0>, rgb <1, 1, 1> area_light <2, 0, 0>, <0, 2, 0>, 9, 9 jitter "
+            "area_illumination circular orient }\n"));
+  CHECK(has(out, "light_source { <1, 9, 0>, rgb <1, 1, 1> }\n"));
+  CHECK(has(out,
+            "light_source { <3, 9, 0>, rgb <1, 1, 1> area_light <1, 0, 0>, <0, 0, 2>, 9, 9 jitter "
+            "area_illumination }\n"));
+  CHECK(has(out, "light_source { <4, 9, 0>, rgb <1, 1, 1> }\n"));
+  CHECK(has(out,
+            "light_source { <5, 9, 0>, rgb <1, 1, 1> spotlight point_at <1, 2, 3> radius 10 falloff 20 tightness 4 "
+            "}\n"));
+  CHECK(has(out, " 9, 9 jitter area_illumination circular }\n"));
 }

@@ -112,3 +112,20 @@ TEST_CASE("a scene without a light, or without something that gathers it, is ref
   matt.stage().materials[0].k_t = 0;
   CHECK_THROWS_AS(render::Caustics(matt, *engine::find("fast")->prepare(matt), 4), std::domain_error);
 }
+
+TEST_CASE("a light that shines into a cone brings what its cone sends on the ball") {
+  scene::Scene scene = glass_over_floor(1.5);
+  scene.stage().directional_lights.clear();
+  scene.stage().lights = {{{0, 6, 0}, {1, 1, 1}}};
+  const auto flux = [&] {
+    const auto engine = engine::find("fast")->prepare(scene);
+    return flux_within(render::Caustics(scene, *engine, 5), 1, 1.5);
+  };
+  const double around = flux();
+  scene.stage().lights[0].cone = {
+      .towards = {0, 0, 0}, .inner = 20, .outer = 30};  // the ball is seen within 9.6 degrees
+  CHECK(flux() == Approx(around));
+  scene.stage().lights[0].cone = {.towards = {0, 0, 0}, .inner = 2, .outer = 4};
+  CHECK(flux() < around / 4);
+  CHECK(flux() > 0);
+}

@@ -93,6 +93,11 @@ TEST_CASE("a cone of no angle is the ray: the picture is that by rays, to the la
   add_sail(scene, "sail", {1, -1, 1}, {2, -1, 0}, {1.5, 1, 0.5}, 3);
   CHECK(cones(scene, 1, 0).rgb == rays(scene).rgb);
   CHECK(cones(scene, 4, 0).rgb == rays(scene, 4).rgb);
+  scene::Scene spot = scene;
+  REQUIRE_FALSE(spot.stage().lights.empty());
+  spot.stage().lights[0].cone = {.towards = {0, 0, 0}, .inner = 1, .outer = 9};
+  CHECK(cones(spot, 1, 0).rgb == rays(spot).rgb);
+  CHECK(cones(spot, 1, 0).rgb != cones(scene, 1, 0).rgb);
   CHECK(cones(scene, 1, 1).rgb != rays(scene).rgb);
 }
 

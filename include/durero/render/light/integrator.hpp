@@ -25,6 +25,15 @@ enum class LightSampling {
   directions  ///< by directions of the surface alone
 };
 
+/// The rule of shadows.
+enum class ShadowRule {
+  opaque,   ///< whatever stands between a point and a light hides it, glass too (visible.def.1)
+  coloured  ///< clear elements let their share of a light through (transmitido.def.1)
+};
+
+/// Their names, in the order of ShadowRule.
+inline constexpr std::array<std::string_view, 2> shadow_rule_names{"opaque", "coloured"};
+
 /// The number of rays in a row that a picture of this stage needs, where it names none. Whitted's algorithm: one where
 /// no material sends rays on; else so many that what comes later weighs less than half a step of a picture's 255, and
 /// at most

@@ -26,6 +26,7 @@ struct PathLimits {
   double min_weight = 0;    ///< a ray is not sent where it would count for less than this share of red, green and blue
   Integrator integrator = Integrator::whitted;         ///< the way of following light; paths know no min_weight
   LightSampling light_sampling = LightSampling::both;  ///< of paths
+  ShadowRule shadows = ShadowRule::opaque;             ///< what clear elements do to lights behind them
 };
 
 /// The colour that a ray brings, and its counts.
@@ -44,7 +45,8 @@ struct PathRadiance {
 ///       + k_ps·M_PS·(colour from the mirrored direction) + k_t·M_T·(colour from the refracted direction)
 ///
 /// l is the unit vector to a light, r is l mirrored, S the light's colour where no element stands between, else 0:
-/// glass too casts a full shadow. In total reflection the share k_t goes the mirrored way.
+/// glass too casts a full shadow, but by ShadowRule::coloured, where S is what all that stands between lets through. In
+/// total reflection the share k_t goes the mirrored way.
 ///
 /// The medium that a ray is in follows from the surfaces that it crossed: against the outward normal it enters the
 /// element's material, along it it leaves the last such that it entered. A ray that leaves a medium it never entered,

@@ -1,0 +1,61 @@
+(** * InstancesMeshes: the theorems about meshes, on two triangles that share an edge
+
+    An element is a list of numbers here, and the name of a face its number before the mesh's name: no two faces have one.
+
+    names               == that function
+    two_faces           == the mesh of the unit square, cut along a diagonal *)
+From Coq Require Import Reals List Lia Lra.
+From Durero Require Import Toolkit Especificacion Escena Malla.
+From Durero Require Meshes MeshClaims MainModels.
+Import ListNotations.
+Local Open Scope R_scope.
+Local Open Scope zed_scope.
+
+Definition names : rel (list nat * nat) (list nat) := fun p => snd p = snd (fst p) :: fst (fst p).
+Lemma names_are_of_one_face : nombre_cara_def_1 (list nat) names.
+Proof.
+  split.
+  - intros [m n] e e' H H'. unfold names in *. cbn in *. congruence.
+  - intros e [m n] [m' n'] H H'. unfold names, inverse in *. cbn in *. congruence.
+Qed.
+
+Definition two_faces : Red :=
+  mk_Red [mk_Punto 0 0 0; mk_Punto 1 0 0; mk_Punto 1 1 0; mk_Punto 0 1 0] [mk_Cara 0 1 2; mk_Cara 0 2 3].
+
+Lemma face_of_two c : c ∈ ran (numbered (caras two_faces)) -> c = mk_Cara 0 1 2 \/ c = mk_Cara 0 2 3.
+Proof.
+  intros [n H]. unfold numbered in H. cbn in H. destruct n as [| [| n]]; cbn in H; [left; congruence | right; congruence |].
+  destruct n; discriminate.
+Qed.
+Lemma two_faces_are_a_mesh : two_faces ∈ Malla.
+Proof.
+  split.
+  - intros c H i Hi. apply dom_numbered. unfold below. cbn.
+    apply face_of_two in H as [-> | ->]; destruct Hi as [[-> | ->] | ->]; cbn; lia.
+  - intros c H. apply face_of_two in H as [-> | ->].
+    + exists (mk_Terna (mk_Punto 0 0 0) (mk_Punto 1 0 0) (mk_Punto 1 1 0)). split; [now split |].
+      unfold Vertices; cbn. lra.
+    + exists (mk_Terna (mk_Punto 0 0 0) (mk_Punto 1 1 0) (mk_Punto 0 1 0)). split; [now split |].
+      unfold Vertices; cbn. lra.
+Qed.
+Lemma two_faces_have_names : nameable (list nat) names [] two_faces.
+Proof. split; [exact two_faces_are_a_mesh |]. intros n _. now exists [n]. Qed.
+
+(** Beside the first scene there is one with these two triangles. *)
+Lemma two_faces_are_added : exists S S', Init_Mallas (list nat) names S
+  /\ Agregar_Malla (list nat) names S S' [] two_faces malla_agregada /\ exists abc, ([0%nat], abc) ∈ mi_vertices (escena _ S').
+Proof.
+  destruct (MeshClaims.a_first_scene_with_meshes_exists (list nat) names) as [S I].
+  exists S, (Meshes.replaced (list nat) names S [] two_faces). split; [exact I |]. split.
+  - apply (Meshes.Agregar_Malla_computed (list nat) names names_are_of_one_face).
+    split; [| split; [apply Meshes.Mallas_eq_refl | reflexivity]].
+    split; [apply I |]. split.
+    + intros [r Hr]. now apply (Init_Mallas_post_1 _ _ _ I) in Hr.
+    + split; [exact two_faces_have_names |]. intros e. split; [| intros []]. intros [_ He].
+      apply (Init_post_1 (Init_Mallas_Init _ _ _ I)) in He. exact He.
+  - exists (mk_Terna (mk_Punto 0 0 0) (mk_Punto 1 0 0) (mk_Punto 1 1 0)). right.
+    exists 0%nat, (mk_Cara 0 1 2). now split.
+Qed.
+
+Definition instance_of_the_conjectures_of_meshes_hold :=
+  conj two_faces_are_added (MainModels.the_conjectures_of_meshes_hold (list nat) names names_are_of_one_face).
