@@ -159,10 +159,10 @@ std::optional<std::vector<Parameter>> SolidFigure::parameters(const model::Rayo&
                                                               surface::exact::RayStretch stretch) const {
   std::vector<Parameter> met;
   bool runs_along = false;
-  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, Place here, Place after) {
+  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, SolidPlace here, SolidPlace after) {
     const bool is_beyond = t != nullptr && !lies_on(stretch, *t);
-    runs_along = !is_beyond && after == Place::surface;
-    if (!is_beyond && t != nullptr && here == Place::surface) met.push_back(*t);
+    runs_along = !is_beyond && after == SolidPlace::surface;
+    if (!is_beyond && t != nullptr && here == SolidPlace::surface) met.push_back(*t);
     return is_beyond || runs_along;
   });
   if (runs_along) return std::nullopt;
