@@ -347,7 +347,7 @@ Proof.
   pose proof (Rmult_lt_0_compat r r Hr Hr). lra.
 Qed.
 
-(** Discharges valor.def.1, solido_esfera.def.1, solido_esfera.conj.1. *)
+(** Discharges Cuadrica.inv.1, valor.def.1, multiplo.def.1, solido_esfera.def.1, solido_esfera.conj.1. *)
 Theorem the_surface_of_a_solid_sphere_is_the_sphere : solido_esfera_conj_1.
 Proof.
   intros c w r Hr. change (r > 0) in Hr.

@@ -116,7 +116,7 @@ Asked asked(const scene::Joining& in, const written::Edited&) {
   py::dict inputs;
   inputs["e"] = in.e;
   inputs["de"] = in.de;
-  const scene::Body joined{scene::Solid{in.operation, {}}};
+  const scene::Body joined{scene::Compound{in.operation, {}}};
   return {io::addition_name(scene::word_of(joined)), inputs};
 }
 
@@ -232,7 +232,7 @@ py::dict attributes_of(const scene::Instance& instance) {
   return attributes;
 }
 
-py::dict attributes_of(const scene::Solid& solid);
+py::dict attributes_of(const scene::Compound& solid);
 
 /// A part with its tipo; of a shape that no map has moved its own attributes.
 py::dict part_of(const scene::Body& body) {
@@ -248,7 +248,7 @@ py::dict part_of(const scene::Body& body) {
 }
 
 /// `de`, a dictionary for each part.
-py::dict attributes_of(const scene::Solid& solid) {
+py::dict attributes_of(const scene::Compound& solid) {
   py::list parts;
   for (const scene::Body& part : solid.parts) parts.append(part_of(part));
   py::dict attributes;

@@ -52,13 +52,13 @@ std::array<double, matrix_places> rounded(const SpaceForm<Dyadic>& form) {
 
 }  // namespace
 
-Face::Face(const SpaceForm<Dyadic>& form)
+SolidFace::SolidFace(const SpaceForm<Dyadic>& form)
     : form_(scaled(form)), magnitudes_(magnitudes(form_)), rough_(roughly(form_)), rounded_(rounded(form_)) {}
 
 // Computed in binary64, a value errs by less than 2⁻⁴⁸ of the sum of the magnitudes of its terms, each of which has at
 // most four roundings and is added in at most nine; half a unit in each coordinate changes it by less than 2⁻⁵⁰ of that
 // sum. What underflows is far below 2⁻⁹⁵⁰. So a value above 2⁻⁴⁴ of the sum, computed too, is not 0 nearby.
-bool Face::is_surely_far(const glm::dvec3& w) const {
+bool SolidFace::is_surely_far(const glm::dvec3& w) const {
   const std::array<double, 4> at{w.x, w.y, w.z, 1};
   double value = 0, sum = 0;
   for (std::size_t j = 0; j < 4; ++j)
@@ -71,7 +71,7 @@ bool Face::is_surely_far(const glm::dvec3& w) const {
 }
 
 // |f(w + d) − f(w)| ≤ F(|w| + δ) − F(|w|) for |dᵢ| ≤ δᵢ, where F has the magnitudes of the coefficients.
-bool Face::may_hold_near(const glm::dvec3& rounded) const {
+bool SolidFace::may_hold_near(const glm::dvec3& rounded) const {
   if (is_surely_far(rounded)) return false;
   Four w, size, beyond;
   for (int i = 0; i < 3; ++i) {
@@ -84,7 +84,7 @@ bool Face::may_hold_near(const glm::dvec3& rounded) const {
   return magnitude(value_at(form_, w)) <= value_at(magnitudes_, beyond) - value_at(magnitudes_, size);
 }
 
-glm::dvec3 Face::gradient(const glm::dvec3& w) const {
+glm::dvec3 SolidFace::gradient(const glm::dvec3& w) const {
   const auto of = [&](std::size_t i) {
     const auto m = [&](std::size_t j) { return rounded_[matrix_place(i, j)]; };
     return 2 * (m(0) * w.x + m(1) * w.y + m(2) * w.z + m(3));
@@ -92,7 +92,7 @@ glm::dvec3 Face::gradient(const glm::dvec3& w) const {
   return {of(0), of(1), of(2)};
 }
 
-double Face::value(const glm::dvec3& w) const {
+double SolidFace::value(const glm::dvec3& w) const {
   const auto of = [&](std::size_t i) {
     const auto m = [&](std::size_t j) { return rounded_[matrix_place(i, j)]; };
     return m(0) * w.x + m(1) * w.y + m(2) * w.z + m(3);

@@ -8,10 +8,10 @@
 namespace durero::composed {
 
 /// A face, and what is computed of it in binary64.
-class Face {
+class SolidFace {
  public:
   /// Of a polynomial other than 0.
-  explicit Face(const SpaceForm<Dyadic>& form);
+  explicit SolidFace(const SpaceForm<Dyadic>& form);
 
   /// The polynomial times a power of two.
   const SpaceForm<Dyadic>& form() const { return form_; }

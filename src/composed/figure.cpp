@@ -46,7 +46,7 @@ class Copy final : public Figure {
 
 std::unique_ptr<const Figure> made(const scene::Instance& instance) { return std::make_unique<const Copy>(instance); }
 
-std::unique_ptr<const Figure> made(const scene::Solid& solid) { return std::make_unique<const SolidFigure>(solid); }
+std::unique_ptr<const Figure> made(const scene::Compound& solid) { return std::make_unique<const SolidFigure>(solid); }
 
 }  // namespace
 

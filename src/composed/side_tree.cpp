@@ -48,16 +48,16 @@ void SideTree::try_sides(std::span<std::int8_t> sides, std::span<const std::size
   sides[open[0]] = 0;
 }
 
-Place SideTree::place(std::span<const std::int8_t> sides) const {
+SolidPlace SideTree::place(std::span<const std::int8_t> sides) const {
   const int here = certain(sides);
-  if (here != 0) return here > 0 ? Place::inside : Place::outside;
+  if (here != 0) return here > 0 ? SolidPlace::inside : SolidPlace::outside;
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < sides.size(); ++i)
     if (sides[i] == 0) open.push_back(i);
   std::vector<std::int8_t> tried(sides.begin(), sides.end());
   bool is_in = false, is_out = false;
   try_sides(tried, open, is_in, is_out);
-  return is_in && is_out ? Place::surface : is_in ? Place::inside : Place::outside;
+  return is_in && is_out ? SolidPlace::surface : is_in ? SolidPlace::inside : SolidPlace::outside;
 }
 
 }  // namespace durero::composed

@@ -13,7 +13,7 @@
 namespace durero::composed {
 namespace {
 
-using scene::Solid;
+using scene::Compound;
 using surface::Box;
 using surface::exact::Segment;
 
@@ -46,12 +46,12 @@ Box box_of(const scene::Instance& instance) {
   return std::holds_alternative<scene::Plane>(instance.shape) ? box_of_half_space(shape.power()) : shape.box();
 }
 
-Box box_of(const Solid& solid) {
+Box box_of(const Compound& solid) {
   Box box = box_of(solid.parts[0]);
-  if (solid.operation == Solid::Operation::subtracted) return box;
+  if (solid.operation == Compound::Operation::subtracted) return box;
   for (const scene::Body& part : solid.parts) {
     const Box other = box_of(part);
-    const bool is_union = solid.operation == Solid::Operation::united;
+    const bool is_union = solid.operation == Compound::Operation::united;
     box.low = is_union ? glm::min(box.low, other.low) : glm::max(box.low, other.low);
     box.high = is_union ? glm::max(box.high, other.high) : glm::min(box.high, other.high);
   }
@@ -67,14 +67,14 @@ Box box_of(const scene::Body& body) {
 template <class Visit>
 void walk(const FacesAlong& along, const SideTree& tree, Visit visit) {
   std::vector<std::int8_t> sides = along.sides;
-  const Place at_first = tree.place(sides);
+  const SolidPlace at_first = tree.place(sides);
   if (visit(nullptr, at_first, at_first)) return;
   const auto end = along.crossings.end();
   for (auto from = along.crossings.begin(); from != end;) {
     const auto to = std::find_if(from, end, [&](const FaceCrossing& each) { return each.t != from->t; });
     const std::vector<std::int8_t> before = sides;
     for (auto each = from; each != to; ++each) sides[each->face] = 0;
-    const Place here = tree.place(sides);
+    const SolidPlace here = tree.place(sides);
     for (auto each = from; each != to; ++each)
       sides[each->face] = static_cast<std::int8_t>(each->turns ? -before[each->face] : before[each->face]);
     if (visit(&from->t, here, tree.place(sides))) return;
@@ -84,8 +84,8 @@ void walk(const FacesAlong& along, const SideTree& tree, Visit visit) {
 
 First first_of(const FacesAlong& along, const SideTree& tree) {
   First first;
-  walk(along, tree, [&](const Parameter* t, Place here, Place) {
-    if (here != Place::surface) return false;
+  walk(along, tree, [&](const Parameter* t, SolidPlace here, SolidPlace) {
+    if (here != SolidPlace::surface) return false;
     if (t != nullptr)
       first.t = *t;
     else
@@ -97,7 +97,7 @@ First first_of(const FacesAlong& along, const SideTree& tree) {
 
 }  // namespace
 
-SolidFigure::SolidFigure(const Solid& solid) : tree_(tree_of(solid)), box_(box_of(solid)) {}
+SolidFigure::SolidFigure(const Compound& solid) : tree_(tree_of(solid)), box_(box_of(solid)) {}
 
 SolidFigure::~SolidFigure() = default;
 
@@ -122,14 +122,14 @@ SideTree SolidFigure::tree_of(const scene::Instance& instance) {
   return SideTree::all(std::move(parts));
 }
 
-SideTree SolidFigure::tree_of(const Solid& solid) {
+SideTree SolidFigure::tree_of(const Compound& solid) {
   std::vector<SideTree> parts;
   for (const scene::Body& part : solid.parts) {
-    const bool is_taken = solid.operation == Solid::Operation::subtracted && !parts.empty();
+    const bool is_taken = solid.operation == Compound::Operation::subtracted && !parts.empty();
     const SideTree tree = tree_of(part);
     parts.push_back(is_taken ? tree.complement() : tree);
   }
-  const bool is_union = solid.operation == Solid::Operation::united;
+  const bool is_union = solid.operation == Compound::Operation::united;
   return is_union ? SideTree::any(std::move(parts)) : SideTree::all(std::move(parts));
 }
 
@@ -137,7 +137,7 @@ Starts SolidFigure::starts(const model::Rayo& rayo, bool on) const {
   Starts starts(faces_.size(), 0);
   if (on)
     std::ranges::transform(faces_, starts.begin(),
-                           [&](const Face& face) { return face.may_hold_near(rayo.p().xyz()) ? 1 : 0; });
+                           [&](const SolidFace& face) { return face.may_hold_near(rayo.p().xyz()) ? 1 : 0; });
   return starts;
 }
 
@@ -159,10 +159,10 @@ std::optional<std::vector<Parameter>> SolidFigure::parameters(const model::Rayo&
                                                               surface::exact::RayStretch stretch) const {
   std::vector<Parameter> met;
   bool runs_along = false;
-  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, Place here, Place after) {
+  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, SolidPlace here, SolidPlace after) {
     const bool is_beyond = t != nullptr && !lies_on(stretch, *t);
-    runs_along = !is_beyond && after == Place::surface;
-    if (!is_beyond && t != nullptr && here == Place::surface) met.push_back(*t);
+    runs_along = !is_beyond && after == SolidPlace::surface;
+    if (!is_beyond && t != nullptr && here == SolidPlace::surface) met.push_back(*t);
     return is_beyond || runs_along;
   });
   if (runs_along) return std::nullopt;
@@ -175,11 +175,11 @@ bool SolidFigure::may_meet(const model::Rayo&, bool) const { return true; }
 std::vector<Segment> SolidFigure::inside(const model::Rayo& rayo, bool on) const {
   std::vector<Segment> stretches;
   bool is_open = false;
-  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, Place here, Place after) {
+  walk(faces_along(faces_, rayo, starts(rayo, on)), tree_, [&](const Parameter* t, SolidPlace here, SolidPlace after) {
     const std::optional<Parameter> at = t != nullptr ? std::optional(*t) : std::nullopt;
-    if (here != Place::outside && !is_open) stretches.push_back({at, std::nullopt});
-    is_open = is_open || here != Place::outside;
-    if (is_open && after == Place::outside) {
+    if (here != SolidPlace::outside && !is_open) stretches.push_back({at, std::nullopt});
+    is_open = is_open || here != SolidPlace::outside;
+    if (is_open && after == SolidPlace::outside) {
       stretches.back().end = at;
       is_open = false;
     }
@@ -202,13 +202,13 @@ glm::dvec3 SolidFigure::normal(const glm::dvec3& point) const {
   for (const auto& [distance, face] : by_distance) {
     const std::int8_t own = sides[face];
     sides[face] = -1;
-    const Place within = tree_.place(sides);
+    const SolidPlace within = tree_.place(sides);
     sides[face] = 1;
-    const Place beyond = tree_.place(sides);
+    const SolidPlace beyond = tree_.place(sides);
     sides[face] = own;
     if (within == beyond || distance == unbounded) continue;
     const glm::dvec3 outwards = glm::normalize(faces_[face].gradient(point));
-    return within == Place::inside ? outwards : -outwards;
+    return within == SolidPlace::inside ? outwards : -outwards;
   }
   return glm::dvec3(0);
 }

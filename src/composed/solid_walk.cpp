@@ -6,7 +6,7 @@
 namespace durero::composed {
 namespace {
 
-surface::exact::Coefficients coefficients(const Face& face, bool starts_on, const model::Rayo& rayo) {
+surface::exact::Coefficients coefficients(const SolidFace& face, bool starts_on, const model::Rayo& rayo) {
   auto [A, B, C] = face.form().along(rayo);
   return {std::move(A), std::move(B), starts_on ? Dyadic() : std::move(C)};
 }
@@ -18,7 +18,7 @@ Sign first_sign(Sign A, Sign B, Sign C) {
 }
 
 /// A number of about 50 bits, which is 0 only where it is exactly that.
-struct Known {
+struct RoughNumber {
   RealBall ball;
 
   bool is_zero() const { return ball.middle == 0 && ball.radius == 0; }
@@ -40,16 +40,16 @@ struct QuickRoot {
 /// The faces along a ray as far as 50 bits tell.
 class QuickFaces {
  public:
-  QuickFaces(std::span<const Face> faces, const model::Rayo& rayo, const Starts& starts) : sides_(faces.size()) {
+  QuickFaces(std::span<const SolidFace> faces, const model::Rayo& rayo, const Starts& starts) : sides_(faces.size()) {
     for (std::size_t i = 0; i < faces.size() && is_decided_; ++i) {
       const auto [A, B, C] = faces[i].rough().along(rayo);
-      take(i, {A}, {B}, starts[i] != 0 ? Known{RealBall(0.0)} : Known{C});
+      take(i, {A}, {B}, starts[i] != 0 ? RoughNumber{RealBall(0.0)} : RoughNumber{C});
     }
     std::ranges::sort(roots_, {}, &QuickRoot::t);
   }
 
   std::optional<QuickFirst> first(const SideTree& tree) {
-    if (!is_decided_ || tree.place(sides_) == Place::surface) return std::nullopt;
+    if (!is_decided_ || tree.place(sides_) == SolidPlace::surface) return std::nullopt;
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       const QuickRoot& root = roots_[i];
       const auto is_later = [&](const QuickRoot& other) { return (other.ball - root.ball).decided_sign() > 0; };
@@ -57,14 +57,14 @@ class QuickFaces {
         return std::nullopt;
       const auto before = sides_[root.face];
       sides_[root.face] = 0;
-      if (tree.place(sides_) == Place::surface) return QuickFirst{true, root.face, root.is_upper};
+      if (tree.place(sides_) == SolidPlace::surface) return QuickFirst{true, root.face, root.is_upper};
       sides_[root.face] = static_cast<std::int8_t>(-before);
     }
     return QuickFirst{false, 0, false};
   }
 
  private:
-  void take(std::size_t face, const Known& A, const Known& B, const Known& C) {
+  void take(std::size_t face, const RoughNumber& A, const RoughNumber& B, const RoughNumber& C) {
     const std::optional<int> a = A.sign(), b = B.sign(), c = C.sign();
     const bool needs_b = c == 0 || a == 0;
     is_decided_ = a && c && (b || !needs_b);
@@ -76,15 +76,15 @@ class QuickFaces {
     return quadratic(face, *a, A, B, C);
   }
 
-  void linear(std::size_t face, const Known& B, const Known& C) {
+  void linear(std::size_t face, const RoughNumber& B, const RoughNumber& C) {
     if (!C.is_zero()) add(face, -C.ball / (B.ball + B.ball), false);
   }
 
-  void from_zero(std::size_t face, const Known& A, const Known& B) {
+  void from_zero(std::size_t face, const RoughNumber& A, const RoughNumber& B) {
     if (!B.is_zero()) add(face, -(B.ball + B.ball) / A.ball, true);
   }
 
-  void quadratic(std::size_t face, int a, const Known& A, const Known& B, const Known& C) {
+  void quadratic(std::size_t face, int a, const RoughNumber& A, const RoughNumber& B, const RoughNumber& C) {
     const RealBall D = B.ball * B.ball - A.ball * C.ball;
     const int d = D.decided_sign();
     is_decided_ = d != 0;
@@ -109,7 +109,7 @@ class QuickFaces {
 
 }  // namespace
 
-FacesAlong faces_along(std::span<const Face> faces, const model::Rayo& rayo, const Starts& starts) {
+FacesAlong faces_along(std::span<const SolidFace> faces, const model::Rayo& rayo, const Starts& starts) {
   FacesAlong along;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const surface::exact::Coefficients f = coefficients(faces[i], starts[i] != 0, rayo);
@@ -124,12 +124,12 @@ FacesAlong faces_along(std::span<const Face> faces, const model::Rayo& rayo, con
   return along;
 }
 
-std::optional<QuickFirst> quick_first(std::span<const Face> faces, const SideTree& tree, const model::Rayo& rayo,
+std::optional<QuickFirst> quick_first(std::span<const SolidFace> faces, const SideTree& tree, const model::Rayo& rayo,
                                       const Starts& starts) {
   return QuickFaces(faces, rayo, starts).first(tree);
 }
 
-Parameter parameter(const Face& face, bool starts_on, bool is_upper, const model::Rayo& rayo) {
+Parameter parameter(const SolidFace& face, bool starts_on, bool is_upper, const model::Rayo& rayo) {
   const surface::exact::Roots roots = surface::exact::roots(coefficients(face, starts_on, rayo));
   const auto values = roots.values();
   if (starts_on) return *std::ranges::find_if(values, [](const Parameter& t) { return number::sign(t) > 0; });

@@ -25,12 +25,12 @@ struct FaceCrossing {
 
 /// The faces along a ray: their sides as it leaves its origin, and where it meets them, ascending.
 struct FacesAlong {
-  std::vector<std::int8_t> sides;   ///< 0 where the ray lies in the face
+  std::vector<std::int8_t> sides;       ///< 0 where the ray lies in the face
   std::vector<FaceCrossing> crossings;  ///< those at one t beside each other
 };
 
 /// Exactly. Precondition: there are as many starts as faces.
-FacesAlong faces_along(std::span<const Face> faces, const model::Rayo& rayo, const Starts& starts);
+FacesAlong faces_along(std::span<const SolidFace> faces, const model::Rayo& rayo, const Starts& starts);
 
 /// The first point of the surface, decided in about 50 bits.
 struct QuickFirst {
@@ -40,10 +40,10 @@ struct QuickFirst {
 };
 
 /// Nothing where the bits do not decide. A ray that runs along the surface from its origin on is not decided.
-std::optional<QuickFirst> quick_first(std::span<const Face> faces, const SideTree& tree, const model::Rayo& rayo,
+std::optional<QuickFirst> quick_first(std::span<const SolidFace> faces, const SideTree& tree, const model::Rayo& rayo,
                                       const Starts& starts);
 
 /// The parameter of a crossing, exactly. Precondition: quick_first found it.
-Parameter parameter(const Face& face, bool starts_on, bool is_upper, const model::Rayo& rayo);
+Parameter parameter(const SolidFace& face, bool starts_on, bool is_upper, const model::Rayo& rayo);
 
 }  // namespace durero::composed

@@ -170,6 +170,13 @@ Puntos superficie(const Solido& s) {
   return Puntos([s](const ExactPoint& w) { return cuerpo(s).contains(w) && !interior(s).contains(w); });
 }
 
+bool con_multiplos(const Cuadricas& cs, const Cuadricas& en) {
+  return std::ranges::all_of(cs, [&](const Cuadrica& a) {
+    return std::ranges::all_of(cs,
+                               [&](const Cuadrica& b) { return !multiplo(a, b) || en.contains(a) == en.contains(b); });
+  });
+}
+
 Cuadricas dentro_desde(const Cuadricas& cs, const Punto& p, const Cuadricas& en, const ExactPoint& w) {
   return those(cs, [&](const Cuadrica& c) { return value_from(c, p, en, w) < 0; });
 }

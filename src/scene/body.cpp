@@ -7,21 +7,21 @@ Instance copied(const model::Mapa& by, const Instance& instance) {
   return {instance.shape, model::compuesto(by, instance.mapa)};
 }
 
-Solid copied(const model::Mapa& by, const Solid& solid) {
-  Solid copy{solid.operation, {}};
+Compound copied(const model::Mapa& by, const Compound& solid) {
+  Compound copy{solid.operation, {}};
   for (const Body& part : solid.parts) copy.parts.push_back(scene::copied(by, part));
   return copy;
 }
 
 std::string_view word_of(const Instance&) { return "instancia"; }
 
-std::string_view word_of(const Solid& solid) {
+std::string_view word_of(const Compound& solid) {
   switch (solid.operation) {
-    case Solid::Operation::united:
+    case Compound::Operation::united:
       return "union";
-    case Solid::Operation::intersected:
+    case Compound::Operation::intersected:
       return "interseccion";
-    case Solid::Operation::subtracted:
+    case Compound::Operation::subtracted:
       return "diferencia";
   }
   __builtin_unreachable();  // an operation is one of its enumerators
@@ -34,7 +34,7 @@ constexpr bool closes_a_solid<Disc> = false;
 template <>
 constexpr bool closes_a_solid<Triangle> = false;
 
-bool bounds_one(const Solid&) { return true; }
+bool bounds_one(const Compound&) { return true; }
 
 bool bounds_one(const Instance& instance) {
   return std::visit([]<class Shape>(const Shape&) { return closes_a_solid<Shape>; }, instance.shape);

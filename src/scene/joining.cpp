@@ -18,7 +18,7 @@ Body body_of(const Scene& scene, ElementRef element) {
 
 Outcome apply_total(Scene& scene, const Joining& in) {
   if (scene.find(in.e)) return {model::name(model::Respuesta::elemento_ya_existe), &Agregar_Solido_pre_1};
-  Solid solid{in.operation, {}};
+  Compound solid{in.operation, {}};
   for (const std::string& name : in.de) {
     const auto part = scene.find(name);
     if (!part) return {model::name(model::Respuesta::elemento_no_existe), &Agregar_Solido_pre_2};
@@ -34,7 +34,7 @@ Outcome apply_total(Scene& scene, const SolidRemoval& in) {
   const auto element = scene.find(in.e);
   if (!element) return {model::name(model::Respuesta::elemento_no_existe), &Eliminar_Solido_pre_1};
   const Body* const body = scene.body(*element);
-  if (body == nullptr || !std::holds_alternative<Solid>(body->form))
+  if (body == nullptr || !std::holds_alternative<Compound>(body->form))
     return {model::name(model::Respuesta::tipo_incorrecto), &Eliminar_Solido_pre_2};
   scene.apply_total(Edit{model::Eliminar_Elemento{model::Elemento(in.e)}});
   return {"solido_eliminado"};

@@ -6,8 +6,8 @@ namespace durero::scene {
 
 Body unmoved(const AnyShape& shape) { return {Instance{shape, model::identity()}}; }
 
-std::optional<Solid> box_between(const glm::dvec3& a, const glm::dvec3& b) {
-  Solid box{Solid::Operation::intersected, {}};
+std::optional<Compound> box_between(const glm::dvec3& a, const glm::dvec3& b) {
+  Compound box{Compound::Operation::intersected, {}};
   const glm::dvec3 low = glm::min(a, b), high = glm::max(a, b);
   for (int axis = 0; axis < 3; ++axis) {
     if (!(low[axis] < high[axis])) return std::nullopt;

@@ -15,7 +15,8 @@ std::vector<surface::Box> random_boxes(test::Random& random, std::size_t count, 
   std::vector<surface::Box> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     const glm::dvec3 at = random.in_cube(half);
-    boxes.push_back({at, at + glm::dvec3(random.uniform(0, 0.5), random.uniform(0, 0.5), random.uniform(0, 0.5))});
+    const glm::dvec3 size{random.uniform(0, 0.5), random.uniform(0, 0.5), random.uniform(0, 0.5)};
+    boxes.push_back({at, at + size});
   }
   return boxes;
 }

@@ -89,12 +89,12 @@ inline RandomSolid SolidDraw::leaf() {
 inline RandomSolid SolidDraw::tree(int depth) {
   if (depth == 0 || whole(0, 3) == 0) return leaf();
   RandomSolid first = tree(depth - 1), second = tree(depth - 1);
-  using enum scene::Solid::Operation;
+  using enum scene::Compound::Operation;
   const auto operation = std::array{united, intersected, subtracted}[static_cast<std::size_t>(whole(0, 2))];
   model::Solido joined = operation == united        ? first.solido | second.solido
                          : operation == intersected ? first.solido & second.solido
                                                     : first.solido - second.solido;
-  return {{scene::Solid{operation, {std::move(first.body), std::move(second.body)}}}, std::move(joined)};
+  return {{scene::Compound{operation, {std::move(first.body), std::move(second.body)}}}, std::move(joined)};
 }
 
 }  // namespace durero::test

@@ -16,18 +16,18 @@ using composed::First;
 using composed::SolidFigure;
 using model::Rayo;
 using number::Surd;
-using Operation = scene::Solid::Operation;
+using Operation = scene::Compound::Operation;
 using surface::exact::Segment;
 
 namespace {
 
-scene::Solid solid_of(const scene::Body& body) {
-  if (const auto* const solid = std::get_if<scene::Solid>(&body.form)) return *solid;
+scene::Compound solid_of(const scene::Body& body) {
+  if (const auto* const solid = std::get_if<scene::Compound>(&body.form)) return *solid;
   return {Operation::united, {body}};
 }
 
 scene::Body joined(Operation operation, std::vector<scene::Body> parts) {
-  return {scene::Solid{operation, std::move(parts)}};
+  return {scene::Compound{operation, std::move(parts)}};
 }
 scene::Body sphere(glm::dvec3 c, double r) { return body_of(scene::Sphere{c, r}); }
 scene::Body plane(glm::dvec3 c, glm::dvec3 d) { return body_of(scene::Plane{c, d}); }
@@ -319,7 +319,7 @@ struct Holds {
   bool operator()(const scene::Disc&) const { return false; }
   bool operator()(const scene::Triangle&) const { return false; }
   bool operator()(const scene::Instance& instance) const { return std::visit(*this, instance.shape); }
-  bool operator()(const scene::Solid& solid) const {
+  bool operator()(const scene::Compound& solid) const {
     const auto has = [&](const scene::Body& part) { return holds(part, w); };
     switch (solid.operation) {
       case Operation::united:

@@ -141,7 +141,14 @@ TEST_CASE("superficie.def.1: shared faces, edges and what is taken from itself")
   CHECK_FALSE(cuerpo(touching).contains({0, 0, 0}));
 }
 
-TEST_CASE("dentro_desde.def.1, fuera_desde.def.1, con_multiplos.def.1: values less those of the origin") {
+TEST_CASE("con_multiplos.def.1: with a quadric all its multiples") {
+  const Cuadricas cs{ball, twice, outside, plane};
+  CHECK(con_multiplos(cs, {ball, twice, outside}));
+  CHECK(con_multiplos(cs, {plane}));
+  CHECK_FALSE(con_multiplos(cs, {ball, twice}));
+}
+
+TEST_CASE("dentro_desde.def.1, fuera_desde.def.1: values less those of the origin") {
   const Punto off(0, 0, 1 + 0x1p-40);  // a point of the sphere, badly rounded
   const Cuadricas cs{ball, plane};
   CHECK(dentro_desde(cs, off, {ball}, {0, 0, 1}) == Cuadricas{ball});

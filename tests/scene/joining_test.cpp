@@ -6,7 +6,7 @@
 
 using namespace durero;
 using namespace durero::scene;
-using Operation = Solid::Operation;
+using Operation = Compound::Operation;
 
 namespace {
 
@@ -30,7 +30,7 @@ TEST_CASE("a solid is made of copies of its parts, in their order") {
   const auto element = scene.find("s");
   REQUIRE(element);
   CHECK(scene.material(*element) == 0);
-  const auto& solid = std::get<Solid>(scene.body(*element)->form);
+  const auto& solid = std::get<Compound>(scene.body(*element)->form);
   CHECK(solid.operation == Operation::subtracted);
   REQUIRE(solid.parts.size() == 2);
   const auto centre = [&](std::size_t i) {
@@ -39,7 +39,7 @@ TEST_CASE("a solid is made of copies of its parts, in their order") {
   CHECK(centre(0) == glm::dvec3(1, 0, 0));
   CHECK(centre(1) == glm::dvec3(0, 0, 0));
   CHECK(apply_total(scene, Joining{Operation::united, "t", {"s", "b"}, {}}).ok());
-  CHECK(std::holds_alternative<Solid>(std::get<Solid>(scene.body(*scene.find("t"))->form).parts[0].form));
+  CHECK(std::holds_alternative<Compound>(std::get<Compound>(scene.body(*scene.find("t"))->form).parts[0].form));
 }
 
 TEST_CASE("Agregar_Solido.pre.1, Agregar_Solido.pre.2, Agregar_Solido.pre.3: what is refused changes nothing") {

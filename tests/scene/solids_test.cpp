@@ -8,7 +8,7 @@ using namespace durero::scene;
 TEST_CASE("a box is what lies behind six planes, whichever corners tell it") {
   const auto box = box_between({1, 0, 5}, {0, 2, 3});
   REQUIRE(box);
-  CHECK(box->operation == Solid::Operation::intersected);
+  CHECK(box->operation == Compound::Operation::intersected);
   REQUIRE(box->parts.size() == 6);
   glm::dvec3 low(0), high(0);
   for (const Body& part : box->parts) {
@@ -31,10 +31,10 @@ TEST_CASE("what bounds a solid, and the copies of it") {
   const Body solid{*box_between({0, 0, 0}, {1, 1, 1})};
   CHECK(bounds_a_solid(solid));
   CHECK(word_of(solid) == "interseccion");
-  CHECK(word_of(Body{Solid{Solid::Operation::united, {solid}}}) == "union");
-  CHECK(word_of(Body{Solid{Solid::Operation::subtracted, {solid}}}) == "diferencia");
+  CHECK(word_of(Body{Compound{Compound::Operation::united, {solid}}}) == "union");
+  CHECK(word_of(Body{Compound{Compound::Operation::subtracted, {solid}}}) == "diferencia");
   model::Mapa by = model::identity();
   by.centro = {5, 0, 0};
   const Body copy = copied(by, solid);
-  CHECK(std::get<Instance>(std::get<Solid>(copy.form).parts[0].form).mapa.centro.x == 5);
+  CHECK(std::get<Instance>(std::get<Compound>(copy.form).parts[0].form).mapa.centro.x == 5);
 }

@@ -9,7 +9,7 @@
 namespace durero::composed {
 
 /// Where a point is, of a solid.
-enum class Place : std::int8_t {
+enum class SolidPlace : std::int8_t {
   outside = -1,  ///< not in cuerpo
   surface = 0,   ///< in superficie
   inside = 1     ///< in interior
@@ -30,7 +30,7 @@ class SideTree {
 
   /// The place of a point by its side of each face, the sign of valor: −1 inside, 1 outside, 0 on the face. A point on
   /// faces is tried on either side of each (repartos.def.1): where the solid has it on all of these, it is inside.
-  Place place(std::span<const std::int8_t> sides) const;
+  SolidPlace place(std::span<const std::int8_t> sides) const;
 
  private:
   enum class Kind : std::uint8_t { face, all, any };

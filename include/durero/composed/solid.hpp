@@ -10,13 +10,13 @@
 
 namespace durero::composed {
 
-class Face;
+class SolidFace;
 
 /// The surface of a solid (superficie.def.1), and its body along rays.
 class SolidFigure final : public Figure {
  public:
   /// Precondition: every part bounds a solid.
-  explicit SolidFigure(const scene::Solid& solid);
+  explicit SolidFigure(const scene::Compound& solid);
   ~SolidFigure() override;
   SolidFigure(const SolidFigure&) = delete;
   SolidFigure& operator=(const SolidFigure&) = delete;
@@ -43,11 +43,11 @@ class SolidFigure final : public Figure {
   SideTree side_of(const SpaceForm<Dyadic>& form);
   SideTree tree_of(const scene::Body& body);
   SideTree tree_of(const scene::Instance& instance);
-  SideTree tree_of(const scene::Solid& solid);
+  SideTree tree_of(const scene::Compound& solid);
 
   std::vector<std::uint8_t> starts(const model::Rayo& rayo, bool on) const;
 
-  std::vector<Face> faces_;
+  std::vector<SolidFace> faces_;
   SideTree tree_;
   surface::Box box_;
 };

@@ -92,6 +92,9 @@ Puntos interior(const Solido& s);
 /// What the body has and the interior has not (superficie.def.1).
 Puntos superficie(const Solido& s);
 
+/// en ∈ con_multiplos, as far as the quadrics of cs (con_multiplos.def.1).
+bool con_multiplos(const Cuadricas& cs, const Cuadricas& en);
+
 /// @{ The sides among cs of a point that a ray from p sees, which starts on the quadrics en (dentro_desde.def.1,
 /// fuera_desde.def.1).
 Cuadricas dentro_desde(const Cuadricas& cs, const Punto& p, const Cuadricas& en, const ExactPoint& w);

@@ -21,7 +21,7 @@ struct Instance {
 struct Body;
 
 /// Solids that are joined (spec/solidos.tex). Its parts are bodies that bound a solid, one or more.
-struct Solid {
+struct Compound {
   /// How the parts are joined.
   enum class Operation : std::uint8_t {
     united,       ///< what is in any
@@ -34,7 +34,7 @@ struct Solid {
 
 /// The geometry of an element that is none of Shapes. Its set of points is closed.
 struct Body {
-  std::variant<Instance, Solid> form;  ///< the kind of body, with its parts
+  std::variant<Instance, Compound> form;  ///< the kind of body, with its parts
 };
 
 /// Whether a body bounds a solid: it is one, or a copy of a sphere, a cylinder, a cone, a truncated cone or a plane.

@@ -16,7 +16,7 @@ namespace durero::scene {
 
 /// The addition of a solid: Agregar_Union, Agregar_Interseccion or Agregar_Diferencia.
 struct Joining {
-  Solid::Operation operation;               ///< which of them
+  Compound::Operation operation;            ///< which of them
   std::string e;                            ///< what it is to be called
   std::vector<std::string> de;              ///< its parts, elements, in their order; two or more
   std::optional<std::uint32_t> material{};  ///< as an index into the stage's materials

@@ -12,6 +12,6 @@ namespace durero::scene {
 Body unmoved(const AnyShape& shape);
 
 /// The box between two corners, as what lies behind six planes; nothing where it has no inside.
-std::optional<Solid> box_between(const glm::dvec3& a, const glm::dvec3& b);
+std::optional<Compound> box_between(const glm::dvec3& a, const glm::dvec3& b);
 
 }  // namespace durero::scene

@@ -129,7 +129,7 @@ AnyEdit read_copying(const Inputs& in, const scene::Stage& stage) {
 
 AnyEdit read_copy_removal(const Inputs& in, const scene::Stage&) { return scene::CopyRemoval{in.element().name()}; }
 
-template <scene::Solid::Operation operation>
+template <scene::Compound::Operation operation>
 AnyEdit read_joining(const Inputs& in, const scene::Stage& stage) {
   scene::Joining joining{operation, in.element().name(), in.names("de"), read_plain_material(in, stage)};
   if (joining.de.size() < 2) in.fail("de", "de has fewer than two parts", "expected two or more");
@@ -155,7 +155,7 @@ std::vector<OperationSchema> all_schemas() {
   all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_edit<read_removal<model::Eliminar_Elemento>>});
   all.push_back({{"Agregar_Instancia", {"e", "de", "centro", "x", "y", "z"}, {material_word}}, read_copying});
   all.push_back({{"Eliminar_Instancia", {"e"}, {}}, read_copy_removal});
-  using enum scene::Solid::Operation;
+  using enum scene::Compound::Operation;
   all.push_back({{"Agregar_Union", {"e", "de"}, {material_word}}, read_joining<united>});
   all.push_back({{"Agregar_Interseccion", {"e", "de"}, {material_word}}, read_joining<intersected>});
   all.push_back({{"Agregar_Diferencia", {"e", "de"}, {material_word}}, read_joining<subtracted>});

@@ -88,7 +88,7 @@ void write_form(json::Writer& out, const scene::Instance& instance) {
 
 void write_part(json::Writer& out, const scene::Body& part);
 
-void write_form(json::Writer& out, const scene::Solid& solid) {
+void write_form(json::Writer& out, const scene::Compound& solid) {
   out.key("de").begin_array();
   for (const scene::Body& part : solid.parts) write_part(out, part);
   out.end_array();

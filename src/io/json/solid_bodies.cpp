@@ -10,13 +10,13 @@
 namespace durero::io {
 namespace {
 
-using scene::Solid;
+using scene::Compound;
 
 std::size_t shapes_of(const scene::Body& body);
 
 std::size_t shapes_of(const scene::Instance&) { return 1; }
 
-std::size_t shapes_of(const Solid& solid) {
+std::size_t shapes_of(const Compound& solid) {
   std::size_t count = 0;
   for (const scene::Body& part : solid.parts) count += shapes_of(part);
   return count;
@@ -26,14 +26,14 @@ std::size_t shapes_of(const scene::Body& body) {
   return std::visit([](const auto& form) { return shapes_of(form); }, body.form);
 }
 
-BodyParts one_part(Solid solid) {
+BodyParts one_part(Compound solid) {
   BodyParts parts;
   parts.push_back({{}, {std::move(solid)}});
   return parts;
 }
 
-BodyParts make_solid(Solid::Operation operation, BodyReader& reader, json::Reader in) {
-  Solid solid{operation, {}};
+BodyParts make_solid(Compound::Operation operation, BodyReader& reader, json::Reader in) {
+  Compound solid{operation, {}};
   const std::size_t at = in.offset();
   std::size_t shapes = 0;
   in.array("de", [&] {
@@ -55,15 +55,15 @@ BodyParts make_solid(Solid::Operation operation, BodyReader& reader, json::Reade
 }  // namespace
 
 BodyParts make_union(BodyReader& reader, std::span<const json::Reader> values) {
-  return make_solid(Solid::Operation::united, reader, values[0]);
+  return make_solid(Compound::Operation::united, reader, values[0]);
 }
 
 BodyParts make_intersection(BodyReader& reader, std::span<const json::Reader> values) {
-  return make_solid(Solid::Operation::intersected, reader, values[0]);
+  return make_solid(Compound::Operation::intersected, reader, values[0]);
 }
 
 BodyParts make_difference(BodyReader& reader, std::span<const json::Reader> values) {
-  return make_solid(Solid::Operation::subtracted, reader, values[0]);
+  return make_solid(Compound::Operation::subtracted, reader, values[0]);
 }
 
 BodyParts make_box(BodyReader&, std::span<const json::Reader> values) {

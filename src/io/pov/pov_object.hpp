@@ -26,7 +26,7 @@ struct PovObject {
   std::string_view word;
   std::string_view text{};  ///< of what it consists of, without attributes
   std::optional<PovShape> shape{};
-  std::optional<scene::Solid> box{};
+  std::optional<scene::Compound> box{};
   std::vector<PovObject> parts{};
   ObjectMaterial look{};
   std::array<bool, 3> flags{};  ///< in step with their words

@@ -12,14 +12,14 @@ namespace durero::io {
 namespace {
 
 /// A `union` within a solid is one, too.
-scene::Solid::Operation operation_of(std::string_view word) {
-  if (word == "intersection") return scene::Solid::Operation::intersected;
-  return word == "difference" ? scene::Solid::Operation::subtracted : scene::Solid::Operation::united;
+scene::Compound::Operation operation_of(std::string_view word) {
+  if (word == "intersection") return scene::Compound::Operation::intersected;
+  return word == "difference" ? scene::Compound::Operation::subtracted : scene::Compound::Operation::united;
 }
 
 }  // namespace
 
-scene::Solid PovSolids::box(std::size_t at) {
+scene::Compound PovSolids::box(std::size_t at) {
   const glm::dvec3 a = in_.triple("box");
   in_.comma("box");
   auto box = scene::box_between(a, in_.triple("box"));
@@ -41,7 +41,7 @@ scene::Body PovSolids::body(const PovObject& object, const ObjectMaterial& whole
   if (object.box) return {*object.box};
   if (object.word == "mesh") in_.fail(object.at, "a mesh in a solid", "expected what bounds a solid, as a sphere does");
   if (object.parts.empty()) in_.fail(object.at, fmt::format("{} has no parts", object.word), "expected some");
-  scene::Solid solid{operation_of(object.word), {}};
+  scene::Compound solid{operation_of(object.word), {}};
   for (const PovObject& part : object.parts) solid.parts.push_back(body(part, whole));
   if (solid.parts.size() == 1) return std::move(solid.parts.front());
   return {std::move(solid)};

@@ -15,7 +15,7 @@ class PovSolids {
   explicit PovSolids(PovWords& in) : in_(in) {}
 
   /// Reads the two corners of a box, from behind its {; `at` is its word.
-  scene::Solid box(std::size_t at);
+  scene::Compound box(std::size_t at);
   /// The first look that an object or one of its parts tells of; null where none does.
   static const ObjectMaterial* first_look(const PovObject& object);
   /// What an object bounds, of which the whole has that look. Fails where a part bounds nothing.

@@ -178,7 +178,7 @@ class PovWriter {
     return fmt::format("object {{ {} matrix <{}> }}", shape, entries(instance.mapa));
   }
   /// POV-Ray's union has faces within, its merge has none. A part that cannot be written leaves the whole out.
-  std::string form_text(const scene::Solid& solid) {
+  std::string form_text(const scene::Compound& solid) {
     const bool was_within = std::exchange(is_within_solid_, true);
     std::string parts;
     bool is_whole = true;
@@ -190,13 +190,13 @@ class PovWriter {
     is_within_solid_ = was_within;
     return is_whole ? fmt::format("{} {{ {}}}", pov_word(solid.operation), parts) : "";
   }
-  static std::string_view pov_word(scene::Solid::Operation operation) {
+  static std::string_view pov_word(scene::Compound::Operation operation) {
     switch (operation) {
-      case scene::Solid::Operation::united:
+      case scene::Compound::Operation::united:
         return "merge";
-      case scene::Solid::Operation::intersected:
+      case scene::Compound::Operation::intersected:
         return "intersection";
-      case scene::Solid::Operation::subtracted:
+      case scene::Compound::Operation::subtracted:
         return "difference";
     }
     __builtin_unreachable();  // an operation is one of its enumerators

@@ -11,7 +11,7 @@
 #include "support/catch.hpp"
 
 using namespace durero;
-using Operation = scene::Solid::Operation;
+using Operation = scene::Compound::Operation;
 
 namespace {
 
@@ -25,8 +25,8 @@ scene::GroupedScene read(const std::string& text) { return reading(io::Source("f
 std::string text_of(const scene::GroupedScene& of) { return io::scene_text(of.scene, of.groups); }
 std::string error_at(const std::string& with_mark) { return test::error_at_mark(with_mark, reading); }
 
-const scene::Solid& solid_named(const scene::GroupedScene& of, const char* name) {
-  return std::get<scene::Solid>(of.scene.body(of.scene.find(name).value())->form);
+const scene::Compound& solid_named(const scene::GroupedScene& of, const char* name) {
+  return std::get<scene::Compound>(of.scene.body(of.scene.find(name).value())->form);
 }
 
 const std::string ball = R"({"tipo":"esfera","centro":[0,0,0],"radio":1})",
@@ -40,11 +40,11 @@ TEST_CASE("Solids are read with their parts in order, and written as they are re
                                R"(,{"tipo":"interseccion","de":[)" + half + "," + ball + R"(]}],"material":"red"})";
   const std::string text = file(elements, R"("materials":{"red":{"color":[1,0,0]}},)");
   const scene::GroupedScene scene = read(text);
-  const scene::Solid& a = solid_named(scene, "a");
+  const scene::Compound& a = solid_named(scene, "a");
   CHECK(a.operation == Operation::subtracted);
   REQUIRE(a.parts.size() == 3);
   CHECK(std::holds_alternative<scene::Cylinder>(std::get<scene::Instance>(a.parts[0].form).shape));
-  CHECK(std::get<scene::Solid>(a.parts[2].form).operation == Operation::intersected);
+  CHECK(std::get<scene::Compound>(a.parts[2].form).operation == Operation::intersected);
   CHECK(scene.scene.material(scene.scene.find("a").value()) == 0);
   const std::string written = text_of(scene);
   CHECK(written.find(elements.substr(0, 60)) != std::string::npos);
@@ -56,9 +56,9 @@ TEST_CASE("Parts are named, above or below; boxes and instances are parts, and s
       read(file(R"({"id":"s","tipo":"union","de":["b","box"]},{"id":"b","tipo":"esfera","centro":[1,2,3],"radio":4},)"
                 R"({"id":"box","tipo":"caja","esquinas":[[1,1,1],[0,0,0]]},)"
                 R"({"id":"copy","tipo":"instancia","de":"s","mapa":[[1,0,0,5],[0,1,0,0],[0,0,1,0]]})"));
-  const scene::Solid& s = solid_named(scene, "s");
+  const scene::Compound& s = solid_named(scene, "s");
   CHECK(std::get<scene::Sphere>(std::get<scene::Instance>(s.parts[0].form).shape).radio == 4);
-  CHECK(std::get<scene::Solid>(s.parts[1].form).parts.size() == 6);
+  CHECK(std::get<scene::Compound>(s.parts[1].form).parts.size() == 6);
   const auto& moved = std::get<scene::Instance>(solid_named(scene, "copy").parts[0].form);
   CHECK(moved.mapa.centro.x == 5);
   const std::string written = text_of(scene);
@@ -123,9 +123,9 @@ TEST_CASE("POV-Ray has solids, closed ones, and gives them back") {
   const io::Imported back = io::read_pov(io::Source("f", exported.text));
   const auto element = back.scene.find("b1");
   REQUIRE(element);
-  const auto& solid = std::get<scene::Solid>(back.scene.body(*element)->form);
+  const auto& solid = std::get<scene::Compound>(back.scene.body(*element)->form);
   CHECK(solid.operation == Operation::subtracted);
-  CHECK(std::get<scene::Solid>(solid.parts[1].form).operation == Operation::united);
+  CHECK(std::get<scene::Compound>(solid.parts[1].form).operation == Operation::united);
   CHECK(back.scene.material(*element).has_value());
 }
 
@@ -138,10 +138,10 @@ TEST_CASE("POV-Ray's boxes and unions in solids; the look of a solid is its own,
                               "box { 0, 2 pigment { rgb <1, 0, 0> } }\n"
                               "intersection { }\nmerge { object { sphere { 0, 1 } } }"));
   REQUIRE(imported.scene.find("b3"));
-  const auto& whole = std::get<scene::Solid>(imported.scene.body(*imported.scene.find("b1"))->form);
+  const auto& whole = std::get<scene::Compound>(imported.scene.body(*imported.scene.find("b1"))->form);
   CHECK(whole.operation == Operation::subtracted);
-  CHECK(std::get<scene::Solid>(whole.parts[0].form).parts.size() == 6);
-  CHECK(std::get<scene::Solid>(whole.parts[1].form).operation == Operation::united);
+  CHECK(std::get<scene::Compound>(whole.parts[0].form).parts.size() == 6);
+  CHECK(std::get<scene::Compound>(whole.parts[1].form).operation == Operation::united);
   CHECK(imported.scene.material(*imported.scene.find("b1")).has_value());
   CHECK(std::holds_alternative<scene::Instance>(imported.scene.body(*imported.scene.find("b3"))->form));
   CHECK(std::ranges::find(imported.lost, "1 part of a solid without its own texture: a solid has one") !=
