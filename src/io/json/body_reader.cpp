@@ -143,8 +143,21 @@ void BodyReader::check_prototype(const json::Reader& in, const Kept& prototype) 
   parts_of(in, at, prototype);
 }
 
+std::vector<Placed<std::string_view>> BodyReader::materials_of_prototypes() const {
+  std::vector<Placed<std::string_view>> all;
+  const auto take = [&](const Kept& kept) {
+    if (kept.material) all.push_back(*kept.material);
+  };
+  for (const Kept& prototype : prototypes_) {
+    take(prototype);
+    std::ranges::for_each(prototype.members, take);
+  }
+  return all;
+}
+
 void BodyReader::add(const json::Reader& in, const Kept& element) {
   const auto [name, at] = element.name;
+  if (scene_.find(name)) add_stand_in(in, scene_, element.name);  // which fails
   const BodyParts& parts = parts_of(in, at, element);
   if (is_one(parts)) return add_part(in, element, name, parts.front());
   if (group_by_name_.contains(name))

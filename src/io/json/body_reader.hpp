@@ -3,6 +3,7 @@
 /// of the file has been read, and then made with what it names.
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -63,6 +64,9 @@ class BodyReader {
     for (const Kept& element : elements_) make([&] { add(in, element); });
   }
 
+  /// The materials that prototypes name, whether somebody copies them or not.
+  std::vector<Placed<std::string_view>> materials_of_prototypes() const;
+
   /// What stands here, a name or an object, as one body. Fails where it is a group.
   scene::Body body(json::Reader in);
   /// What stands here, as one body or those of a group.
@@ -97,7 +101,7 @@ class BodyReader {
   std::vector<WrittenGroup>& groups_;
   std::deque<Kept> elements_, prototypes_;  // in the order of the file
   ByName element_by_name_, prototype_by_name_;
-  std::map<std::string_view, std::size_t> group_by_name_;
+  std::map<std::string, std::size_t, std::less<>> group_by_name_;  // names of its own: groups_ grows
   std::map<std::string_view, Placed<std::string_view>> material_by_name_;
   std::map<const Kept*, BodyParts> made_;
   std::set<const void*> in_work_;       // who names itself meets itself here

@@ -58,7 +58,7 @@ struct Fields {
   }
 };
 
-Tipo read_tipo(json::Reader& in, std::span<const WrittenType> written) {
+Tipo read_tipo(json::Reader& in, const WrittenElements& written) {
   const std::size_t at = in.offset();
   const std::string_view name = in.string("tipo");
   std::optional<Tipo> known;
@@ -67,8 +67,9 @@ Tipo read_tipo(json::Reader& in, std::span<const WrittenType> written) {
     words.push_back(Shape::word);
     if (name == Shape::word) known = Shape::tipo;
   });
-  for (const WrittenType& type : written) words.push_back(type.word);
-  for (const BodyTipo& body : body_tipos()) words.push_back(body.word);
+  for (const WrittenType& type : written.types) words.push_back(type.word);
+  if (written.bodies)
+    for (const BodyTipo& body : body_tipos()) words.push_back(body.word);
   if (!known) {
     in.fail(at, fmt::format("tipo (type) is {}", text::shown(name)),
             "expected " + text::expected_of(name, {words.begin(), words.end()}));
@@ -86,7 +87,7 @@ Read read_attribute(json::Reader& in, std::string_view word) {
   return read;
 }
 
-void read_field(json::Reader& in, std::size_t key, std::span<const WrittenType> written, Fields& f) {
+void read_field(json::Reader& in, std::size_t key, const WrittenElements& written, Fields& f) {
   const std::size_t at = in.offset();
   if (key == id) {
     f.id = {read_id(in), at};
@@ -238,7 +239,8 @@ WrittenShape read_shape(json::Reader& in, ShapeKeys has) {
   for (const std::size_t key : allowed) words.push_back(keys[key]);
   Fields f;
   f.at = in.offset();
-  in.object("a shape", words, required_here, [&](std::size_t key) { read_field(in, allowed[key], {}, f); });
+  in.object("a shape", words, required_here,
+            [&](std::size_t key) { read_field(in, allowed[key], {.bodies = true}, f); });
   return scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
     check_attributes<Shape>(in, f);
     const Shape shape = shape_of<Shape>(f);
@@ -253,7 +255,7 @@ void read_element(json::Reader& in, scene::Scene& scene, std::vector<MaterialUse
   if (const auto type = written_type(in, written.types)) return read_written_element(in, *type, scene, uses, written);
   Fields f;
   f.at = in.offset();
-  in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, written.types, f); });
+  in.object("an element", keys, required, [&](std::size_t key) { read_field(in, key, written, f); });
   scene::with_shape(f.tipo, [&]<class Shape>(std::type_identity<Shape>) {
     check_attributes<Shape>(in, f);
     check_vertex_looks<Shape>(in, f);

@@ -29,6 +29,7 @@ struct MaterialUse {
 struct WrittenElements {
   std::span<const WrittenType> types{};
   std::vector<WrittenElement>* elements = nullptr;  // not null where there are types
+  bool bodies = false;                              // whether elements with bodies may stand beside
 };
 
 /// Reads an element and adds it to the scene by its operation.

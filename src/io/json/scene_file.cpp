@@ -41,7 +41,8 @@ constexpr std::size_t required_scene_keys = 3;
 class SceneReader {
  public:
   /// Null: the first error is thrown.
-  explicit SceneReader(std::vector<InputError>* errors, Bodies bodies) : errors_(errors), bodies_(bodies) {}
+  explicit SceneReader(std::vector<InputError>* errors, Bodies bodies)
+      : errors_(errors), written_{.bodies = bodies == Bodies::read} {}
   /// The same with elements of types of a Z text.
   SceneReader(std::vector<InputError>* errors, WrittenElements written) : errors_(errors), written_(written) {}
 
@@ -69,6 +70,7 @@ class SceneReader {
     if (elements_are_known_) attempt([&] { made_groups_ = make_groups(in, groups_, scene_); });
     if (!materials_are_known_) return;
     for (const MaterialUse& use : uses_) attempt([&] { set_material(in, use); });
+    for (const auto& material : body_reader_.materials_of_prototypes()) attempt([&] { known_material(in, material); });
     if (textures_are_known_) attempt([&] { check_texture_names(document, scene_.stage()); });
   }
 
@@ -145,26 +147,32 @@ class SceneReader {
   void read_item(json::Reader& in) {
     const BodyTipo* const tipo = body_tipo(in);
     if (tipo == nullptr || written_type(in, written_.types)) return read_element(in, scene_, uses_, written_);
-    if (bodies_ == Bodies::refused) {
+    if (!written_.bodies) {
       in.fail(in.member("tipo")->offset(), fmt::format("tipo (type) is {}", text::shown(tipo->word)),
               "expected a shape of the program's own: what asks here knows no other");
     }
     body_reader_.keep_element(in);
   }
 
-  void set_material(const json::Reader& in, const MaterialUse& use) {
+  /// The place of a material among the scene's.
+  std::uint32_t known_material(const json::Reader& in, const Placed<std::string_view>& material) const {
     const auto& all = scene_.stage().materials;
-    const auto found = std::ranges::lower_bound(all, use.material.value, {}, &scene::Material::name);
-    if (found == all.end() || found->name != use.material.value) {
-      in.fail(use.material.offset, fmt::format("unknown material {}", text::shown(use.material.value)),
+    const auto found = std::ranges::lower_bound(all, material.value, {}, &scene::Material::name);
+    if (found == all.end() || found->name != material.value) {
+      in.fail(material.offset, fmt::format("unknown material {}", text::shown(material.value)),
               "expected one of the scene's materials");
     }
+    return static_cast<std::uint32_t>(found - all.begin());
+  }
+
+  void set_material(const json::Reader& in, const MaterialUse& use) {
+    const std::uint32_t place = known_material(in, use.material);
     const scene::ElementRef element = scene_.find(use.element).value();
-    if (has_textures(*found) && (is_written(use.element) || scene_.body(element) != nullptr)) {
+    if (has_textures(scene_.stage().materials[place]) && (is_written(use.element) || scene_.body(element) != nullptr)) {
       in.fail(use.material.offset, fmt::format("material {} has textures", text::shown(use.material.value)),
               "expected one without: neither what a text declares nor a copy has coordinates (u, v)");
     }
-    scene_.set_material(element, static_cast<std::uint32_t>(found - all.begin()));
+    scene_.set_material(element, place);
   }
 
   /// Whether the element is of a type that a Z text declares.
@@ -175,7 +183,6 @@ class SceneReader {
 
   std::vector<InputError>* errors_;
   WrittenElements written_{};
-  Bodies bodies_ = Bodies::refused;
   scene::Scene scene_;
   scene::Groups made_groups_;
   std::vector<MaterialUse> uses_;

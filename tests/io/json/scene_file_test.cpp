@@ -264,7 +264,7 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
       {with_part(R"(^"elements":[])"), "unknown key \"elements\" in a scene; expected elementos (elements)"},
       {with_part(R"(^"layers":[])"),
        "unknown key \"layers\" in a scene; expected one of format, version, elementos (elements), camera, resolution, "
-       "background, lights, directional_lights, materials, max_depth, groups, textures, environment"},
+       "background, lights, directional_lights, materials, max_depth, groups, textures, environment, prototypes"},
       {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, above 0 and below 180"},
       {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, above 0 and below 180"},
       {with_part(R"("camera":^{"eye":[0,0,0]})"), "key \"look_at\" is missing in camera; expected it"},
