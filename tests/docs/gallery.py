@@ -36,7 +36,7 @@ DATABASES = ["balls", "jacks", "lattice", "rings", "tree"]
 
 def drawn_databases(durero, root):
     """All of them, at 256 by 256, or none where one is absent."""
-    folder = pathlib.Path(os.environ.get("DURERO_SPD") or root / ".." / "shared" / "data" / "spd")
+    folder = folder_of_databases(root)
     absent = [name for name in DATABASES if not (folder / f"{name}.nff").exists()]
     if absent:
         print(f"skipped: absent: {', '.join(absent)} of {folder}")
@@ -68,11 +68,26 @@ def unlike(page, pictures):
 
 
 def rows_of(table):
-    """The rows of pictures.tsv: a picture, whether it is long, and the words of its call."""
+    """The rows of pictures.tsv: a picture, whether it is long, and the words of its call. A row of a database is long."""
     for line in table.read_text(encoding="utf-8").splitlines():
         if not line.startswith("#"):
             picture, when, call = line.split("\t")
-            yield picture, {"long": True, "short": False}[when], call.split(" ")
+            yield picture, {"long": True, "short": False, "spd": True}[when], call.split(" ")
+
+
+def folder_of_databases(root):
+    return pathlib.Path(os.environ.get("DURERO_SPD") or root / ".." / "shared" / "data" / "spd")
+
+
+def imported(durero, root, call, folder):
+    """The call with a scene in place of the database that it names; nothing where that is absent."""
+    if not call[1].endswith(".nff"):
+        return call
+    source, scene = folder_of_databases(root) / call[1], folder / "scene.json"
+    if not source.exists():
+        return None
+    subprocess.run([durero, "import", source, "-o", scene], check=True, capture_output=True)
+    return [call[0], str(scene), *call[2:]]
 
 
 def has_other_middle(durero, gallery, picture, call):
@@ -108,12 +123,17 @@ def main():
     durero, gallery = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve() / "demo" / "gallery"
     page = (gallery / "README.md").read_text(encoding="utf-8")
     wrong, drawn, pictures, rows = [], 0, {}, list(rows_of(gallery / "pictures.tsv"))
-    for picture, is_long, call in rows:
-        if not is_long or "long" in sys.argv[3:]:
-            drawn += 1
-            stale = is_stale(durero, gallery, picture, call)
-        else:
-            stale = call[0] == "render" and picture.endswith(".png") and has_other_middle(durero, gallery, picture, call)
+    for picture, is_long, named_call in rows:
+        with tempfile.TemporaryDirectory() as folder:
+            call = imported(durero, pathlib.Path(sys.argv[2]).resolve(), named_call, pathlib.Path(folder))
+            if call is None:
+                print(f"skipped: absent: {named_call[1]}")
+                stale = False
+            elif not is_long or "long" in sys.argv[3:]:
+                drawn += 1
+                stale = is_stale(durero, gallery, picture, call)
+            else:
+                stale = call[0] == "render" and picture.endswith(".png") and has_other_middle(durero, gallery, picture, call)
         if stale:
             wrong.append(f"{picture} is stale; ./x gallery draws it")
         if f"({picture})" not in page:
@@ -123,7 +143,7 @@ def main():
     named = {picture for picture, _, _ in rows}
     wrong += [f"{p.name} has no row in pictures.tsv" for p in sorted(gallery.glob("*.png")) if p.name not in named]
     wrong += unwritten(gallery)
-    wrong += unlike(gallery / "pixels.txt", pictures)
+    wrong += unlike(gallery / "pixels.txt", {name: pixels for name, pixels in pictures.items() if not name.startswith("spd-")})
     databases = drawn_databases(durero, pathlib.Path(sys.argv[2]))
     wrong += unlike(gallery / "pixels-spd.txt", databases) if databases else []
     print("\n".join(wrong) or f"{drawn} of {len(pictures)} pictures, as they lie there, and {len(databases)} databases")

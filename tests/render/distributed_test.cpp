@@ -96,9 +96,9 @@ TEST_CASE("a ball that moves leaves the box filter of its outline, to 2 %") {
   scene.stage().camera = scene::Camera{{0, 0, far}, {0, 0, 0}, {0, 1, 0}, field, 0, 0, 2};
   scene.set_motion(*scene.find("ball"), {20, 0, 0});
   const auto engine = engine::find("fast")->prepare(scene);
-  // A picture has as many times as samples; of 16 pictures none has the times of another.
+  // A picture has as many times as samples; of 64 pictures none has the times of another.
   std::vector<double> columns(width);
-  constexpr std::uint32_t seeds = 16;
+  constexpr std::uint32_t seeds = 64;
   for (std::uint32_t seed = 0; seed < seeds; ++seed) {
     const render::RenderSettings frame{.size = scene::Resolution{width, height}, .samples = {.most = 64, .seed = seed}};
     const render::Picture picture = render::render(scene, *engine, {}, frame);

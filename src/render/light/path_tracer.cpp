@@ -48,6 +48,21 @@ struct WaitingLight {
   EmitterDraw draw;
 };
 
+/// Lights that wait, with a query each.
+struct WaitingLights {
+  void push(WaitingLight light, scene::Query query) {
+    waiting.push_back(std::move(light));
+    queries.push_back(std::move(query));
+  }
+  void clear() {
+    waiting.clear();
+    queries.clear();
+  }
+
+  std::vector<WaitingLight> waiting{};
+  std::vector<scene::Query> queries{};
+};
+
 /// The path tracer (Kajiya, *The rendering equation*, 1986): at each meeting, light of the emitters is drawn by points
 /// of them and by the next direction, each with the weight of Veach's balance heuristic (1995), whose sum is one
 /// (repartida.def.1 of spec/distribuida.tex); and a path ends by Russian roulette (ruleta.def.1).
@@ -177,25 +192,49 @@ class PathTracer : public Tracer {
     if (sent == glm::dvec3(0)) return;
     const bool is_alone = context_.limits.light_sampling == LightSampling::lights;
     const double share = 1 / (draw.density + (is_alone ? 0 : scattering.density(l)));
-    waiting_.push_back({walk.ray, walk.weight * sent * share, draw});
-    light_queries_.push_back({{model::Punto(from), model::Vector(draw.way)}, at.hit.elementos});
+    // What is flat and shines alike everywhere is met from the side that it was drawn on, and needs no point.
+    const bool is_even = surface::is_flat(draw.element.tipo) && look_of(draw.element).is_bare();
+    (is_even ? even_ : pointed_)
+        .push({walk.ray, walk.weight * sent * share, draw},
+              {{model::Punto(from), model::Vector(draw.way)}, at.hit.elementos});
   }
 
   /// Adds the light of the emitters that are seen: that their ray meets first, where it was drawn.
   void add_emitters() {
-    light_hits_.resize(light_queries_.size());
-    context_.engine.first_hits(light_queries_, light_hits_);
-    for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    add_even_emitters();
+    light_hits_.resize(pointed_.queries.size());
+    context_.engine.first_hits(pointed_.queries, light_hits_);
+    for (std::size_t i = 0; i < pointed_.waiting.size(); ++i) {
       const scene::Hit& hit = light_hits_[i];
-      const WaitingLight& light = waiting_[i];
+      const WaitingLight& light = pointed_.waiting[i];
       if (hit.resultado != model::Resultado::hit || front(context_.scene, hit.elementos) != light.draw.element)
         continue;
-      const Encounter there = encounter_of(context_, light_queries_[i], hit, 0, varied_);
+      const Encounter there = encounter_of(context_, pointed_.queries[i], hit, 0, varied_);
       if (light.draw.is_sided && there.enters == light.draw.leaves) continue;
       sums_[light.ray].color += light.weight * there.look.emission;
     }
-    waiting_.clear();
-    light_queries_.clear();
+    pointed_.clear();
+  }
+
+  /// Adds the light of those that need no point. Where several elements are met, the point may have another look.
+  void add_even_emitters() {
+    light_elements_.resize(even_.queries.size());
+    context_.engine.first_elements(even_.queries, light_elements_);
+    for (std::size_t i = 0; i < even_.waiting.size(); ++i) {
+      const trace::FirstElement& met = light_elements_[i];
+      WaitingLight& light = even_.waiting[i];
+      if (met.resultado != model::Resultado::hit) continue;
+      if (met.count > 1) {
+        pointed_.push(std::move(light), std::move(even_.queries[i]));
+      } else if (met.least == light.draw.element) {
+        sums_[light.ray].color += light.weight * look_of(light.draw.element).plain.emission;
+      }
+    }
+    even_.clear();
+  }
+
+  const TexturedMaterial& look_of(scene::ElementRef element) const {
+    return context_.looks.of(context_.scene.material(element));
   }
 
   /// Continues the same ray behind a sheet that does not bend it, as Whitted's algorithm does.
@@ -224,9 +263,10 @@ class PathTracer : public Tracer {
   std::span<PathRadiance> sums_;
   std::span<const SampleSource> samples_;
   std::vector<PathWalk> walks_;
-  std::vector<scene::Query> queries_, light_queries_;
+  std::vector<scene::Query> queries_;
+  WaitingLights even_, pointed_;  // that need no point of the emitter, and that do
   std::vector<scene::Hit> hits_, light_hits_;
-  std::vector<WaitingLight> waiting_;
+  std::vector<trace::FirstElement> light_elements_;
   std::optional<Look> varied_;
   Shadows shadows_;
 };
