@@ -7,7 +7,8 @@ From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims Beside Watertight.
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims Beside Watertight
+  Instancias Solidos.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -417,3 +418,36 @@ Proof.
   exact (conj Watertight.an_edge_turns_one_way (conj Watertight.three_signs_decide (conj Watertight.no_line_passes_between
     Watertight.what_meets_the_edge_meets_both))).
 Qed.
+
+(** * Copies and solids *)
+
+(** Of affine maps: the point that is put at a point is found by Cramer's rule, and a copy has the points whose originals are
+    in the set. Every ray is the copy of one; the parameter is kept, and so is what is nearest along a ray. The copy of a
+    union, of a copy and by the identity. Spheres, upright cylinders and upright cones are copies of those of one. What a ray
+    meets of an instance is what the moved ray meets of the original, whether it starts on it or not. *)
+Theorem the_conjectures_of_instances_hold (Elemento : Type) :
+  visto_conj_1 /\ copia_conj_1 /\ movido_conj_1 /\ movido_conj_2 /\ copia_conj_2 /\ copia_conj_3 /\ compuesto_conj_1
+  /\ compuesto_conj_2 /\ identidad_conj_1 /\ estirado_conj_1 /\ estirado_conj_2 /\ estirado_conj_3
+  /\ instancia_desde_conj_1 Elemento.
+Proof. exact (Instancias.the_conjectures_hold Elemento). Qed.
+
+(** Of solids: unions, intersections and differences are those of sets; a solid and the rest of space have one surface; the
+    surface of a solid sphere, plane or cylinder is that, with two lids; body and surface are closed. A ray meets the surface
+    first in a point, or runs along it from its origin on. *)
+Theorem the_conjectures_of_solids_hold :
+  cuerpo_conj_1 /\ interior_conj_1 /\ superficie_conj_1 /\ interior_conj_2 /\ cuerpo_conj_2 /\ interior_conj_3
+  /\ solido_esfera_conj_1 /\ solido_plano_conj_1 /\ solido_cilindro_conj_1 /\ superficie_conj_2
+  /\ superficie_desde_conj_1 /\ superficie_desde_conj_2.
+Proof. exact Solidos.the_conjectures_hold. Qed.
+
+(** The walk from root to root finds the least parameter on the surface of a solid. *)
+Theorem the_first_root_on_the_surface_of_a_solid_is_the_first S cs rayo en (roots : list R) t :
+  hecho_de S cs -> cs ⊆ Cuadrica_ok -> en ∈ con_multiplos ->
+  (forall c s u, c ∈ cs -> 0 < s -> 0 < u -> (forall r, In r roots -> r <= s \/ u < r) ->
+    let f x := Solidos.value_from rayo en c (Solidos.at_parameter rayo x) in
+    s <= u -> (f s < 0 -> f u < 0) /\ (f s > 0 -> f u > 0)) ->
+  (forall r, In r roots -> r < t -> ~ superficie_desde S rayo en (Solidos.at_parameter rayo r)) ->
+  (forall s, 0 < s -> (forall r, In r roots -> s < r) -> ~ superficie_desde S rayo en (Solidos.at_parameter rayo s)) ->
+  (forall r, In r roots -> r > 0) ->
+  forall s, 0 < s < t -> ~ superficie_desde S rayo en (Solidos.at_parameter rayo s).
+Proof. apply Solidos.the_first_root_on_the_surface_is_the_first_of_the_surface. Qed.
