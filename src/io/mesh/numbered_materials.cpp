@@ -19,7 +19,8 @@ NumberedMaterials::Numbers NumberedMaterials::numbers_of(const scene::Material& 
 
 std::uint32_t NumberedMaterials::number(scene::Material look) {
   auto& materials = scene_.stage().materials;
-  const auto [known, is_new] = known_.try_emplace({numbers_of(look), look.textures.names}, static_cast<std::uint32_t>(materials.size()));
+  const auto [known, is_new] =
+      known_.try_emplace({numbers_of(look), look.textures.names}, static_cast<std::uint32_t>(materials.size()));
   if (is_new) {
     look.name = fmt::format("f{}", known_.size());
     materials.push_back(std::move(look));

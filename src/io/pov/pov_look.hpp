@@ -1,6 +1,6 @@
 #pragma once
-/// The looks of POV-Ray's objects as materials: pigments of one colour, or of the two of a checker or of stripes, with a
-/// finish, averages of such, and an index of refraction. It is pov_texture.hpp, backwards.
+/// The looks of POV-Ray's objects as materials: pigments of one colour, or of the two of a checker or of stripes, with
+/// a finish, averages of such, and an index of refraction. It is pov_texture.hpp, backwards.
 
 #include <optional>
 #include <string>

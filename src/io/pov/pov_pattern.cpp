@@ -154,8 +154,8 @@ std::string pov_pigment(const PovChannels& channels, const glm::dvec3& color, st
   for (std::size_t k = 0; k < 3; ++k) {
     glm::dvec3 thrice(0);  // it is the mean of three
     thrice[static_cast<int>(k)] = 3 * color[static_cast<int>(k)];
-    text += fmt::format(" [1 function {{ {} }} color_map {{ [0 rgb 0{}] [1 rgb <{}, {}, {}>{}] }}]", channels[k], behind,
-                        thrice.x, thrice.y, thrice.z, behind);
+    text += fmt::format(" [1 function {{ {} }} color_map {{ [0 rgb 0{}] [1 rgb <{}, {}, {}>{}] }}]", channels[k],
+                        behind, thrice.x, thrice.y, thrice.z, behind);
   }
   return text + " }";
 }

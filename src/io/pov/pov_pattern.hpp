@@ -38,7 +38,8 @@ PovCoordinates pov_coordinates(const scene::AnyShape& shape);
 /// The expressions that are the red, the green and the blue of something.
 using PovChannels = std::array<std::string, 3>;
 
-/// A pigment whose red, green and blue are those numbers, each times that of a colour; behind the colours stands a text.
+/// A pigment whose red, green and blue are those numbers, each times that of a colour; behind the colours stands a
+/// text.
 std::string pov_pigment(const PovChannels& channels, const glm::dvec3& color, std::string_view behind = "");
 
 /// What a pattern chooses between.
@@ -55,7 +56,8 @@ class PovPatterns {
   /// knows by its name.
   std::optional<PovChannels> channels(const std::string& name, const PovCoordinates& at) const;
   /// The pattern of the texture of that name, with these in place of its two colours; of waves, all between them too.
-  /// `is_placed` tells whether what it chooses between may be laid on the surface with it. Precondition: it is no image.
+  /// `is_placed` tells whether what it chooses between may be laid on the surface with it. Precondition: it is no
+  /// image.
   std::string pattern(const std::string& name, const PovCoordinates& at, PovLevel level, std::string_view first,
                       std::string_view second, bool is_placed = true) const;
   /// The picture of the texture of that name as a pigment; empty where a function must stand for it, or nothing.
@@ -72,7 +74,6 @@ class PovPatterns {
   /// @}
 
  private:
-
   const std::vector<scene::Texture>& textures_;
   std::size_t unknown_ = 0;
 };

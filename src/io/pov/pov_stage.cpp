@@ -196,7 +196,7 @@ std::optional<scene::Environment> PovStage::read_gradient() {
     if (!(std::min({color.x, color.y, color.z}) >= 0) || !take_all({"]"})) return std::nullopt;
   }
   return take_all({"}", "scale", "2", "translate", "<", "0", ",", "-1", ",", "0", ">", "}", "}"}) ? std::optional(sky)
-                                                                                                 : std::nullopt;
+                                                                                                  : std::nullopt;
 }
 
 void PovStage::name_losses(std::vector<std::string>& lost) const {

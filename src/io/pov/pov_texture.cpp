@@ -67,9 +67,9 @@ struct PigmentTerm {
   std::vector<TermTexture> textures{};
   std::string behind{};  ///< the colour
   double diffuse = 0;
-  std::string_view finish{};              ///< behind the diffuse term
-  std::optional<glm::dvec3> emission{};   ///< of the pigment
-  bool is_turned = true;                  ///< by a relief
+  std::string_view finish{};             ///< behind the diffuse term
+  std::optional<glm::dvec3> emission{};  ///< of the pigment
+  bool is_turned = true;                 ///< by a relief
 };
 
 /// What multiplies a colour to give another; nothing where no product is that to the last digit.
@@ -91,8 +91,7 @@ void add_own(std::vector<PigmentTerm>& terms, const glm::dvec3& own, std::vector
     term.emission = factor;
     return;
   }
-  terms.push_back(
-      {.color = own, .textures = std::move(textures), .emission = glm::dvec3(1), .is_turned = false});
+  terms.push_back({.color = own, .textures = std::move(textures), .emission = glm::dvec3(1), .is_turned = false});
 }
 
 /// The summands of the local model that are not 0, without highlight and mirror. POV-Ray's diffuse term with brilliance
@@ -118,9 +117,8 @@ std::vector<PigmentTerm> terms_of(const scene::Material& m, const PovPatterns& p
     add_own(terms, m.ambient, of_ambient);
   }
   if (m.k_t > 0)
-    terms.push_back({.color = m.M_T,
-                     .textures = textures_of(m, patterns, {M_T, k_t}),
-                     .behind = fmt::format(" filter {}", m.k_t)});
+    terms.push_back(
+        {.color = m.M_T, .textures = textures_of(m, patterns, {M_T, k_t}), .behind = fmt::format(" filter {}", m.k_t)});
   return terms;
 }
 
@@ -193,8 +191,7 @@ class TextureWriter {
   /// it is a mixture of both only if the pattern counts once.
   std::optional<std::pair<glm::dvec3, glm::dvec3>> ends_of(const std::vector<TermTexture>& textures) const {
     const scene::Texture& texture = patterns_.named(textures.front().name);
-    const bool is_one =
-        std::ranges::all_of(textures, [&](const TermTexture& t) { return t.name == texture.name; });
+    const bool is_one = std::ranges::all_of(textures, [&](const TermTexture& t) { return t.name == texture.name; });
     if (!is_one || texture.pattern == scene::Pattern::image) return std::nullopt;
     if (texture.pattern == scene::Pattern::waves && textures.size() > 1) return std::nullopt;
     std::pair<glm::dvec3, glm::dvec3> ends{1, 1};
@@ -231,7 +228,8 @@ class TextureWriter {
   }
 
   /// Adds what varies without a pigment, so many times itself in red, green and blue.
-  void add_varying(const std::vector<TermTexture>& textures, const std::function<std::string(const glm::dvec3&)>& times) {
+  void add_varying(const std::vector<TermTexture>& textures,
+                   const std::function<std::string(const glm::dvec3&)>& times) {
     if (const auto ends = ends_of(textures)) {
       textures_.push_back([=, this, name = textures.front().name](double count) {
         return patterns_.pattern(name, at_, PovLevel::texture, times(count * ends->first), times(count * ends->second),

@@ -26,8 +26,8 @@ std::uint32_t reversed(std::uint32_t x) {
   return __builtin_bswap32(x);
 }
 
-/// The number of digits that Owen's scrambling turns each by itself: no two of fewer than 2¹⁶ points have the same first
-/// 16 digits in one coordinate.
+/// The number of digits that Owen's scrambling turns each by itself: no two of fewer than 2¹⁶ points have the same
+/// first 16 digits in one coordinate.
 constexpr int apart = 16;
 
 /// Owen's scrambling turns each digit or not by a coin of its own for the digits before it. The coins of the digits

@@ -288,7 +288,9 @@ TEST_CASE("Terms of a material come back from an average; what a material has no
         scene::Material{.name = "f1", .color = {1, 0.5, 0}, .k_d = 0.375, .k_t = 0.25});
   CHECK(material("pigment { rgb <1, 3, 0> } finish { ambient 0 diffuse 0 emission 1 }") ==
         scene::Material{.name = "f1", .emission = {1, 3, 0}});
-  const std::string other = "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages of such";
+  const std::string other =
+      "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and "
+      "averages of such";
   for (const char* texture :
        {"texture { T_Gold }", "pigment { checker rgb 1, rgb 0 }", "pigment { color White }",
         "texture { pigment { rgb 1 } scale 2 }",
@@ -461,7 +463,8 @@ TEST_CASE("What was exported reads back, number for number where no loss is name
   });
 }
 
-TEST_CASE("Checkers, stripes and a sky between two colours come back, number for number, where they are their surface's") {
+TEST_CASE(
+    "Checkers, stripes and a sky between two colours come back, number for number, where they are their surface's") {
   const std::string scene = R"({"format":"durero-scene","version":1,"environment":{"gradient":[[0.5,0,0],[1,2,3]]},
 "textures":{"p1":{"checker":[[1,0,0.1],[0.5,1,0.3]],"repeat":[49,0.3]},"p2":{"stripes":[[0.7,0.1,0],[0,0,1]]}},
 "materials":{"f1":{"color":[1,1,1],"k_a":0.25,"k_d":0.5,"emission":[0.25,0.5,0],"textures":{"color":"p1","emission":"p1"}},
@@ -488,12 +491,16 @@ TEST_CASE("Checkers, stripes and a sky between two colours come back, number for
     return import_text(text.replace(at, from.size(), to)).lost;
   };
   const Lines left_out{
-      "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages "
+      "1 texture left out: read are pigments of one colour, or of two as export writes them, with a finish, and "
+      "averages "
       "of such"};
   CHECK(lost("sphere { <0.1, 0.2, 0.3>, 0.3 }", "sphere { <0.1, 0.2, 0.3>, 0.25 }") == left_out);
-  for (const auto& [from, to] :
-       {std::pair("scale <1/49,", "scale <2/49,"), {"1/0.3, 1>", "1/-0.3, 1>"}, {"[0.5 rgb", "[0.25 rgb"},
-        {"checker rgb <2,", "checker rgb <3,"}, {"checker rgb", "hexagon rgb"}, {"warp {", "warp { spherical }, warp {"}}) {
+  for (const auto& [from, to] : {std::pair("scale <1/49,", "scale <2/49,"),
+                                 {"1/0.3, 1>", "1/-0.3, 1>"},
+                                 {"[0.5 rgb", "[0.25 rgb"},
+                                 {"checker rgb <2,", "checker rgb <3,"},
+                                 {"checker rgb", "hexagon rgb"},
+                                 {"warp {", "warp { spherical }, warp {"}}) {
     CAPTURE(from);
     CHECK(lost(from, to) == left_out);
   }

@@ -129,7 +129,8 @@ TEST_CASE("a checker and stripes are POV-Ray's own patterns, laid on the surface
   const std::string stripes = R"("stripes":[[1,1,1],[0,0,0.5]],"repeat":[0.5,1])",
                     color = R"("color":[1,1,1],"textures":{"color":"t"})";
   const auto of = [&](const std::string& element) { return worn(stripes, color, element); };
-  const std::string two = "pigment { gradient x color_map { [0.5 rgb <1, 1, 1>] [0.5 rgb <0, 0, 0.5>] } scale <2/0.5, 1/1, ";
+  const std::string two =
+      "pigment { gradient x color_map { [0.5 rgb <1, 1, 1>] [0.5 rgb <0, 0, 0.5>] } scale <2/0.5, 1/1, ";
   CHECK(has(of(plano), two + "1> " + on_plane + " }"));
   CHECK(has(of(R"("tipo":"disco","centro":[1,0,0],"radio":2,"vector":[0,0,1])"),
             two + "1> matrix <4, 0, 0, 0, 4, 0, 0, 0, 1, -1, -2, -0.5> }"));
@@ -158,15 +159,15 @@ TEST_CASE("a share that a pattern changes is two textures, and terms of one patt
   };
   CHECK(has(mirror,
             "texture { average texture_map { [1 pigment { rgb <2, 2, 2> } finish { ambient 0 diffuse 1 }] [1 checker " +
-                black("<1, 1, 1>") + " " + black("<0.25, 0.25, 0.25>") + " scale <1/2, 1/3, 1> " + on_plane +
-                "] } }"));
+                black("<1, 1, 1>") + " " + black("<0.25, 0.25, 0.25>") + " scale <1/2, 1/3, 1> " + on_plane + "] } }"));
   // What shines of itself is a factor of the pigment, if it wears the same.
   const std::string same = R"("color":[0.5,1,1],"ambient":[0.25,0.125,0],"textures":{"color":"t","ambient":"t"})";
   CHECK(has(worn(squares, same, plano),
             "texture { pigment { checker rgb <0.5, 1, 1>, rgb <0.125, 0.5, 0> scale <1/2, 1/3, 1> " + on_plane +
                 " } finish { ambient 0 diffuse 1 emission rgb <0.5, 0.125, 0> } }"));
   const std::string other = R"("color":[0.5,1,1],"ambient":[0.25,0.125,0],"textures":{"color":"t"})";
-  CHECK(has(worn(squares, other, plano), "[1 pigment { rgb <0.5, 0.25, 0> } finish { ambient 0 diffuse 0 emission 1 }]"));
+  CHECK(
+      has(worn(squares, other, plano), "[1 pigment { rgb <0.5, 0.25, 0> } finish { ambient 0 diffuse 0 emission 1 }]"));
   // Two factors of one term that wear one pattern are the product at each of its ends.
   const std::string twice = R"("color":[1,1,1],"textures":{"color":"t","k_d":"t"})";
   CHECK(has(worn(squares, twice, plano), "checker rgb <1, 1, 1>, rgb <0.0625, 0.125, 0> scale"));
@@ -239,9 +240,10 @@ TEST_CASE("what is around is a sky of the same colours") {
                     environment + R"(},"elementos":[])");
   };
   const io::Exported gradient = of(R"("gradient":[[0.5,0,0],[1,2,3]])");
-  CHECK(has(gradient,
-            "sky_sphere { pigment { gradient y color_map { [0 rgb <0.5, 0, 0>] [1 rgb <1, 2, 3>] } scale 2 translate <0, "
-            "-1, 0> } }\n"));
+  CHECK(
+      has(gradient,
+          "sky_sphere { pigment { gradient y color_map { [0 rgb <0.5, 0, 0>] [1 rgb <1, 2, 3>] } scale 2 translate <0, "
+          "-1, 0> } }\n"));
   CHECK_FALSE(has(gradient, "background"));
   CHECK(has(of(R"("equirectangular":"a.png")"), "Sky0(0.5 + atan2(x, -z)/(2*pi), "));
   CHECK(has(of(R"("spherical":"a.png")"), "1*Sky0(min(max(0.5 + 0.5*x/max(sqrt("));
