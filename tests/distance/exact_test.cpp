@@ -55,6 +55,19 @@ glm::dvec3 point_about(const Shape& shape) {
 
 }  // namespace
 
+TEST_CASE("The search finds what is nearest at the last circle of a cone, and on each edge of a triangle") {
+  const auto apart = [](const auto& shape, const glm::dvec3& p) {
+    return abs(sqrt(test::big(nearest(shape, p).squared)) - searched_distance(shape, p));
+  };
+  const scene::Cone cone{{0, -7.5, 0}, 1, {0.911584, 0.411114, 0}, 1};
+  CHECK(apart(cone, cone.centro + cone.vector) < Big(1e-38));
+  const scene::Cone flat{{-10, 0, 0}, 0.75, {0, 0.6, 0.8}, 0.25};
+  CHECK(apart(flat, flat.centro + flat.altura * flat.vector) < Big(1e-38));
+  const scene::Triangle triangle{{{{-9.25, -8.75, -9}, {-10, -10, -10}, {0, 0, 0}}}};
+  CHECK(apart(triangle, {-10, -10, -9.75}) < Big(1e-38));
+  CHECK(apart(triangle, {-9.5, -9, -9.5}) < Big(1e-38));
+}
+
 TEMPLATE_TEST_CASE("The exact distance is that of a search in a hundred digits, and its point is on the shape", "",
                    scene::Sphere, scene::Cylinder, scene::Cone, scene::TruncatedCone, scene::Plane, scene::Disc,
                    scene::Triangle) {

@@ -76,13 +76,16 @@ Big searched_distance(const Shape& shape, const glm::dvec3& at, const auto& R) {
     const Big here = distance(places[i]);
     least = std::min(least, here);
     if (here > 1e299 || here > distance(low) || here > distance(high)) continue;
+    // Beyond the last circle, near an apex, there are no points: where both places lie there, the search goes back. At
+    // that circle the distance grows as a root does, so that it is found to twice the digits.
     static const Big golden = (sqrt(Big(5)) - 1) / 2;
-    for (int turn = 0; turn < 120; ++turn) {
+    const int turns = distance(high) > 1e299 ? 400 : 120;
+    for (int turn = 0; turn < turns; ++turn) {
       const Big step = golden * (high - low);
-      (distance(high - step) < distance(low + step) ? high : low) =
-          distance(high - step) < distance(low + step) ? low + step : high - step;
+      const bool is_before = distance(high - step) <= distance(low + step);
+      (is_before ? high : low) = is_before ? low + step : high - step;
     }
-    least = std::min(least, distance((low + high) / 2));
+    least = std::min({least, distance(low), distance((low + high) / 2)});
   }
   return least;
 }
@@ -108,8 +111,8 @@ inline Big searched_distance(const scene::Disc& e, const glm::dvec3& p) {
   return sqrt(beyond * beyond + above * above);
 }
 
-/// The points of a segment by one parameter, those of a triangle by segments from a vertex: the distance is convex in
-/// both.
+/// The points of a segment by one parameter, those of a triangle by segments beside an edge: the distance is convex in
+/// both, since the points are affine in both.
 inline Big searched_distance(const scene::Triangle& e, const glm::dvec3& at) {
   const Big3 a(e.vertices[0]), b(e.vertices[1]), c(e.vertices[2]), p(at);
   const auto to_segment = [&](const Big3& from, const Big3& to) {
@@ -117,13 +120,13 @@ inline Big searched_distance(const scene::Triangle& e, const glm::dvec3& at) {
     const Big t = std::clamp(Big(dot(p - from, way) / dot(way, way)), Big(0), Big(1));
     return length(p - (from + t * way));
   };
-  const auto distance = [&](const Big& t) { return to_segment(a, b + t * (c - b)); };
+  const auto distance = [&](const Big& t) { return to_segment(a + t * (b - a), c + t * (b - c)); };
   Big low = 0, high = 1;
   for (int turn = 0; turn < 150; ++turn) {
     const Big one = low + (high - low) / 3, other = high - (high - low) / 3;
     (distance(one) < distance(other) ? high : low) = distance(one) < distance(other) ? other : one;
   }
-  return std::min({distance(low), to_segment(a, b), to_segment(a, c)});
+  return std::min({distance(low), to_segment(a, b), to_segment(b, c), to_segment(c, a)});
 }
 
 }  // namespace durero::test
