@@ -439,15 +439,3 @@ Theorem the_conjectures_of_solids_hold :
   /\ solido_esfera_conj_1 /\ solido_plano_conj_1 /\ solido_cilindro_conj_1 /\ superficie_conj_2
   /\ superficie_desde_conj_1 /\ superficie_desde_conj_2.
 Proof. exact Solidos.the_conjectures_hold. Qed.
-
-(** The walk from root to root finds the least parameter on the surface of a solid. *)
-Theorem the_first_root_on_the_surface_of_a_solid_is_the_first S cs rayo en (roots : list R) t :
-  hecho_de S cs -> cs ⊆ Cuadrica_ok -> en ∈ con_multiplos ->
-  (forall c s u, c ∈ cs -> 0 < s -> 0 < u -> (forall r, In r roots -> r <= s \/ u < r) ->
-    let f x := Solidos.value_from rayo en c (Solidos.at_parameter rayo x) in
-    s <= u -> (f s < 0 -> f u < 0) /\ (f s > 0 -> f u > 0)) ->
-  (forall r, In r roots -> r < t -> ~ superficie_desde S rayo en (Solidos.at_parameter rayo r)) ->
-  (forall s, 0 < s -> (forall r, In r roots -> s < r) -> ~ superficie_desde S rayo en (Solidos.at_parameter rayo s)) ->
-  (forall r, In r roots -> r > 0) ->
-  forall s, 0 < s < t -> ~ superficie_desde S rayo en (Solidos.at_parameter rayo s).
-Proof. apply Solidos.the_first_root_on_the_surface_is_the_first_of_the_surface. Qed.

@@ -1,7 +1,7 @@
-// povray +W640 +H400 -A
+// povray +W640 +H400 -A File_Gamma=sRGB
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 adc_bailout 0 }
-camera { location <1, 5, -9> right <1.6, 0, 0> up y angle 38 look_at <0, 0.8, 0> }
+camera { location <1, 5, -9> right <-1.6, 0, 0> up y angle 38 look_at <0, 0.8, 0> }
 background { rgb <0.3, 0.4, 0.6> }
 light_source { <-6, 9, -7>, rgb 1 }
 plane { y, 0 pigment { rgb <0.5, 0.45, 0.4> } finish { ambient 0.1 diffuse 0.7 } }
