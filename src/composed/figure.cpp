@@ -20,11 +20,6 @@ class Copy final : public Figure {
     return {.t = reach.first()};
   }
 
-  bool hides(const model::Rayo& rayo, bool on) const override {
-    const First met = first(rayo, on);
-    return met.no_minimum || (met.t && surface::exact::order(*met.t, Parameter{.x = 1}) < 0);
-  }
-
   std::optional<std::vector<Parameter>> parameters(const model::Rayo& rayo, bool on,
                                                    surface::exact::RayStretch stretch) const override {
     return surface::exact::parameters_on(shape_.reach(rayo, on), stretch);
@@ -49,6 +44,11 @@ std::unique_ptr<const Figure> made(const scene::Instance& instance) { return std
 std::unique_ptr<const Figure> made(const scene::Compound& solid) { return std::make_unique<const SolidFigure>(solid); }
 
 }  // namespace
+
+bool Figure::hides(const model::Rayo& rayo, bool on) const {
+  const First met = first(rayo, on);
+  return met.no_minimum || (met.t && lies_on(surface::exact::RayStretch::segment, *met.t));
+}
 
 std::unique_ptr<const Figure> figure(const scene::Body& body) {
   return std::visit([](const auto& form) { return made(form); }, body.form);

@@ -150,11 +150,6 @@ First SolidFigure::first(const model::Rayo& rayo, bool on) const {
   return first_of(faces_along(faces_, rayo, starts), tree_);
 }
 
-bool SolidFigure::hides(const model::Rayo& rayo, bool on) const {
-  const First met = first(rayo, on);
-  return met.no_minimum || (met.t && *met.t < Parameter{.x = 1});
-}
-
 std::optional<std::vector<Parameter>> SolidFigure::parameters(const model::Rayo& rayo, bool on,
                                                               surface::exact::RayStretch stretch) const {
   std::vector<Parameter> met;

@@ -14,7 +14,7 @@ namespace durero::composed {
 std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, std::string_view hierarchy,
                                                const scene::GroupedScene& input);
 
-/// The same without groups.
+/// The engine of a scene without groups.
 std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, const scene::Scene& scene);
 
 }  // namespace durero::composed

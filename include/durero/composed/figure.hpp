@@ -31,7 +31,7 @@ class Figure {
   /// (instancia_desde).
   virtual First first(const model::Rayo& rayo, bool on) const = 0;
   /// Whether the ray meets it at some 0 < t < 1.
-  virtual bool hides(const model::Rayo& rayo, bool on) const = 0;
+  bool hides(const model::Rayo& rayo, bool on) const;
   /// The parameters of all points that the ray meets on a stretch, ascending. Nothing where it runs along it there.
   virtual std::optional<std::vector<Parameter>> parameters(const model::Rayo& rayo, bool on,
                                                            surface::exact::RayStretch stretch) const = 0;

@@ -100,7 +100,7 @@ class SpaceForm {
 
 /// The form times a positive integer, without fractions: it has the same signs.
 SpaceForm<Dyadic> whole(const QuadraticForm& form);
-/// The same form with coefficients known to about 50 bits.
+/// The form with coefficients that are known to about 50 bits.
 SpaceForm<RealBall> roughly(const SpaceForm<Dyadic>& form);
 
 /// The sign of A·t² + 2B·t + C at a parameter, exactly.

@@ -8,7 +8,7 @@
 
 namespace durero::composed {
 
-/// Where a point is, of a solid.
+/// The place of a point beside a solid.
 enum class SolidPlace : std::int8_t {
   outside = -1,  ///< not in cuerpo
   surface = 0,   ///< in superficie
@@ -18,7 +18,7 @@ enum class SolidPlace : std::int8_t {
 /// A solid, as faces that are joined. Faces have numbers, and no two of them are one surface.
 class SideTree {
  public:
-  /// What is inside of a face; of a face that is turned, what is outside.
+  /// The inside of a face; of a face that is turned, the outside.
   static SideTree face(std::size_t number, bool turned);
   /// The intersection of some solids.
   static SideTree all(std::vector<SideTree> parts);

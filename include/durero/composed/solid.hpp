@@ -24,7 +24,6 @@ class SolidFigure final : public Figure {
   /// The first point on the surface; no_minimum where the ray runs along it from its origin on. A ray that starts on
   /// the solid starts on every face that may hold at a point whose rounding its origin is (superficie_desde.def.1).
   First first(const model::Rayo& rayo, bool on) const override;
-  bool hides(const model::Rayo& rayo, bool on) const override;
   std::optional<std::vector<Parameter>> parameters(const model::Rayo& rayo, bool on,
                                                    surface::exact::RayStretch stretch) const override;
   bool may_meet(const model::Rayo& rayo, bool on) const override;
@@ -39,7 +38,7 @@ class SolidFigure final : public Figure {
   std::size_t size() const;
 
  private:
-  /// What is inside of a face, which becomes one of faces_ if none is a multiple of it.
+  /// The inside of a face, which becomes one of faces_ if none is a multiple of it.
   SideTree side_of(const SpaceForm<Dyadic>& form);
   SideTree tree_of(const scene::Body& body);
   SideTree tree_of(const scene::Instance& instance);

@@ -35,15 +35,9 @@ constexpr BodyTipo all_tipos[] = {{"instancia", instance_keys, make_instance},
                                   {"diferencia", solid_keys, make_difference},
                                   {"caja", box_keys, make_box}};
 
-BodyParts alone(scene::Body body) {
-  BodyParts parts;
-  parts.push_back({{}, std::move(body)});
-  return parts;
-}
-
 bool is_one(const BodyParts& parts) { return parts.size() == 1 && parts.front().name.empty(); }
 
-/// Takes a mark back at the end of its scope.
+/// A mark that is taken back at the end of its scope.
 class Mark {
  public:
   Mark(std::set<const void*>& marks, const void* mark) : marks_(marks), mark_(mark) {}
@@ -56,11 +50,29 @@ class Mark {
   const void* mark_;
 };
 
+/// A depth that is one more until the end of its scope.
+class OneDeeper {
+ public:
+  explicit OneDeeper(std::size_t& depth) : depth_(depth) { ++depth_; }
+  ~OneDeeper() { --depth_; }
+  OneDeeper(const OneDeeper&) = delete;
+  OneDeeper& operator=(const OneDeeper&) = delete;
+
+ private:
+  std::size_t& depth_;
+};
+
 [[noreturn]] void fail_within_itself(const json::Reader& in, std::size_t at, std::string_view name) {
   in.fail(at, fmt::format("{} is made of itself", text::shown(name)), "expected one that is made of others");
 }
 
 }  // namespace
+
+BodyParts alone(scene::Body body) {
+  BodyParts parts;
+  parts.push_back({{}, std::move(body)});
+  return parts;
+}
 
 std::span<const BodyTipo> body_tipos() { return all_tipos; }
 
@@ -217,7 +229,7 @@ BodyParts BodyReader::parts(json::Reader in) {
   const std::size_t at = in.offset();
   if (depth_ == most_within)
     in.fail(at, fmt::format("more than {} elements are made of one another", most_within), "expected fewer");
-  ++depth_;
+  const OneDeeper deeper(depth_);
   BodyParts found;
   if (in.kind() == json::TokenKind::string) {
     found = named(in, at, in.string("a name"));
@@ -230,7 +242,6 @@ BodyParts BodyReader::parts(json::Reader in) {
   } else {
     found = made(read(in, {.id = false, .material = false}));
   }
-  --depth_;
   count_ += found.size();
   if (count_ > most_bodies) in.fail(at, fmt::format("there are more than {} copies", most_bodies), "expected fewer");
   return found;
@@ -239,14 +250,11 @@ BodyParts BodyReader::parts(json::Reader in) {
 BodyParts BodyReader::named(const json::Reader& in, std::size_t at, std::string_view name) {
   if (const auto found = prototype_by_name_.find(name); found != prototype_by_name_.end())
     return parts_of(in, at, *found->second);
-  if (const auto found = element_by_name_.find(name); found != element_by_name_.end()) {
-    BodyParts parts = parts_of(in, at, *found->second);
-    return parts;
-  }
+  if (const auto found = element_by_name_.find(name); found != element_by_name_.end())
+    return parts_of(in, at, *found->second);
   BodyPart part = of_element(in, {std::string(name), at});
-  part.name.clear();
-  BodyParts parts;
-  parts.push_back(std::move(part));
+  BodyParts parts = alone(std::move(part.body));
+  parts.front().material = part.material;
   return parts;
 }
 

@@ -28,6 +28,9 @@ struct BodyPart {
 };
 using BodyParts = std::vector<BodyPart>;
 
+/// The one part that a body without a name is.
+BodyParts alone(scene::Body body);
+
 class BodyReader;
 
 /// A tipo of elements with bodies: its keys beside `id`, `tipo` and `material`, all of them required, and what makes

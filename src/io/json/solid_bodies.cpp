@@ -26,12 +26,6 @@ std::size_t shapes_of(const scene::Body& body) {
   return std::visit([](const auto& form) { return shapes_of(form); }, body.form);
 }
 
-BodyParts one_part(Compound solid) {
-  BodyParts parts;
-  parts.push_back({{}, {std::move(solid)}});
-  return parts;
-}
-
 BodyParts make_solid(Compound::Operation operation, BodyReader& reader, json::Reader in) {
   Compound solid{operation, {}};
   const std::size_t at = in.offset();
@@ -49,7 +43,7 @@ BodyParts make_solid(Compound::Operation operation, BodyReader& reader, json::Re
     solid.parts.push_back(std::move(part));
   });
   if (solid.parts.size() < 2) in.fail(at, "de has fewer than two parts", "expected two or more");
-  return one_part(std::move(solid));
+  return alone({std::move(solid)});
 }
 
 }  // namespace
@@ -74,7 +68,7 @@ BodyParts make_box(BodyReader&, std::span<const json::Reader> values) {
   if (corners.size() != 2) in.fail(at, fmt::format("esquinas has {} corners", corners.size()), "expected two");
   const auto box = scene::box_between(corners[0], corners[1]);
   if (!box) in.fail(at, "the corners lie in one plane across an axis", "expected two that differ in x, y and z");
-  return one_part(*box);
+  return alone({*box});
 }
 
 }  // namespace durero::io

@@ -23,8 +23,6 @@ class ClearElements {
   glm::dvec3 share_through(const scene::Query& shadow, surface::exact::RayStretch stretch, double way) const;
 
  private:
-  const TexturedMaterial& material_of(scene::ElementRef element) const;
-
   const TracingContext& context_;
 };
 

@@ -18,6 +18,9 @@ struct TracingContext {
   /// Prepares the data. Throws as brought() does.
   TracingContext(const scene::Scene& of, const engine::Engine& by, const PathLimits& to, const Caustics* also);
 
+  /// The look of an element's material.
+  const TexturedMaterial& look_of(scene::ElementRef element) const { return looks.of(scene.material(element)); }
+
   const scene::Scene& scene;
   const engine::Engine& engine;
   const PathLimits limits;

@@ -193,7 +193,7 @@ class PathTracer : public Tracer {
     const bool is_alone = context_.limits.light_sampling == LightSampling::lights;
     const double share = 1 / (draw.density + (is_alone ? 0 : scattering.density(l)));
     // What is flat and shines alike everywhere is met from the side that it was drawn on, and needs no point.
-    const bool is_even = surface::is_flat(draw.element.tipo) && look_of(draw.element).is_bare();
+    const bool is_even = surface::is_flat(draw.element.tipo) && context_.look_of(draw.element).is_bare();
     (is_even ? even_ : pointed_)
         .push({walk.ray, walk.weight * sent * share, draw},
               {{model::Punto(from), model::Vector(draw.way)}, at.hit.elementos});
@@ -227,14 +227,10 @@ class PathTracer : public Tracer {
       if (met.count > 1) {
         pointed_.push(std::move(light), std::move(even_.queries[i]));
       } else if (met.least == light.draw.element) {
-        sums_[light.ray].color += light.weight * look_of(light.draw.element).plain.emission;
+        sums_[light.ray].color += light.weight * context_.look_of(light.draw.element).plain.emission;
       }
     }
     even_.clear();
-  }
-
-  const TexturedMaterial& look_of(scene::ElementRef element) const {
-    return context_.looks.of(context_.scene.material(element));
   }
 
   /// Continues the same ray behind a sheet that does not bend it, as Whitted's algorithm does.

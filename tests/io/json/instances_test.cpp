@@ -144,6 +144,13 @@ TEST_CASE("Groups that double with every line are refused before they fill the m
   CHECK(error_of(file(chain + ball + copy("c600", R"("ball")"))).find("made of one another") != std::string::npos);
 }
 
+TEST_CASE("Elements that are too deep within one another are errors, and those beside them are none") {
+  std::string chain;
+  for (int i = 0; i < 504; ++i) chain += copy("c" + std::to_string(i), "\"c" + std::to_string(i + 1) + "\"") + ",";
+  const io::SceneCheck check = io::check_scene(io::Source("f", file(chain + ball + copy("c504", R"("ball")"))));
+  CHECK(check.errors.size() == 5);  // of the 505 those that stand above more than 500 others, or the ball
+}
+
 TEST_CASE("Who knows shapes alone refuses instances, and check counts them") {
   const std::string text = file(ball + copy("c", R"("ball")"));
   CHECK(test::error_of(text, [](const io::Source& s) { return io::read_scene(s); }).find("instancia") !=
