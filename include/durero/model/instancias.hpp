@@ -62,7 +62,7 @@ bool estirado(const Mapa& m, const Rmas& r, const Rmas& h);
 /// The points of an instance of e (puntos_de_instancia.def.1).
 Puntos puntos_de_instancia(const Escena& escena, const Mapa& m, const Elemento& e);
 
-/// What a ray that starts at p, known to lie on the instance, sees of it (instancia_desde.def.1).
+/// The points of an instance that a ray sees which starts at p, known to lie on it (instancia_desde.def.1).
 Puntos instancia_desde(const Escena& escena, const Mapa& m, const Elemento& e, const ExactPoint& p);
 
 }  // namespace durero::model

@@ -92,7 +92,7 @@ using Family = std::map<Elemento, Vertices>;
 /// familia(m, red) (familia.def.1); nothing outside its domain: where red is no mesh, or a face has no name.
 std::optional<Family> familia(const Elemento& m, const Red& red);
 
-/// The same points and faces, the point n being p (movida.def.1); nothing where there is no such point.
+/// The points and faces with the point n at p (movida.def.1); nothing where there is no such point.
 std::optional<Red> movida(const Red& red, Ordinal n, const Punto& p);
 
 /// A scene with meshes (Mallas). A plain value: its invariants are evaluated by what is declared below.
@@ -179,7 +179,7 @@ Answer apply_total(Mallas& s, const MeshOperation& operation);
 /// Eliminar_Triangulo_Mallas.def.1 and Eliminar_Elemento_Mallas.def.1.
 Answer apply_total(Mallas& s, const Operation& operation);
 
-// What makes a mesh watertight: the sign at an edge is computed once for the two triangles that share it.
+// A mesh is watertight since the sign at an edge is computed once for the two triangles that share it.
 
 /// The volume of the direction of a ray and of the ways from its origin to the ends of an edge (giro.def.1): positive
 /// where its line passes the edge on the one side, negative on the other. giro(rayo, b, a) is −giro(rayo, a, b).

@@ -1,5 +1,5 @@
 #pragma once
-/// What spec/malla.tex says of each operation on meshes and of each error, evaluated over the states of the model.
+/// The predicates of spec/malla.tex about each operation on meshes and each error, over the states of the model.
 
 #include "durero/model/malla.hpp"
 
@@ -139,7 +139,7 @@ struct Es_De_Malla {
 using MeshError = std::variant<Malla_Ya_Existe, Malla_No_Existe, Cara_Incompleta, Caras_Alineadas, Cara_Sin_Nombre,
                                Cara_Ya_Existe, Vertice_No_Existe, Vertice_Alineado, Es_De_Malla>;
 
-/// What is said of an error when it answers r, in the order of the text.
+/// The judgements about an error that answers r, in the order of the text.
 Judgements judgements(const Mallas& s, const MeshError& error, Respuesta r);
 
 /// A precondition, judged, with the error by which the total operation denies it. What is undefined does not hold.

@@ -49,7 +49,7 @@ Cuadricas dentro(const Cuadricas& cs, const ExactPoint& w);
 Cuadricas fuera(const Cuadricas& cs, const ExactPoint& w);
 /// @}
 
-/// What the allotments of repartos(ds, fs) have of cs, each once (repartos.def.1).
+/// The parts of cs in the allotments of repartos(ds, fs), each once (repartos.def.1).
 std::vector<Cuadricas> repartos(const Cuadricas& cs, const Cuadricas& ds, const Cuadricas& fs);
 
 /// A solid: a set of allotments, which tells by its quadrics alone what is in it.

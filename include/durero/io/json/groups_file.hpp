@@ -14,7 +14,7 @@ namespace durero::io {
 /// scene is what read_scene(source) gives. Throws InputError as that does.
 scene::Groups read_groups(const Source& source, const scene::Scene& scene);
 
-/// What a scene file holds; a copy of a group is a group. Throws InputError as read_scene() does.
+/// The content of a scene file; a copy of a group is a group. Throws InputError as read_scene() does.
 scene::GroupedScene read_grouped_scene(const Source& source, Bodies bodies = Bodies::refused);
 
 /// The canonical text of a scene and of groups of its elements: the same bytes for the same scene and groups. Without
