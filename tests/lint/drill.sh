@@ -64,7 +64,7 @@ edges CMakeLists.txt: an edge that no include needs
 edges CMakeLists.txt: an include that no edge names
   s/^\(durero_layer(render DEPENDS .*\) model/\1/
 edges CMakeLists.txt: a layer that the program includes and does not link
-  s/PRIVATE durero::text /PRIVATE /
+  s/PUBLIC durero::text /PUBLIC /
 independence src/oracle/sampled.cpp: an oracle that knows the equation of a surface
   $a #include "durero/surface/equation.hpp"
 independence tests/conform/reference.hpp: the tests' reference asking what it is held against
