@@ -66,6 +66,31 @@ void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeVie
   });
 }
 
+/// The triangles of a block from lane `at` on, widened exactly.
+HWY_INLINE LaneElement<model::Tipo::soy_triangulo> triangles(const TriangleBlock& block, std::size_t at) {
+  const hn::Rebind<float, LaneTag> half;
+  LaneElement<model::Tipo::soy_triangulo> element{};
+  const auto of = [&](std::size_t i, std::size_t axis) HWY_ATTR {
+    return Lanes(hn::PromoteTo(LaneTag(), hn::LoadU(half, &block.vertices[i][axis][at])));
+  };
+  for (std::size_t i = 0; i < 3; ++i) element.vertices[i] = {of(i, 0), of(i, 1), of(i, 2)};
+  return element;
+}
+
+void triage_block(const Ray& ray, const TriangleBlock& block, Findings& findings) {
+  constexpr model::Tipo tipo = model::Tipo::soy_triangulo;
+  const LaneRay everywhere{in_every_lane(ray.p), in_every_lane(ray.v), Lanes(ray.speed)};
+  findings.hit = findings.undecided = 0;
+  unsigned used = 0;
+  for (std::size_t at = 0; at < TriangleBlock::size; at += lanes()) {
+    const LaneElement<tipo> element = triangles(block, at);
+    const BoundedQuadratic<Lanes> f = quadratic<Lanes>(element, everywhere);
+    keep(f, found_in_lanes<tipo>(f), at, findings);
+    used |= bits(element.vertices[0].x == element.vertices[0].x) << at;
+  }
+  findings.hit &= used, findings.undecided &= used;
+}
+
 std::uint64_t starting_in_columns(const RayColumns& rays, std::uint64_t which, std::uint64_t start) {
   const hn::Rebind<std::uint64_t, LaneTag> tag;
   std::uint64_t found = 0;
@@ -94,6 +119,7 @@ namespace {
 
 HWY_EXPORT(triage_packet);
 HWY_EXPORT(triage_columns);
+HWY_EXPORT(triage_block);
 HWY_EXPORT(triage_packet_from);
 HWY_EXPORT(starting_in_columns);
 
@@ -107,6 +133,9 @@ std::uint64_t starting_on(const RayColumns& rays, std::uint64_t which, scene::El
 }
 void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_columns)(rays, which, element, findings);
+}
+void triage(const Ray& ray, const TriangleBlock& block, Findings& findings) {
+  HWY_DYNAMIC_DISPATCH(triage_block)(ray, block, findings);
 }
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_packet_from)(packet, tipo, findings);

@@ -54,6 +54,7 @@ class Shuffled {
   ElementRef element(ElementRef own) const { return own; }
   ElementRef own(ElementRef e) const { return e; }
   void ask_for_own(ElementRef) const {}
+  void ask_for_shape(ElementRef) const {}
 
  private:
   const scene::Scene* scene_;
@@ -117,6 +118,7 @@ struct Nothing {
   ElementRef element(ElementRef own) const { return own; }
   ElementRef own(ElementRef e) const { return e; }
   void ask_for_own(ElementRef) const {}
+  void ask_for_shape(ElementRef) const {}
 };
 static_assert(trace::Candidates<Nothing>);
 

@@ -22,6 +22,8 @@ namespace durero::trace {
 ///                         default;
 ///   triage(columns, which, shape, findings by groups of eight)
 ///                         for a source that offers rays in columns;
+///   triage(ray, block, findings)
+///                         for a source that offers blocks of triangles;
 ///   counted               true, if the tested pairs are to be counted;
 ///   hit(number, ray, source, own, point)
 ///                         called with a ray's nearest point, its number in the block, and the source's name of the
@@ -135,6 +137,9 @@ class Batch {
     Batch& batch;
     bool starts() const { return batch.some_start_; }
     void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
+    void operator()(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) const {
+      batch.take(number, block, first);
+    }
     template <class Numbers>
     std::uint64_t operator()(const RayColumns& rays, const Numbers& numbers, std::uint64_t which,
                              scene::ElementRef own) const {
@@ -147,6 +152,20 @@ class Batch {
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
     queue.push(source_, number, rays_[number], own);
     if (queue.full()) test(queue);
+  }
+
+  /// Tests a ray against a block of triangles, the first of which has the name `first`.
+  void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
+    kernel_.triage(rays_[number], block, findings_);
+    unsigned used = (1u << TriangleBlock::size) - 1;
+    if (const scene::ElementRef start = rays_[number].start(); start != nothing) used &= ~lane_of(start, first);
+    Nearest& nearest = nearest_[number];
+    if ((findings_.undecided & used) != 0) nearest.alone = true;
+    for (unsigned left = findings_.hit & used; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      keep_nearest(nearest, {first.tipo, first.index + lane}, kernel_.point(findings_, lane));
+    }
+    if constexpr (counted) nearest.tested += block.count();
   }
 
   void flush() {

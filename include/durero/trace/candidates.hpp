@@ -48,7 +48,9 @@ concept Candidates =
 ///   visit(own, f)     f(shape) with the geometry of a named element;
 ///   element(own)      the element of the scene with that name, which has the same type;
 ///   own(e)            the source's name of an element that is not in extraordinary(): element(own(e)) = e;
-///   ask_for_own(e)    prefetches the memory that own(e) reads.
+///   ask_for_own(e)    prefetches the memory that own(e) reads;
+///   ask_for_shape(own)
+///                     prefetches the memory that visit(own, f) reads.
 /// Precondition of pairs: rays whose limit is not 0 are ordinary.
 template <class Source>
 concept PairCandidates =
@@ -60,6 +62,7 @@ concept PairCandidates =
       { source.element(own) } -> std::same_as<scene::ElementRef>;
       { source.own(own) } -> std::same_as<scene::ElementRef>;
       source.ask_for_own(own);
+      source.ask_for_shape(own);
     };
 
 /// Calls visit(e, range) for every element of the scene, until it answers true. Whether it did.

@@ -54,6 +54,9 @@ class FirstElements {
   static void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView shape, ColumnFindings& findings) {
     trace::triage(rays, which, shape, findings);
   }
+  static void triage(const Ray& ray, const TriangleBlock& block, Findings& findings) {
+    trace::triage(ray, block, findings);
+  }
   static void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage_from(packet, tipo, findings);
   }

@@ -12,6 +12,7 @@
 #include "durero/scene/shape_view.hpp"
 #include "durero/trace/finding.hpp"
 #include "durero/trace/ray.hpp"
+#include "durero/trace/triangle_block.hpp"
 
 namespace durero::trace {
 
@@ -119,6 +120,10 @@ struct Findings {
 /// triage of eight pairs at once, for rays that do not start on their elements, without a limit. It may leave a lane
 /// undecided that the triage of one ray decides.
 void triage(const Packet& packet, model::Tipo tipo, Findings& findings);
+
+/// triage of one ray against the triangles of a block, on none of which it starts; findings stand in the triangles'
+/// lanes. Lanes without a triangle are misses. Precondition: the ray is ordinary, and so are the triangles.
+void triage(const Ray& ray, const TriangleBlock& block, Findings& findings);
 
 /// Rays in columns, which are tested against one element together. Precondition: all are ordinary or zeros.
 struct RayColumns {

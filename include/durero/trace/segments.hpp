@@ -73,8 +73,7 @@ class SegmentBatch {
   void ask_for_start(std::size_t number) const {
     if (number >= rays_.size()) return;
     const scene::ElementRef start = rays_[number].start();
-    if (start != nothing && start != rays_[number - 1].start())
-      source_.visit(start, [](const auto& shape) { ask_for(shape); });
+    if (start != nothing && start != rays_[number - 1].start()) source_.ask_for_shape(start);
   }
 
   /// Queues the rays begin … end against the ordinary element that they start on, for the lanes.
@@ -125,6 +124,9 @@ class SegmentBatch {
     SegmentBatch& batch;
     bool starts() const { return batch.some_start_; }
     void operator()(std::uint32_t number, scene::ElementRef own) const { batch.take(number, own); }
+    void operator()(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) const {
+      batch.take(number, block, first);
+    }
     template <class Numbers>
     std::uint64_t operator()(const RayColumns& rays, const Numbers& numbers, std::uint64_t which,
                              scene::ElementRef own) const {
@@ -137,6 +139,19 @@ class SegmentBatch {
     Queue& queue = queues_[static_cast<std::size_t>(own.tipo)];
     queue.push(source_, number, rays_[number], own);
     if (queue.full()) test_taken(queue);
+  }
+
+  /// Tests a segment against a block of triangles, the first of which has the name `first`.
+  void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
+    if (!open_[number]) return;
+    triage(rays_[number], block, findings_);
+    unsigned used = (1u << TriangleBlock::size) - 1;
+    if (const scene::ElementRef start = rays_[number].start(); start != nothing) used &= ~lane_of(start, first);
+    for (unsigned left = (findings_.hit | findings_.undecided) & used; left != 0 && open_[number]; left &= left - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
+      const scene::ElementRef own{first.tipo, first.index + lane};
+      if (!starts_on_it_too(number, own)) decide(findings_, lane, number, own);
+    }
   }
 
   void flush() {

@@ -11,6 +11,7 @@
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/trace/filter.hpp"
+#include "durero/trace/picked.hpp"
 #include "durero/trace/ray.hpp"
 
 namespace durero::trace {
@@ -63,6 +64,9 @@ class Tables {
   scene::ElementRef element(scene::ElementRef own) const { return own; }
   scene::ElementRef own(scene::ElementRef e) const { return e; }
   void ask_for_own(scene::ElementRef) const {}
+  void ask_for_shape(scene::ElementRef own) const {
+    visit(own, [](const auto& shape) { ask_for(shape); });
+  }
   /// @}
 
  private:

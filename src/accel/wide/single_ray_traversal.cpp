@@ -76,11 +76,14 @@ HWY_INLINE void meet(SingleRayTraversal& walker, const WideNode& node, const Lan
   walker.met += walker.size - walker.sorted;
 }
 
-Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, double limit) {
+Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, const trace::TriangleBlock* blocks,
+                    double limit) {
+  WideNode unpacked;
   const LaneBeam beam(walker.beam);
   Next next = walker.next(limit);
-  for (; next == Next::node; next = walker.next(limit)) {
-    meet(walker, nodes[walker.node], beam);
+  for (; next == Next::node || next == Next::block; next = walker.next(limit)) {
+    if (next == Next::block) unpack(blocks[walker.node], LeafColumns::first_of(walker.node), unpacked);
+    meet(walker, next == Next::block ? unpacked : nodes[walker.node], beam);
     sort(walker);
   }
   return next;
@@ -110,8 +113,9 @@ void SingleRayTraversal::restart(const trace::Ray& ray) {
   children[0] = std::bit_cast<std::uint64_t>(WideChild{0, {}, WideChild::Kind::node});
 }
 
-SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, double greatest) {
-  return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, greatest);
+SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, const trace::TriangleBlock* blocks,
+                                                     double greatest) {
+  return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, blocks, greatest);
 }
 
 void open(const WideNode* nodes, std::span<SingleRayTraversal* const> walkers) {

@@ -3,11 +3,14 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "accel/wide/wide_split.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -41,10 +44,19 @@ constexpr std::size_t last_level_by_area = most_levels - 12;
 /// The greatest part that one thread builds alone.
 constexpr std::size_t alone = 4096;
 
+/// The triangles of a block, as rows of the scene.
+struct TriangleRows {
+  std::array<std::uint32_t, trace::TriangleBlock::size> rows;
+  std::size_t size = 0;
+
+  std::span<const std::uint32_t> span() const { return {rows.data(), size}; }
+};
+
 /// A tree in one of two forms: all nodes, each before its children, whose indices count from the tree's first node; or,
 /// of a large tree, the root alone and the trees below it, in the order of its children.
 struct Tree {
   std::vector<WideNode> nodes;
+  std::vector<TriangleRows> blocks;  // those of the nodes, in the order of the nodes
   std::vector<Tree> below;
 
   std::size_t size() const {
@@ -53,8 +65,17 @@ struct Tree {
   }
 };
 
-/// The node of some parts. A part of several items becomes a child of kind node, whose index is set later.
-WideNode node_of(const wide::Parts& parts) {
+/// The child that a part becomes. The index of a node is set later. A block goes to `blocks`.
+WideChild child_of(const ItemRange& part, std::vector<TriangleRows>& blocks) {
+  if (part.is_item()) return {part.items[0].index, part.items[0].tipo, ChildKind::element};
+  if (!part.is_block()) return {0, {}, ChildKind::node};
+  TriangleRows& block = blocks.emplace_back();
+  for (const Item& item : part.items) block.rows[block.size++] = item.index;
+  return {static_cast<std::uint32_t>(blocks.size() - 1), {}, ChildKind::block};
+}
+
+/// The node of some parts.
+WideNode node_of(const wide::Parts& parts, std::vector<TriangleRows>& blocks) {
   WideNode node;
   for (std::size_t plane = 0; plane < 6; ++plane) node.planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
   for (std::size_t at = 0; at < parts.size(); ++at) {
@@ -63,22 +84,21 @@ WideNode node_of(const wide::Parts& parts) {
       node.planes[i][at] = part.box.low[i];
       node.planes[i + 3][at] = part.box.high[i];
     }
-    const scene::ElementRef e = part.items[0].e;
-    node.children[at] =
-        part.is_item() ? WideChild{e.index, e.tipo, ChildKind::element} : WideChild{0, {}, ChildKind::node};
+    node.children[at] = child_of(part, blocks);
   }
   return node;
 }
 
 /// Appends the nodes of the tree over a part: its root, then all below.
-void build(std::vector<WideNode>& nodes, const ItemRange& whole, std::size_t level) {
+void build(Tree& tree, const ItemRange& whole, std::size_t level) {
   const wide::Parts parts = parts_of(whole, level > last_level_by_area);
+  std::vector<WideNode>& nodes = tree.nodes;
   const std::size_t own = nodes.size();
-  nodes.push_back(node_of(parts));
+  nodes.push_back(node_of(parts, tree.blocks));
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].is_item()) continue;
+    if (nodes[own].children[i].kind != ChildKind::node) continue;
     nodes[own].children[i].index = static_cast<std::uint32_t>(nodes.size());
-    build(nodes, parts[i], level + 1);
+    build(tree, parts[i], level + 1);
   }
 }
 
@@ -87,31 +107,37 @@ Tree built(const ItemRange& whole, std::size_t level) {
   Tree tree;
   if (whole.size() <= alone) {
     tree.nodes.reserve(whole.size() / 4);
-    build(tree.nodes, whole, level);
+    build(tree, whole, level);
     return tree;
   }
   wide::Parts parts = parts_of(whole, level > last_level_by_area);
-  tree.nodes.push_back(node_of(parts));
-  parts.erase(std::remove_if(parts.begin(), parts.end(), [](const ItemRange& part) { return part.is_item(); }),
-              parts.end());
+  tree.nodes.push_back(node_of(parts, tree.blocks));
+  const auto is_leaf = [](const ItemRange& part) { return part.is_item() || part.is_block(); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), is_leaf), parts.end());
   tree.below.resize(parts.size());
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(),
                             [&](std::size_t i) { tree.below[i] = built(parts[i], level + 1); });
   return tree;
 }
 
-void append(LargeVector<WideNode>& nodes, const Tree& tree) {
-  const auto before = static_cast<std::uint32_t>(nodes.size());
+void append(LargeVector<WideNode>& nodes, std::vector<TriangleRows>& blocks, const Tree& tree) {
+  const auto before = static_cast<std::uint32_t>(nodes.size()),
+             blocks_before = static_cast<std::uint32_t>(blocks.size());
+  blocks.insert(blocks.end(), tree.blocks.begin(), tree.blocks.end());
   nodes.insert(nodes.end(), tree.nodes.begin(), tree.nodes.end());
   for (WideNode& node : std::span(nodes).subspan(before))
     for (WideChild& child : node.children)
-      if (child.kind == ChildKind::node) child.index += before;
+      if (child.kind == ChildKind::node) {
+        child.index += before;
+      } else if (child.kind == ChildKind::block) {
+        child.index += blocks_before;
+      }
   auto below = tree.below.begin();
   for (std::size_t at = 0; below != tree.below.end(); ++at) {
     WideChild& child = nodes[before].children[at];
     if (child.kind != ChildKind::node) continue;
     child.index = static_cast<std::uint32_t>(nodes.size());
-    append(nodes, *below++);
+    append(nodes, blocks, *below++);
   }
 }
 
@@ -125,6 +151,12 @@ void ask_for_elements(const scene::Scene& scene, const WideNode& node) {
           scene.visit(child.element(), [](const auto& shape) { return std::as_bytes(std::span(&shape, 1)); }));
 }
 
+bool fits_block(const scene::Triangle& triangle) { return trace::is_single(triangle); }
+template <class Shape>
+bool fits_block(const Shape&) {
+  return false;
+}
+
 std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
   std::size_t deepest = 0;
   for (const WideChild& child : nodes[at].children)
@@ -135,13 +167,14 @@ std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
 }  // namespace
 
 WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
+  std::vector<TriangleRows> blocks;
   LargeVector<Item> items;
   items.reserve(scene.size());
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (!trace::ordinary(shape)) return extraordinary_.push_back(e);
     const Box32 box = outwards(surface::box(shape));
     if (!box.finite()) return unbounded_.push_back(e);
-    items.push_back({box, e});
+    items.push_back({box, e.index, e.tipo, fits_block(shape)});
   });
   if (!items.empty()) {
     LargeVector<Item> room(items.size());
@@ -150,9 +183,13 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
     const Tree tree = built(all, 0);
     nodes_.reserve(tree.size());
-    append(nodes_, tree);
+    append(nodes_, blocks, tree);
   }
-  leaves_.reserve(scene);
+  const std::size_t in_blocks =
+      std::accumulate(blocks.begin(), blocks.end(), std::size_t{0},
+                      [](std::size_t sum, const TriangleRows& block) { return sum + block.size; });
+  leaves_.reserve(scene, in_blocks, blocks.size());
+  for (const TriangleRows& block : blocks) leaves_.push_back(scene, block.span());
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (i + nodes_ahead < nodes_.size()) ask_for_elements(scene, nodes_[i + nodes_ahead]);
     for (WideChild& child : nodes_[i].children)
@@ -160,14 +197,20 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
   }
   for (const scene::ElementRef e : unbounded_) every_rays_leaves_.push_back(leaves_.push_back(scene, e));
   if (nodes_.size() == 1)
-    for (const WideChild& child : nodes_[0].children)
+    for (const WideChild& child : nodes_[0].children) {
       if (child.kind == ChildKind::element) every_rays_leaves_.push_back(child.element());
+      if (child.kind != ChildKind::block) continue;
+      const scene::ElementRef first = LeafColumns::first_of(child.index);
+      for (std::uint32_t lane = 0; lane < blocks[child.index].size; ++lane)
+        every_rays_leaves_.push_back({first.tipo, first.index + lane});
+    }
 }
 
 Size WideBvh::size() const {
   Size size;
   for (const WideNode& node : nodes_)
     for (const WideChild& child : node.children) size.cells += child.kind == ChildKind::element;
+  for (const trace::TriangleBlock& block : leaves_.blocks()) size.cells += block.count();
   size.elements = size.references = size.cells;
   size.apart = unbounded_.size() + extraordinary_.size();
   size.nodes = nodes_.size();

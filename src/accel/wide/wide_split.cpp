@@ -199,7 +199,7 @@ Parts parts_of(const ItemRange& whole, bool evenly) {
   }
   const auto fits = [&](const ItemRange& part) {
     const std::size_t n = part.size();
-    return n > 1 && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
+    return n > 1 && !part.is_block() && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
   };
   while (ItemRange* const fitting = greatest(parts, fits)) {
     const Items items = fitting->items;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "durero/accel/wide/wide_node.hpp"
+#include "durero/trace/triangle_block.hpp"
 
 namespace durero::accel::wide {
 
@@ -38,8 +39,13 @@ struct Box32 {
 /// An element and its box, which the builder sorts.
 struct Item {
   Box32 box;
-  scene::ElementRef e;
+  std::uint32_t index;  ///< of the element, among those of its type
+  model::Tipo tipo;     ///< the element's type
+  bool single;          ///< the element is a triangle that fits into a block (trace/triangle_block.hpp)
+
+  scene::ElementRef e() const { return {tipo, index}; }
 };
+static_assert(sizeof(Item) == 32);
 using Items = std::span<Item>;
 
 /// A subtree's items, as much room to partition them into, and their box.
@@ -51,6 +57,10 @@ struct ItemRange {
 
   std::size_t size() const { return items.size(); }
   bool is_item() const { return items.size() == 1; }
+  /// Whether the items are several triangles that fit into one block.
+  bool is_block() const {
+    return size() > 1 && size() <= trace::TriangleBlock::size && std::ranges::all_of(items, &Item::single);
+  }
 };
 
 /// Bounds some items. Precondition: `room` has as many places as `items`, and does not overlap them.
@@ -61,7 +71,7 @@ using Parts = boost::container::static_vector<ItemRange, WideNode::width>;
 
 /// Splits a part into at most eight parts, none empty, for the children of a node. The part of greatest surface is
 /// split again and again, or of most items where `evenly`, until no part has more items than a node holds; then parts
-/// are dissolved into single items where these fit.
+/// are dissolved into single items where these fit, but for blocks of triangles.
 Parts parts_of(const ItemRange& whole, bool evenly);
 
 }  // namespace durero::accel::wide

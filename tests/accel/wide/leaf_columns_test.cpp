@@ -1,8 +1,11 @@
 #include "durero/accel/wide/leaf_columns.hpp"
 
+#include <cmath>
+
 #include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
+#include "support/shapes.hpp"
 
 using namespace durero;
 using namespace durero::test;
@@ -33,4 +36,42 @@ TEST_CASE("each leaf is its element, whatever the order in which they came") {
   for (const ElementRef e : elements) CHECK(leaves.element(leaves.leaf(e)) == e);
   CHECK(leaves.bytes() == bytes);
   CHECK(bytes >= 100 * (sizeof(scene::Sphere) + 2 * sizeof(std::uint32_t)));
+}
+
+TEST_CASE("a triangle of a block has a name, its row and its geometry; an unpacked block is the node over it") {
+  scene::Scene scene;
+  for (int i = 0; i < 5; ++i)
+    add(scene, scene::Triangle{std::array{glm::dvec3(i, 0, -i), glm::dvec3(i + 0.5, 1, 0.25), glm::dvec3(i, 2, 3)}});
+  accel::LeafColumns leaves;
+  leaves.reserve(scene, 3, 1);
+  const std::size_t bytes = leaves.bytes();
+  const std::array<std::uint32_t, 3> rows{4, 0, 2};
+  const std::uint32_t block = leaves.push_back(scene, rows);
+  const ElementRef first = accel::LeafColumns::first_of(block);
+  for (const std::uint32_t alone : {1, 3}) leaves.push_back(scene, ElementRef{model::Tipo::soy_triangulo, alone});
+  CHECK(leaves.bytes() == bytes);
+  scene.for_each([&](ElementRef e, const auto&) { CHECK(leaves.element(leaves.leaf(e)) == e); });
+  accel::WideNode node;
+  accel::unpack(leaves.blocks()[block], first, node);
+  CHECK(leaves.blocks()[block].count() == 3);
+  for (std::uint32_t lane = 0; lane < 8; ++lane) {
+    if (lane >= rows.size()) {
+      CHECK(node.children[lane].kind == accel::WideChild::Kind::none);
+      CHECK(node.planes[0][lane] == HUGE_VALF);
+      CHECK(node.planes[3][lane] == -HUGE_VALF);
+      continue;
+    }
+    const ElementRef leaf{first.tipo, first.index + lane};
+    CHECK(leaves.leaf({first.tipo, rows[lane]}) == leaf);
+    CHECK(node.children[lane].element() == leaf);
+    const auto i = static_cast<float>(rows[lane]);
+    CHECK(node.planes[0][lane] == i);
+    CHECK(node.planes[2][lane] == -i);
+    CHECK(node.planes[3][lane] == i + 0.5F);
+    CHECK(node.planes[4][lane] == 2);
+    leaves.visit(leaf, [&]<class Shape>(const Shape& shape) {
+      if constexpr (std::is_same_v<Shape, scene::Triangle>)
+        CHECK(shape.vertices == scene.shapes<scene::Triangle>()[rows[lane]].vertices);
+    });
+  }
 }

@@ -57,7 +57,7 @@ Pairs alone(std::span<const WideNode> nodes, std::span<const StreamRay> rays, st
   Pairs pairs;
   for (const StreamRay& ray : rays) {
     accel::SingleRayTraversal walker(whole[ray.number]);
-    while (walker.advance(nodes.data(), ray.limit) != accel::SingleRayTraversal::Next::end)
+    while (walker.advance(nodes.data(), nullptr, ray.limit) != accel::SingleRayTraversal::Next::end)
       pairs.emplace(ray.number, walker.element);
   }
   return pairs;
@@ -122,7 +122,7 @@ TEST_CASE("a stream comes to the elements that its rays come to alone, each once
     Pairs found;
     const auto limit = [&](std::uint32_t number) { return number % 3 == 0 ? 0.5 : infinity; };
     const auto take = [&](std::uint32_t number, scene::ElementRef e) { found.emplace(number, e); };
-    accel::StreamTraversal stream(tree.nodes(), limit, take);
+    accel::StreamTraversal stream(tree.nodes(), tree.leaves().blocks(), limit, take);
     stream.walk(rays);
     CHECK(found == expected);
     stream.walk({});

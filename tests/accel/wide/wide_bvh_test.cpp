@@ -50,6 +50,16 @@ bool rounded_outwards(const WideNode& node, std::size_t place, const surface::Bo
   return good;
 }
 
+/// Whether an element among the children of a node lies in its box; it is added to `found`.
+bool leaf_within(const WideBvh& tree, const WideNode& node, std::size_t place, std::multiset<ElementRef>& found) {
+  const ElementRef leaf = node.children[place].element(), e = tree.element(leaf);
+  found.insert(e);
+  const surface::Box of_element = tree.scene().visit(e, [](const auto& e) { return surface::box(e); });
+  const surface::Box of_leaf = tree.visit(leaf, [](const auto& leaf) { return surface::box(leaf); });
+  return tree.own(e) == leaf && of_leaf.low == of_element.low && of_leaf.high == of_element.high &&
+         within(of_element, box_at(node, place)) && rounded_outwards(node, place, of_element);
+}
+
 /// Whether all below a node lies in a box; each element is added to `found`.
 bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, std::multiset<ElementRef>& found) {
   bool good = true;
@@ -61,15 +71,15 @@ bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, st
     good = good && within(own, box);
     if (child.kind == WideChild::Kind::node) {
       good = good && child.index > at && all_within(tree, child.index, own, found);
-      continue;
+    } else if (child.kind == WideChild::Kind::block) {
+      WideNode block;
+      accel::unpack(tree.leaves().blocks()[child.index], accel::LeafColumns::first_of(child.index), block);
+      for (std::size_t lane = 0; lane < WideNode::width; ++lane)
+        if (block.children[lane].kind != WideChild::Kind::none)
+          good = good && within(box_at(block, lane), own) && leaf_within(tree, block, lane, found);
+    } else {
+      good = good && leaf_within(tree, node, place, found);
     }
-    const ElementRef e = tree.element(child.element());
-    found.insert(e);
-    good = good && tree.own(e) == child.element();
-    const surface::Box of_element = tree.scene().visit(e, [](const auto& e) { return surface::box(e); });
-    const surface::Box of_leaf = tree.visit(child.element(), [](const auto& leaf) { return surface::box(leaf); });
-    good = good && of_leaf.low == of_element.low && of_leaf.high == of_element.high;
-    good = good && within(of_element, own) && rounded_outwards(node, place, of_element);
   }
   return good;
 }
@@ -92,6 +102,22 @@ scene::Scene balls(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   scene::Scene scene;
   for (std::size_t i = 0; i < count; ++i) add(scene, scene::Sphere{random.in_cube(10), random.uniform(0.01, 0.2)});
+  return scene;
+}
+
+/// Triangles at random, whose coordinates are numbers of binary32 but for one of each `every`.
+scene::Scene triangles(std::size_t count, std::uint64_t seed, std::size_t every = ~std::size_t{0}) {
+  Random random(seed);
+  scene::Scene scene;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 centre = random.in_cube(1);
+    std::array<glm::dvec3, 3> vertices;
+    for (glm::dvec3& vertex : vertices) {
+      vertex = centre + 0.2 * random.in_cube(1);
+      if (i % every != every - 1) vertex = glm::dvec3(glm::vec3(vertex));
+    }
+    add(scene, scene::Triangle{vertices});
+  }
   return scene;
 }
 
@@ -196,6 +222,35 @@ TEST_CASE("elements at one place, in a row of growing distances, and all in a pl
     CHECK(holds_all(tree));
     CHECK(tree.size().depth <= accel::most_levels);
   }
+}
+
+TEST_CASE("each triangle lies in its box, in a block of several or alone") {
+  for (const std::size_t count : {1, 2, 7, 8, 9, 16, 17, 64, 65, 300}) {
+    CHECK(holds_all(WideBvh(triangles(count, count))));
+    CHECK(holds_all(WideBvh(triangles(count, count, 3))));
+  }
+  Random random(3);
+  scene::Scene mixed = random_scene(random, 200);
+  triangles(200, 4).for_each([&](ElementRef, const auto& shape) { add(mixed, shape); });
+  const WideBvh tree(mixed);
+  CHECK(holds_all(tree));
+  CHECK_FALSE(tree.leaves().blocks().empty());
+  CHECK(WideBvh(triangles(200, 5, 1)).leaves().blocks().empty());
+}
+
+TEST_CASE("a triangle of binary32 takes 80 bytes at most, in a tree of many") {
+  CHECK(WideBvh(triangles(10000, 4)).size().bytes <= 800'000);
+}
+
+TEST_CASE("no ray loses a triangle that it meets, alone or in bundles, up to any limit") {
+  Random random(6);
+  const scene::Scene scene = triangles(300, 7, 5);
+  std::vector<model::Rayo> rays;
+  for (std::size_t i = 0; i < fewer_when_sanitized(300); ++i) rays.push_back(random_ray(random));
+  check_no_loss(scene, rays);
+  check_no_loss(scene, rays, 1);
+  check_no_loss(scene, bunch({3, 2, 1}, {-3, -2, -1}, 0x1p-10));
+  check_no_loss(scene, bunch({-3, 2, -1}, {3, -2, 1}, -0x1p-10), 1);
 }
 
 TEST_CASE("a tree does not depend on the number of threads") {

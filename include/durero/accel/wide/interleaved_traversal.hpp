@@ -21,7 +21,7 @@ class InterleavedTraversal {
   /// The traversal keeps references to its arguments, which must outlive it. Precondition: there is a node.
   InterleavedTraversal(std::span<const WideNode> nodes, const LeafColumns& leaves, std::span<const trace::Ray> rays,
                        Limit& limit, Visitor& take)
-      : nodes_(nodes), rows_(leaves.rows()), rays_(rays), limit_(limit), take_(take) {}
+      : nodes_(nodes), blocks_(leaves.blocks()), rows_(leaves.rows()), rays_(rays), limit_(limit), take_(take) {}
 
   /// Traverses the tree with the rays of these numbers.
   void walk(std::span<const std::uint32_t> numbers) {
@@ -58,7 +58,8 @@ class InterleavedTraversal {
     Walking(const trace::Ray& ray, std::uint32_t number_of_it) : walker(ray), number(number_of_it) {}
     SingleRayTraversal walker;
     std::uint32_t number;
-    bool arrived = false;  // at an element, whose row was prefetched
+    bool arrived = false;   // at an element or a block, which was prefetched
+    bool at_block = false;  // what has arrived is a block
   };
 
   /// Takes the next ray that has not started.
@@ -71,13 +72,20 @@ class InterleavedTraversal {
   /// Tests the element that the traversal has reached, and goes on to the next node or element, which it prefetches
   /// before the other rays' turns. A traversal that ends restarts with another ray; false where none is left.
   bool goes_on(Walking& one) {
-    if (one.arrived) take_(one.number, one.walker.element);
-    one.arrived = false;
+    if (one.at_block) {
+      take_block(take_, one.number, blocks_, one.walker.node);
+    } else if (one.arrived) {
+      take_(one.number, one.walker.element);
+    }
+    one.arrived = one.at_block = false;
     for (;;) {
       switch (one.walker.next(limit_(one.number))) {
         case SingleRayTraversal::Next::element:
           rows_.ask_for(one.walker.element);
           return one.arrived = true;
+        case SingleRayTraversal::Next::block:
+          trace::ask_for(blocks_[one.walker.node]);
+          return one.arrived = one.at_block = true;
         case SingleRayTraversal::Next::node:
           trace::ask_for(nodes_[one.walker.node]);
           return true;
@@ -90,6 +98,7 @@ class InterleavedTraversal {
   }
 
   std::span<const WideNode> nodes_;
+  std::span<const trace::TriangleBlock> blocks_;
   LeafColumns::Rows rows_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;

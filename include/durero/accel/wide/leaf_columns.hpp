@@ -1,7 +1,8 @@
 #pragma once
 /// The leaves of a wide hierarchy copy its elements into a column for each type, in the order of the tree. Neighbours
 /// in space are neighbours in memory, and a traversal reads no other page of the scene's tables. A table maps each
-/// element to its leaf, so that the elements that a ray starts on have the names that the traversal uses.
+/// element to its leaf, so that the elements that a ray starts on have the names that the traversal uses. Triangles of
+/// binary32 stand in blocks of up to eight instead, each of which takes the place of a node.
 
 #include <array>
 #include <cstddef>
@@ -14,25 +15,39 @@
 #include "durero/accel/wide/wide_node.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/trace/picked.hpp"
+#include "durero/trace/triangle_block.hpp"
 
 namespace durero::accel {
 
-/// Columns of elements, one for each type. A leaf is a row of a column, named by an ElementRef whose index is the row.
+/// Columns of elements, one for each type, and blocks of triangles. A leaf is a row of a column, named by an ElementRef
+/// whose index is the row; or a triangle of a block, whose index has `in_block` set.
 class LeafColumns {
  public:
   static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes that stay in the cache: no prefetch of leaves
 
-  /// Reserves room for every element of the scene. Precondition: push_back adds elements of this scene alone.
-  void reserve(const scene::Scene& scene) {
+  /// The bit of an index that names a triangle of a block; the other bits are eight times the block, and the lane.
+  static constexpr std::uint32_t in_block = std::uint32_t{1} << 31;
+
+  /// The name of the first triangle of a block. Those of the others count up.
+  static scene::ElementRef first_of(std::uint32_t block) {
+    return {model::Tipo::soy_triangulo, in_block | block * static_cast<std::uint32_t>(trace::TriangleBlock::size)};
+  }
+
+  /// Reserves room for every element of the scene, so many triangles of which stand in so many blocks. Precondition:
+  /// what is added are elements of this scene alone.
+  void reserve(const scene::Scene& scene, std::size_t triangles_in_blocks = 0, std::size_t blocks = 0) {
     rows_.resize(scene.size());
     std::size_t first = 0;
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
       first_[static_cast<std::size_t>(Shape::tipo)] = first;
       first += scene.shapes<Shape>().size();
       Column<Shape>& column = std::get<Column<Shape>>(columns_);
-      column.shapes.reserve(scene.shapes<Shape>().size());
-      column.elements.reserve(scene.shapes<Shape>().size());
+      std::size_t apart = scene.shapes<Shape>().size();
+      if constexpr (Shape::tipo == model::Tipo::soy_triangulo) apart -= triangles_in_blocks;
+      column.shapes.reserve(apart);
+      column.elements.reserve(apart);
     });
+    blocks_.reserve(blocks);
   }
   /// Adds an element of the scene, and answers its leaf.
   scene::ElementRef push_back(const scene::Scene& scene, scene::ElementRef e) {
@@ -45,12 +60,35 @@ class LeafColumns {
     });
   }
 
+  /// Adds a block of triangles of the scene, whose rows are these, and answers its index. Precondition: up to eight
+  /// triangles, each is_single.
+  std::uint32_t push_back(const scene::Scene& scene, std::span<const std::uint32_t> triangles) {
+    const auto index = static_cast<std::uint32_t>(blocks_.size());
+    trace::TriangleBlock& block = blocks_.emplace_back();
+    for (std::uint32_t lane = 0; lane < triangles.size(); ++lane) {
+      block.set(lane, scene.shapes<scene::Triangle>()[triangles[lane]], triangles[lane]);
+      rows_[place({model::Tipo::soy_triangulo, triangles[lane]})] = first_of(index).index + lane;
+    }
+    return index;
+  }
+  /// The blocks, by index.
+  std::span<const trace::TriangleBlock> blocks() const noexcept { return blocks_; }
+
   /// visit(shape) with the geometry of a leaf.
   template <class Visit>
   decltype(auto) visit(scene::ElementRef leaf, Visit&& visit) const {
+    if (is_in_block(leaf)) {
+      const scene::Triangle triangle = block_of(leaf).triangle(lane_in_block(leaf));
+      return visit(triangle);
+    }
     return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) -> decltype(auto) {
       return visit(std::get<Column<Shape>>(columns_).shapes[leaf.index]);
     });
+  }
+  /// Prefetches the geometry of a leaf.
+  void ask_for_shape(scene::ElementRef leaf) const {
+    if (is_in_block(leaf)) return trace::ask_for(block_of(leaf));
+    visit(leaf, [](const auto& shape) { trace::ask_for(shape); });
   }
   /// The addresses of the rows, for prefetching them without a branch. The traversal prefetches nearly every leaf that
   /// it reaches, and a branch on the leaf's type would be mispredicted.
@@ -90,6 +128,7 @@ class LeafColumns {
   }
   /// The element of the scene that the leaf is a copy of.
   scene::ElementRef element(scene::ElementRef leaf) const {
+    if (is_in_block(leaf)) return {leaf.tipo, block_of(leaf).elements[lane_in_block(leaf)]};
     return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) {
       return scene::ElementRef{leaf.tipo, std::get<Column<Shape>>(columns_).elements[leaf.index]};
     });
@@ -100,7 +139,7 @@ class LeafColumns {
   void ask_for_leaf(scene::ElementRef e) const { trace::ask_for(rows_[place(e)]); }
   /// The bytes that the columns and the table hold.
   std::size_t bytes() const {
-    std::size_t sum = rows_.capacity() * sizeof(std::uint32_t);
+    std::size_t sum = rows_.capacity() * sizeof(std::uint32_t) + blocks_.capacity() * sizeof(trace::TriangleBlock);
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
       const Column<Shape>& column = std::get<Column<Shape>>(columns_);
       sum += column.shapes.capacity() * sizeof(Shape) + column.elements.capacity() * sizeof(std::uint32_t);
@@ -122,11 +161,38 @@ class LeafColumns {
     using type = std::tuple<Column<Shape>...>;
   };
 
+  static bool is_in_block(scene::ElementRef leaf) {
+    return leaf.tipo == model::Tipo::soy_triangulo && (leaf.index & in_block) != 0;
+  }
+  static std::size_t lane_in_block(scene::ElementRef leaf) { return leaf.index % trace::TriangleBlock::size; }
+  const trace::TriangleBlock& block_of(scene::ElementRef leaf) const {
+    return blocks_[(leaf.index & ~in_block) / trace::TriangleBlock::size];
+  }
+
   std::size_t place(scene::ElementRef e) const { return first_[static_cast<std::size_t>(e.tipo)] + e.index; }
 
   typename ColumnsOf<scene::Shapes>::type columns_;
+  LargeVector<trace::TriangleBlock> blocks_;
   LargeVector<std::uint32_t> rows_;                      // the leaf of each element, in the scene's order
   std::array<std::size_t, scene::shape_count> first_{};  // the place in rows_ where each type begins
 };
+
+/// Gives `take` a ray's number with a block of triangles: the block, where it takes blocks, or each of the triangles.
+template <class Visitor>
+void take_block(Visitor& take, std::uint32_t number, std::span<const trace::TriangleBlock> blocks,
+                std::uint32_t index) {
+  const trace::TriangleBlock& block = blocks[index];
+  const scene::ElementRef first = LeafColumns::first_of(index);
+  if constexpr (requires { take(number, block, first); }) {
+    take(number, block, first);
+  } else {
+    for (std::uint32_t lane = 0; lane < trace::TriangleBlock::size; ++lane)
+      if (block.has(lane)) take(number, scene::ElementRef{first.tipo, first.index + lane});
+  }
+}
+
+/// Makes the node that a block of triangles stands for: its children are the triangles, whose boxes are exact in
+/// binary32, by the names that count up from `first`. Unused lanes become empty children, which may not come last.
+void unpack(const trace::TriangleBlock& block, scene::ElementRef first, WideNode& node);
 
 }  // namespace durero::accel

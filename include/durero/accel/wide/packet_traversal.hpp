@@ -46,6 +46,7 @@ class PacketTraversal {
   /// The traversal keeps references to its arguments, which must outlive it. Precondition: the tree has a node.
   PacketTraversal(const Tree& tree, std::span<const trace::Ray> rays, Limit& limit, Visitor& take, Flush& flush)
       : nodes_(tree.nodes()),
+        blocks_(tree.leaves().blocks()),
         rows_(tree.leaves().rows()),
         large_(nodes_.size_bytes() > LeafColumns::nearby),
         narrow_(widest * tree.spacing()),
@@ -215,11 +216,34 @@ class PacketTraversal {
         open(waiting, some.bundle, child.index, limit);
         continue;
       }
+      if (child.kind == WideChild::Kind::block) {
+        limit = walk_block(some, child.index, limit);
+        continue;
+      }
       const std::uint64_t which = met_by_now(nodes_[node], place, some.bundle);
       if (which == 0) continue;
       const std::uint64_t changed = take(some, which, child.element());
       if (changed != 0) limit = brought_up_to_date(some, changed);
     }
+  }
+
+  /// Tests the triangles of a block, nearest box first. The greatest limit of the bundle from then on.
+  double walk_block(PendingRays& some, std::uint32_t block, double limit) {
+    unpack(blocks_[block], LeafColumns::first_of(block), unpacked_);
+    WideNode::Entries entries;
+    for (unsigned left = met(unpacked_, some.bundle, limit, entries); left != 0;) {
+      auto nearest = static_cast<std::size_t>(std::countr_zero(left));
+      for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
+        const auto other = static_cast<std::size_t>(std::countr_zero(others));
+        if (entries[other] < entries[nearest]) nearest = other;
+      }
+      if (entries[nearest] > latest_entry(limit)) break;
+      left &= ~(1u << nearest);
+      const std::uint64_t which = met_by_now(unpacked_, nearest, some.bundle);
+      const std::uint64_t changed = which == 0 ? 0 : take(some, which, unpacked_.children[nearest].element());
+      if (changed != 0) limit = brought_up_to_date(some, changed);
+    }
+    return limit;
   }
 
   /// Tests an element for the rays in `which`. The answer has a bit for each ray whose limit may have changed.
@@ -253,6 +277,8 @@ class PacketTraversal {
       const WideChild& child = node.children[static_cast<std::size_t>(std::countr_zero(children))];
       if (child.kind == WideChild::Kind::node) {
         trace::ask_for(nodes_[child.index]);
+      } else if (child.kind == WideChild::Kind::block) {
+        trace::ask_for(blocks_[child.index]);
       } else {
         rows_.ask_for(child.element());
       }
@@ -276,16 +302,17 @@ class PacketTraversal {
     waiting[0] = 0;
     std::uint64_t open = ~std::uint64_t{} >> (WidePacket::size - some.count);
     while (size > 0) {
-      const WideNode& node = nodes_[waiting[--size]];
+      const WideNode& node = opened(waiting[--size]);
       const unsigned bits = met(node, beam);
-      ask_for(node, bits);
+      if (&node != &unpacked_) ask_for(node, bits);
       unsigned elements = 0;
       for (unsigned left = bits; left != 0; left &= left - 1) {
         const auto place = static_cast<std::size_t>(std::countr_zero(left));
-        if (node.children[place].kind == WideChild::Kind::element) {
+        const WideChild& child = node.children[place];
+        if (child.kind == WideChild::Kind::element) {
           elements |= 1u << place;
         } else {
-          waiting[size++] = node.children[place].index;
+          waiting[size++] = child.index | (child.kind == WideChild::Kind::block ? LeafColumns::in_block : 0);
         }
       }
       if (elements == 0) continue;
@@ -295,6 +322,14 @@ class PacketTraversal {
       open = still;
       if (close_up(some, open)) beam = beam_of(some.bundle, all_);
     }
+  }
+
+  /// The node of an index; or a block's, where LeafColumns::in_block is set.
+  const WideNode& opened(std::uint32_t index) {
+    if ((index & LeafColumns::in_block) == 0) return nodes_[index];
+    const std::uint32_t block = index & ~LeafColumns::in_block;
+    unpack(blocks_[block], LeafColumns::first_of(block), unpacked_);
+    return unpacked_;
   }
 
   /// Tests some elements of a node for the rays in `open`, which have no hit yet. The rays that still have none.
@@ -330,6 +365,8 @@ class PacketTraversal {
   }
 
   std::span<const WideNode> nodes_;
+  std::span<const trace::TriangleBlock> blocks_;
+  WideNode unpacked_;  // the block that is visited
   LeafColumns::Rows rows_;
   bool starts_ = false;  // whether some ray starts on an element, so that the columns must say which
   bool large_;           // the tree exceeds the cache: leaves are prefetched, and boxes tested by groups of eight

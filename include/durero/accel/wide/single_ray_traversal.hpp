@@ -6,14 +6,15 @@
 #include <cstdint>
 #include <span>
 
+#include "durero/accel/wide/leaf_columns.hpp"
 #include "durero/accel/wide/wide_node.hpp"
 
 namespace durero::accel {
 
 /// A traversal by one ray, and its stack. It can be left and resumed.
 struct SingleRayTraversal {
-  /// A traversal has reached an element to test, a node to open, or its end.
-  enum class Next : std::uint8_t { element, node, end };
+  /// A traversal has reached an element to test, a node to open, a block of triangles, or its end.
+  enum class Next : std::uint8_t { element, node, block, end };
 
   static constexpr std::size_t room = most_waiting + WideNode::width;  ///< of the stack: a store fills whole lanes
 
@@ -38,17 +39,17 @@ struct SingleRayTraversal {
         return Next::element;
       }
       node = child.index;
-      return Next::node;
+      return child.kind == WideChild::Kind::node ? Next::node : Next::block;
     }
     return Next::end;
   }
-  /// Goes on to the next element or the end, and opens the nodes on the way. Precondition: that of next.
-  Next advance(const WideNode* nodes, double greatest);
+  /// Goes on to the next element or the end, and opens the nodes and blocks on the way. Precondition: that of next.
+  Next advance(const WideNode* nodes, const trace::TriangleBlock* blocks, double greatest);
 
   Beam beam;                    ///< the ray
   double limit = 0;             ///< the limit (tmax)
   scene::ElementRef element{};  ///< the last element that was reached
-  std::uint32_t node = 0;       ///< the last node that was reached
+  std::uint32_t node = 0;       ///< the last node or block that was reached
   std::uint32_t size = 0;       ///< of the stack
   std::uint32_t sorted = 0;     ///< size of the stack before the last node's children, which are unordered until then
   /// @{ Counters, summed over all rays since construction.

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "durero/accel/wide/leaf_columns.hpp"
 #include "durero/accel/wide/wide_node.hpp"
 #include "durero/trace/finding.hpp"
 
@@ -46,8 +47,9 @@ template <class Limit, class Visitor>
 class StreamTraversal {
  public:
   /// The traversal keeps references to its arguments, which must outlive it.
-  StreamTraversal(std::span<const WideNode> nodes, Limit& limit, Visitor& take)
-      : nodes_(nodes), limit_(limit), take_(take) {}
+  StreamTraversal(std::span<const WideNode> nodes, std::span<const trace::TriangleBlock> blocks, Limit& limit,
+                  Visitor& take)
+      : nodes_(nodes), blocks_(blocks), limit_(limit), take_(take) {}
 
   /// Traverses the tree from the root with every ray. Preconditions: the directions lie in one octant; limits are not
   /// less than 0.
@@ -63,6 +65,8 @@ class StreamTraversal {
       if (here_.empty()) continue;
       if (child.kind == WideChild::Kind::element) {
         for (const std::uint32_t ray : here_) take_(rays_[ray].number, child.element());
+      } else if (child.kind == WideChild::Kind::block) {
+        for (const std::uint32_t ray : here_) take_block(take_, rays_[ray].number, blocks_, child.index);
       } else {
         open(nodes_[child.index]);
       }
@@ -117,6 +121,7 @@ class StreamTraversal {
   }
 
   std::span<const WideNode> nodes_;
+  std::span<const trace::TriangleBlock> blocks_;
   Limit& limit_;
   Visitor& take_;
   std::span<StreamRay> rays_;

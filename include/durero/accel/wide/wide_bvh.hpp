@@ -58,6 +58,7 @@ class WideBvh {
   scene::ElementRef element(scene::ElementRef leaf) const { return leaves_.element(leaf); }
   scene::ElementRef own(scene::ElementRef e) const { return leaves_.leaf(e); }
   void ask_for_own(scene::ElementRef e) const { leaves_.ask_for_leaf(e); }
+  void ask_for_shape(scene::ElementRef leaf) const { leaves_.ask_for_shape(leaf); }
   /// @}
   /// The order of the queries that is traversed faster, for trace::order_of: by octant of the direction and by cell of
   /// the origin where the tree exceeds the cache and the queries are not coherent already; otherwise empty, which keeps
@@ -98,7 +99,8 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   if (nodes_.empty()) return false;
   SingleRayTraversal walker(ray);
   bool answered = false;
-  while (!answered && walker.advance(nodes_.data(), limit()) == SingleRayTraversal::Next::element) {
+  while (!answered &&
+         walker.advance(nodes_.data(), leaves_.blocks().data(), limit()) == SingleRayTraversal::Next::element) {
     count([](Work& work) { ++work.cells, ++work.candidates; });
     answered = visit(element(walker.element));
   }

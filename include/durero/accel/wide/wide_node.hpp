@@ -20,12 +20,12 @@ namespace durero::accel {
 
 /// One of the eight children of a node.
 struct WideChild {
-  /// A child is nothing, a node, or an element.
-  enum class Kind : std::uint8_t { none, node, element };
+  /// A child is nothing, a node, an element, or a block of triangles.
+  enum class Kind : std::uint8_t { none, node, element, block };
 
-  std::uint32_t index = 0;  ///< of the node; or of the element, among those of its type
+  std::uint32_t index = 0;  ///< of the node or block; or of the element, among those of its type
   model::Tipo tipo{};       ///< the type of an element
-  Kind kind = Kind::none;   ///< which of the three it is
+  Kind kind = Kind::none;   ///< which of the four it is
 
   /// The child as an element. Precondition: kind is element.
   scene::ElementRef element() const { return {tipo, index}; }

@@ -86,7 +86,7 @@ class WideTraversal {
       const trace::Ray& ray = rays_[number];
       streams[octant_of(ray.v)].push_back({Beam(ray), trace::no_limit, number});
     }
-    StreamTraversal walk(nodes_, limit_, take_);
+    StreamTraversal walk(nodes_, leaves_.blocks(), limit_, take_);
     for (std::vector<StreamRay>& stream : streams) walk.walk(stream);
   }
 

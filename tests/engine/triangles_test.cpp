@@ -1,0 +1,85 @@
+// Every engine has the bytes of `exact` on meshes: closed and open ones, rays at their edges and vertices, from inside
+// and from their faces, with vertices of binary32, which the fast engine keeps in blocks, and of binary64.
+#include <cmath>
+
+#include "durero/model/operaciones.hpp"
+#include "engine/same_bytes.hpp"
+#include "support/sanitized.hpp"
+#include "support/scenes.hpp"
+#include "support/shapes.hpp"
+
+using namespace durero;
+using namespace durero::test;
+
+namespace {
+
+struct Mesh {
+  scene::Scene scene;
+  std::vector<glm::dvec3> vertices;
+};
+
+/// A wavy sheet of 2·k² triangles over the unit square; its coordinates are of binary32 where `single`.
+Mesh sheet(std::size_t k, bool single) {
+  Mesh mesh;
+  for (std::size_t i = 0; i <= k; ++i)
+    for (std::size_t j = 0; j <= k; ++j) {
+      const double x = double(i) / double(k), y = double(j) / double(k);
+      const glm::dvec3 vertex(x, y, 0.2 * std::sin(9 * x) * std::cos(7 * y));
+      mesh.vertices.push_back(single ? glm::dvec3(glm::vec3(vertex)) : vertex);
+    }
+  for (std::size_t i = 0; i < k; ++i)
+    for (std::size_t j = 0; j < k; ++j) {
+      const auto at = [&](std::size_t a, std::size_t b) { return mesh.vertices[(i + a) * (k + 1) + j + b]; };
+      add(mesh.scene, scene::Triangle{std::array{at(0, 0), at(1, 0), at(0, 1)}});
+      add(mesh.scene, scene::Triangle{std::array{at(1, 0), at(1, 1), at(0, 1)}});
+    }
+  return mesh;
+}
+
+/// Bunches of rays at vertices, at points of edges and anywhere; of each three, the last starts on the face that the
+/// ray before it hits.
+Queries rays_at(const Mesh& mesh, Random& random, std::size_t count) {
+  const auto analytic = engine::find("analytic")->prepare(mesh.scene);
+  const auto vertex = [&] { return mesh.vertices[random.below(mesh.vertices.size())]; };
+  Queries queries;
+  while (queries.size() < count) {
+    const glm::dvec3 from = random.in_cube(2), a = vertex(), b = vertex();
+    for (int i = 0; i < 20; ++i) {
+      const glm::dvec3 to = i % 3 == 0 ? a : i % 3 == 1 ? (a + b) / 2.0 : a + 0.1 * random.in_cube(1);
+      queries.push_back({ray(from, (to - from) * (i % 2 == 0 ? 1 : 0.5))});
+      const scene::Hit hit = engine::first_hit(*analytic, queries.back());
+      if (i % 3 == 2 && hit.resultado == model::Resultado::hit)
+        queries.push_back({ray(hit.punto, vertex() - hit.punto), hit.elementos});
+    }
+  }
+  return queries;
+}
+
+}  // namespace
+
+TEST_CASE("on meshes of binary32 and of binary64") {
+  for (const bool single : {true, false})
+    for (const std::size_t k : {1, 2, 3, 8, 20}) {
+      const Mesh mesh = sheet(k, single);
+      Random random(k);
+      check_same(mesh.scene, rays_at(mesh, random, fewer_when_sanitized(400)),
+                 std::string(single ? "binary32" : "binary64") + ", " + std::to_string(k));
+    }
+}
+
+TEST_CASE("on a mesh of binary32 among other elements, some of them triangles of binary64") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Random random(seed);
+    Mesh mesh = sheet(10, true);
+    for (int i = 0; i < 40; ++i) mesh.scene.apply(random_addition(random, "other" + std::to_string(i)));
+    check_same(mesh.scene, rays_at(mesh, random, fewer_when_sanitized(400)), "seed " + std::to_string(seed));
+  }
+}
+
+TEST_CASE("on meshes of many faces", "[long]") {
+  for (const std::size_t k : {100, 300}) {
+    const Mesh mesh = sheet(k, true);
+    Random random(k);
+    check_same(mesh.scene, rays_at(mesh, random, 20000), std::to_string(k));
+  }
+}
