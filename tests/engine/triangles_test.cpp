@@ -36,6 +36,34 @@ Mesh sheet(std::size_t k, bool single) {
   return mesh;
 }
 
+/// Triangles at random, many of which lie before each other; their coordinates are of binary32.
+Mesh soup(std::size_t count, Random& random) {
+  Mesh mesh;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 centre = random.in_cube(1);
+    std::array<glm::dvec3, 3> vertices;
+    for (glm::dvec3& vertex : vertices) {
+      vertex = glm::dvec3(glm::vec3(centre + random.in_cube(0.7)));
+      mesh.vertices.push_back(vertex);
+    }
+    add(mesh.scene, scene::Triangle{vertices});
+  }
+  return mesh;
+}
+
+/// Rays of a pinhole, by squares of eight, so that they walk in bundles; and rays that start where they hit.
+Queries seen_from(const Mesh& mesh, const glm::dvec3& eye, Random& random) {
+  Queries queries;
+  for (int i = 0; i < 1024; ++i) {
+    const int x = i / 64 % 4 * 8 + i % 8, y = i / 256 * 8 + i / 8 % 8;
+    queries.push_back({ray(eye, glm::dvec3((x - 15.5) / 20, (y - 15.5) / 20, 0) - eye)});
+  }
+  const std::vector<scene::Hit> hits = engine::first_hits(*engine::find("analytic")->prepare(mesh.scene), queries);
+  for (const scene::Hit& hit : hits)
+    if (hit.resultado == model::Resultado::hit) queries.push_back({ray(hit.punto, random.direction()), hit.elementos});
+  return queries;
+}
+
 /// Bunches of rays at vertices, at points of edges and anywhere; of each three, the last starts on the face that the
 /// ray before it hits.
 Queries rays_at(const Mesh& mesh, Random& random, std::size_t count) {
@@ -65,6 +93,14 @@ TEST_CASE("on meshes of binary32 and of binary64") {
       check_same(mesh.scene, rays_at(mesh, random, fewer_when_sanitized(400)),
                  std::string(single ? "binary32" : "binary64") + ", " + std::to_string(k));
     }
+}
+
+TEST_CASE("on triangles of binary32 before each other, by rays in bundles") {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    const Mesh mesh = soup(seed % 2 == 0 ? 60 : 400, random);
+    check_same(mesh.scene, seen_from(mesh, {0.1, 0.2, -3}, random), "seed " + std::to_string(seed));
+  }
 }
 
 TEST_CASE("on a mesh of binary32 among other elements, some of them triangles of binary64") {

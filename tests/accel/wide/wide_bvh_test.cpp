@@ -54,8 +54,8 @@ bool rounded_outwards(const WideNode& node, std::size_t place, const surface::Bo
 bool leaf_within(const WideBvh& tree, const WideNode& node, std::size_t place, std::multiset<ElementRef>& found) {
   const ElementRef leaf = node.children[place].element(), e = tree.element(leaf);
   found.insert(e);
-  const surface::Box of_element = tree.scene().visit(e, [](const auto& e) { return surface::box(e); });
-  const surface::Box of_leaf = tree.visit(leaf, [](const auto& leaf) { return surface::box(leaf); });
+  const surface::Box of_element = tree.scene().visit(e, [](const auto& shape) { return surface::box(shape); });
+  const surface::Box of_leaf = tree.visit(leaf, [](const auto& shape) { return surface::box(shape); });
   return tree.own(e) == leaf && of_leaf.low == of_element.low && of_leaf.high == of_element.high &&
          within(of_element, box_at(node, place)) && rounded_outwards(node, place, of_element);
 }
@@ -229,6 +229,7 @@ TEST_CASE("each triangle lies in its box, in a block of several or alone") {
     CHECK(holds_all(WideBvh(triangles(count, count))));
     CHECK(holds_all(WideBvh(triangles(count, count, 3))));
   }
+  CHECK(holds_all(WideBvh(triangles(fewer_when_sanitized(9000), 6))));  // in parts, by several threads
   Random random(3);
   scene::Scene mixed = random_scene(random, 200);
   triangles(200, 4).for_each([&](ElementRef, const auto& shape) { add(mixed, shape); });
