@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "durero/model/escena.hpp"
+
 namespace durero::model {
 
 std::vector<ExactPoint> cercanos(std::span<const ExactPoint> ps, const Punto& p) {
