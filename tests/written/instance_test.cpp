@@ -2,6 +2,7 @@
 // one.
 #include <fmt/format.h>
 
+#include <glm/geometric.hpp>
 #include <algorithm>
 
 #include "durero/composed/engine.hpp"
