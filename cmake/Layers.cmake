@@ -21,11 +21,11 @@ function(durero_precompiled TARGET FROM)
   endif()
 endfunction()
 
-# durero_united(TARGET): with DURERO_UNITY, ten of its sources are compiled as one, which reads the headers and compiles the
-# templates that they share once. What Highway compiles again for each instruction set stands alone.
-function(durero_united TARGET)
+# durero_united(TARGET COUNT): with DURERO_UNITY, so many of its sources are compiled as one, which reads the headers and
+# compiles the templates that they share once. What Highway compiles again for each instruction set stands alone.
+function(durero_united TARGET COUNT)
   if(DURERO_UNITY)
-    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+    set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${COUNT})
   endif()
 endfunction()
 
@@ -51,7 +51,7 @@ function(durero_foreign)
   durero_precompile(durero_foreign ${durero_foreign_headers})
 endfunction()
 
-# durero_layer(NAME DEPENDS <layers above it> LIBRARIES <packages>): one target a layer, made of
+# durero_layer(NAME DEPENDS <layers above it> LIBRARIES <packages> UNITED <count>): one target a layer, made of
 # include/durero/NAME/ and the sources in src/NAME/ and its folders; header-only while there are none. A static library,
 # or with BUILD_SHARED_LIBS a shared one.
 function(durero_sources OUT DIR)
@@ -60,7 +60,10 @@ function(durero_sources OUT DIR)
 endfunction()
 
 function(durero_layer NAME)
-  cmake_parse_arguments(LAYER "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(LAYER "" "UNITED" "DEPENDS;LIBRARIES" ${ARGN})
+  if(NOT LAYER_UNITED)
+    set(LAYER_UNITED 10)
+  endif()
   list(TRANSFORM LAYER_DEPENDS PREPEND durero::)
   durero_sources(sources src/${NAME})
   if(sources)
@@ -68,7 +71,7 @@ function(durero_layer NAME)
     set_target_properties(durero_${NAME} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
     target_include_directories(durero_${NAME} PRIVATE ${PROJECT_SOURCE_DIR}/src)
     durero_shareable(durero_${NAME})
-    durero_united(durero_${NAME})
+    durero_united(durero_${NAME} ${LAYER_UNITED})
     durero_precompiled(durero_${NAME} durero_foreign)
     set(scope PUBLIC)
   else()
