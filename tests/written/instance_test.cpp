@@ -2,8 +2,8 @@
 // one.
 #include <fmt/format.h>
 
-#include <glm/geometric.hpp>
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "durero/composed/engine.hpp"
 #include "durero/conform/families/families.hpp"
