@@ -10,6 +10,7 @@
 #include "durero/io/mesh/ply.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/pov/pov.hpp"
+#include "io/mesh/stl.hpp"
 
 namespace durero::io {
 namespace {
@@ -22,9 +23,10 @@ Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { re
 
 constexpr Format all[] = {{".json", import_json, write_json, false, true},
                           {".nff", read_nff, nff_text, true},
-                          {".obj", read_obj, nullptr, true},
-                          {".ply", read_ply},
-                          {".pov", read_pov, pov_text, false, true}};
+                          {".obj", read_obj, obj_text, true},
+                          {".ply", read_ply, ply_text},
+                          {".pov", read_pov, pov_text, false, true},
+                          {".stl", read_stl, stl_text}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }

@@ -96,9 +96,18 @@ has out '4 elementos: 0 esfera, 0 cilindro, 0 cono, 0 tronco, 0 plano, 0 disco, 
 printf '0.02 0.02 0.02 -1 -1 -1\n' >rays.txt
 run 0 trace solid.json rays.txt
 has out '"elementos":["solid.obj:1","solid.obj:3","solid.obj:5"],"t":0.02,"point":[0,0,0]'
-refused 'solid.obj: a format that is not known by this name; expected one that ends in .json or .nff' \
-  export solid.json -o solid.obj
-absent solid.obj
+refused 'solid.step: a format that is not known by this name; expected one that ends in .json or .nff' \
+  export solid.json -o solid.step
+absent solid.step
+
+# Each format of meshes keeps the triangles: from one to the next, and back to the first text.
+for to in obj ply stl; do
+  run 0 export solid.json -o "written.$to"
+  is err "durero: written.$to: 4 names of elements left out: $(echo $to | tr a-z A-Z) has none"
+  run 0 import "written.$to" -o back.json
+  run 0 export back.json -o again.obj
+  same again.obj written.obj
+done
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 3\n' >bad.obj
 refused 'bad.obj:3:7: "3" names no vertex; expected 1 to 2, or a distance back to one above' import bad.obj -o bad.json
 absent bad.json

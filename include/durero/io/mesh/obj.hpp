@@ -13,4 +13,8 @@ namespace durero::io {
 /// InputError.
 Imported read_obj(const Source& source);
 
+/// The triangles of a scene, each point and each normal once: numbers are written so that they read back. The elements
+/// that are directly in a group stand behind its `g`.
+Exported obj_text(const scene::Scene& scene, const scene::Groups& groups);
+
 }  // namespace durero::io

@@ -10,4 +10,8 @@ namespace durero::io {
 /// is the line of the header that tells of the element.
 Imported read_ply(const Source& source);
 
+/// The triangles of a scene as a text, each vertex once: numbers are doubles, written so that they read back. Vertices
+/// have normals where all triangles have them.
+Exported ply_text(const scene::Scene& scene, const scene::Groups& groups);
+
 }  // namespace durero::io

@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "durero/io/mesh/obj.hpp"
+#include "io/losses.hpp"
+#include "written_triangles.hpp"
+
+namespace durero::io {
+namespace {
+
+using Triple = std::array<double, 3>;
+
+Triple triple(const glm::dvec3& x) { return {x.x, x.y, x.z}; }
+
+/// The number of a vector from 1, behind its line where it is new.
+std::size_t written(std::string& text, std::string_view statement, Numbering<Triple>& numbers, const glm::dvec3& x) {
+  const auto [number, is_new] = numbers.number(triple(x));
+  if (is_new) text += fmt::format("{} {} {} {}\n", statement, x.x, x.y, x.z);
+  return number + 1;
+}
+
+}  // namespace
+
+Exported obj_text(const scene::Scene& scene, const scene::Groups& groups) {
+  Exported out;
+  std::string faces;
+  Numbering<Triple> vertices, normals;
+  std::string_view group;
+  for (const WrittenTriangle& triangle : written_triangles(scene, groups)) {
+    if (triangle.group != group) faces += fmt::format("g {}\n", group = triangle.group);
+    faces += 'f';
+    const auto& corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
+    const scene::VertexNormals* const own = scene.vertex_normals(triangle.element);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      faces += fmt::format(" {}", written(out.text, "v", vertices, corners[i]));
+      if (own != nullptr) faces += fmt::format("//{}", written(out.text, "vn", normals, (*own)[i]));
+    }
+    faces += '\n';
+  }
+  out.text += faces;
+  std::size_t within = 0;
+  for (const auto& [name, of] : groups.table()) within += !groups.of_group(name).empty();
+  add_loss(out.lost, within, "place of a group in another", "places of groups in others",
+           "left out: a group of OBJ is in none");
+  add_mesh_losses(out.lost, scene, "OBJ");
+  return out;
+}
+
+}  // namespace durero::io

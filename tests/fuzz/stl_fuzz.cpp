@@ -1,0 +1,13 @@
+// STL meshes: what was imported is a scene that can be written and read.
+#include "durero/io/json/scene_file.hpp"
+#include "fuzz/fuzz.hpp"
+#include "io/mesh/stl.hpp"
+
+using namespace durero;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return test::fuzz([&] {
+    const std::string text = io::scene_text(io::read_stl(test::as_source(data, size)).scene);
+    test::must(io::scene_text(io::read_scene(io::Source("canonical", text))) == text);
+  });
+}
