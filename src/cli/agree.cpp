@@ -12,6 +12,7 @@
 #include "colour.hpp"
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/composed/engine.hpp"
 #include "durero/conform/judge/agreement.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/rays/rays_file.hpp"
@@ -74,9 +75,9 @@ void require_samples(const io::Source& file, const written::Text& text, const io
                        "expected one that the program has samples of: no text says where points of a surface are");
 }
 
-/// Reads the scene, with the engine that answers rays on it.
+/// Reads the scene, with the engine that answers rays on it if that is a text's.
 written::Written read(const AgreeOptions& options, const io::Source& file) {
-  if (options.with.empty()) return {io::read_scene(file), {}, nullptr};
+  if (options.with.empty()) return {io::read_scene(file, io::Bodies::read), {}, nullptr};
   const written::Text text(options.with);
   written::Written read = written::read(file, text);
   require_samples(file, text, read.elements);
@@ -91,7 +92,8 @@ int run(const AgreeOptions& options) {
   try {
     std::optional<Progress> progress(std::in_place, options.quiet, "agree", "rays", options.rays);
     const oracle::sampled::Oracle oracle(scene, options.fineness);
-    const auto engine = asked.engine ? std::move(asked.engine) : engine::find(options.engine)->prepare(scene);
+    const auto engine =
+        asked.engine ? std::move(asked.engine) : composed::prepared(*engine::find(options.engine), scene);
     const auto first_hits = [&](std::span<const scene::Query> queries) { return engine::first_hits(*engine, queries); };
     const Agreement agreement = conform::agreement(oracle, first_hits, options.rays, options.seed,
                                                    [&](std::uint64_t more) { progress->add(more); });
@@ -127,9 +129,10 @@ void add_agree(CLI::App& app, int& status) {
       ->capture_default_str();
   command->footer(fmt::format(
       "The oracle knows each surface as points. It takes elements with lengths from {} to {}, and centres\n"
-      "with coordinates up to {}; other scenes are refused. Each ray is held against each element, so that time\n"
-      "grows with their product, and no more than {} MiB of points are held at once. With --with it is the text\n"
-      "that is held against the points: the types are the program's, their surfaces what the text says of "
+      "with coordinates up to {}; other scenes are refused. An instance has the points of its original where the\n"
+      "map puts them, a solid those of its parts that are on its surface. Each ray is held against each surface, so\n"
+      "that time grows with their product, and no more than {} MiB of points are held at once. With --with it is the\n"
+      "text that is held against the points: the types are the program's, their surfaces what the text says of\n"
       "them.\n\n{}{}",
       oracle::sampled::least_length, oracle::sampled::greatest_length, oracle::sampled::greatest_length,
       oracle::sampled::Oracle::usual_bytes >> 20U,

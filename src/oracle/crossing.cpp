@@ -14,7 +14,7 @@ struct Cell {
 
 class CrossingSearch {
  public:
-  CrossingSearch(const Parametrisation& surface, const ScaledRay& line, double before, double finest, double slack)
+  CrossingSearch(const ElementSurface& surface, const ScaledRay& line, double before, double finest, double slack)
       : surface_(surface), line_(line), before_(before), finest_(std::max(finest, slack)), slack_(slack) {}
 
   SampledVerdict verdict() {
@@ -26,15 +26,17 @@ class CrossingSearch {
   void visit(const Cell& cell) {
     if (verdict_ == SampledVerdict::unsound) return;
     // A path along the profile and then around the axis leads from the middle to any point of the cell.
-    const double along = surface_.length() * cell.half_u;
-    const double around = surface_.around_within(cell.u, along) * cell.half_v;
+    const PlacedSurface& surface = surface_.surface;
+    const double along = surface.length() * cell.half_u;
+    const double around = surface.around_within(cell.u, along) * cell.half_v;
     const double reach = along + around + slack_;
-    const SurfacePoint middle = surface_.at(cell.u, cell.v);
+    const SurfacePoint middle = surface.at(cell.u, cell.v);
     const double foot = line_.foot(middle.point);
     if (glm::length(middle.point - line_.at(foot)) > reach || foot - reach > before_) return;
+    if (!surface_.may_have(middle.point, reach)) return;
     const double slope = std::abs(glm::dot(line_.direction, middle.normal));
     const double flattest = slope + middle.curvature * reach;  // of the points of the cell, if no edge is near
-    const bool whole = 20 * reach <= middle.edge;
+    const bool whole = 20 * reach <= middle.edge && surface_.has_all(middle.point, 9 * reach);
     if (whole && crosses(slope, middle.curvature * reach) && foot - 8 * reach > 0 && foot + 8 * reach < before_) {
       verdict_ = SampledVerdict::unsound;
     } else if (whole && flattest <= 1.0 / 8) {
@@ -65,7 +67,7 @@ class CrossingSearch {
 
   void excuse(SampledVerdict reason) { verdict_ = std::max(verdict_, reason); }
 
-  const Parametrisation& surface_;
+  const ElementSurface& surface_;
   const ScaledRay& line_;
   double before_, finest_, slack_;
   SampledVerdict verdict_ = SampledVerdict::agrees;
@@ -73,7 +75,7 @@ class CrossingSearch {
 
 }  // namespace
 
-SampledVerdict crossing(const Parametrisation& surface, const ScaledRay& line, double before, double finest,
+SampledVerdict crossing(const ElementSurface& surface, const ScaledRay& line, double before, double finest,
                         double slack) {
   return CrossingSearch(surface, line, before, finest, slack).verdict();
 }

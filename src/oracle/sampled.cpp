@@ -13,12 +13,13 @@
 #include <string>
 
 #include "crossing.hpp"
+#include "element_surface.hpp"
 #include "nearest.hpp"
 
 namespace durero::oracle::sampled {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// The slack for the rounding of distances: 2⁻⁴⁰ of the lengths at hand, which a few dozen roundings do not reach.
 double rounding(const BallNode& all, const ScaledRay& line) {
@@ -30,76 +31,26 @@ glm::dvec3 claimed_point(const ScaledRay& line, const scene::Hit& claim) {
   return claim.resultado == model::Resultado::hit ? claim.punto : line.p;
 }
 
-[[noreturn]] void out_of_range(const std::string& what, double value, const std::string& expected) {
-  throw std::domain_error(fmt::format("{} {}; expected {} (the sampled oracle's range)", what, value, expected));
-}
-
-void require_range(const Parametrisation& surface, const model::Elemento& e) {
-  for (const double length : {surface.widest(), surface.length()}) {
-    if (!(length >= least_length && length <= greatest_length)) {
-      out_of_range(fmt::format("element {} has a length of", e.name()), length,
-                   fmt::format("lengths from {} to {}", least_length, greatest_length));
-    }
-  }
-  const glm::dvec3& center = surface.center();
-  for (const double x : {center.x, center.y, center.z}) {
-    if (std::abs(x) > greatest_length) {
-      out_of_range(fmt::format("element {} has a coordinate of", e.name()), x,
-                   fmt::format("coordinates up to {}", greatest_length));
-    }
-  }
-}
-
 ScaledRay checked_line(const model::Rayo& ray) {
   for (const double x : {ray.p().x(), ray.p().y(), ray.p().z()}) {
     if (std::abs(x) > greatest_origin) {
-      out_of_range("a ray's origin has a coordinate of", x, fmt::format("coordinates up to {}", greatest_origin));
+      throw std::domain_error(fmt::format(
+          "a ray's origin has a coordinate of {}; expected coordinates up to {} (the sampled oracle's range)", x,
+          greatest_origin));
     }
   }
   return ScaledRay(ray);
 }
 
-/// How much wider than what stands about it a patch is.
-constexpr double patch_width = 8;
-
-/// Radii of the patches of a scene's planes.
-class PatchWidths {
- public:
-  explicit PatchWidths(const scene::Scene& scene) {
-    scene.for_each([&](scene::ElementRef, const auto& shape) {
-      const Parametrisation other = shape;
-      if (!other.is_patch()) others_.push_back({other.center(), other.size()});
-    });
-  }
-
-  /// Of the patch about this point: far enough for every other element of the scene, and their shadows from most
-  /// directions.
-  double about(const glm::dvec3& centro) const {
-    double farthest = 0;
-    for (const auto& [center, size] : others_) farthest = std::max(farthest, glm::length(center - centro) + size);
-    return farthest == 0 ? Parametrisation::default_patch : std::min(patch_width * farthest, greatest_length);
-  }
-
- private:
-  struct Other {
-    glm::dvec3 center;
-    double size;
-  };
-  std::vector<Other> others_;
-};
-
-/// Whether the point is one of a plane beyond its patch, which has no samples.
-bool beyond_patch(const Parametrisation& surface, const glm::dvec3& point, double slack) {
-  return surface.is_patch() && glm::length(point - surface.center()) + slack > surface.widest();
+bool contains(const scene::ElementSet& elements, scene::ElementRef element) {
+  return std::ranges::find(elements, element) != elements.end();
 }
 
-bool names(const scene::Hit& claim, scene::ElementRef element) {
-  return std::find(claim.elementos.begin(), claim.elementos.end(), element) != claim.elementos.end();
-}
+bool names(const scene::Hit& claim, scene::ElementRef element) { return contains(claim.elementos, element); }
 
 /// Whether one of these has a line that samples of the element may be near.
-template <class Element, class WithLine>
-bool is_near_any(const Element& element, const std::vector<WithLine>& all) {
+template <class WithLine>
+bool is_near_any(const ElementSurface& element, const std::vector<WithLine>& all) {
   return std::ranges::any_of(all, [&](const WithLine& one) {
     return may_hold_candidate(element.outline.ball, element.outline.delta, one.line);
   });
@@ -114,7 +65,7 @@ std::string_view name(SampledVerdict verdict) noexcept {
 }
 
 struct Oracle::Part {
-  std::span<const Element> elements;
+  std::span<const ElementSurface> elements;
   std::span<const Cover> covers;
 };
 
@@ -123,23 +74,38 @@ struct Oracle::Judged {
       : line(checked_line(ray)),
         claim(&claimed),
         point(claimed_point(line, claimed)),
-        distance(claimed.resultado == model::Resultado::miss ? infinity : glm::length(point - line.p)) {}
+        distance(claimed.resultado == model::Resultado::miss ? endless : glm::length(point - line.p)) {}
 
   void hold_against(const Part& part) {
     for (std::size_t i = 0; i < part.elements.size() && agrees(verdict); ++i)
       verdict = std::max(verdict, verdict_of(part.elements[i], part.covers[i]));
   }
 
-  SampledVerdict verdict_of(const Element& element, const Cover& cover) const {
+  SampledVerdict verdict_of(const ElementSurface& element, const Cover& cover) {
     const bool is_named = names(*claim, element.ref);
     const bool is_near = may_hold_candidate(element.outline.ball, element.outline.delta, line);
     if (!is_named && !is_near) return SampledVerdict::agrees;
     const double slack = rounding(element.outline.ball, line);
-    const bool is_covered = !beyond_patch(element.surface, point, slack);
-    if (is_named && is_covered && !near_sample(cover, point, slack)) return SampledVerdict::incomplete;
+    if (is_named && !holds_point(element, cover, slack)) return SampledVerdict::incomplete;
     const auto candidate = nearest(cover, line);
     if (!candidate || distance <= candidate->distance + 8 * cover.delta + slack) return SampledVerdict::agrees;
-    return crossing(element.surface, line, distance, cover.delta / 1024, slack);
+    return crossing(element, line, distance, cover.delta / 1024, slack);
+  }
+
+  /// Whether the point may be one of the element's. Of a solid one surface with a sample near is enough, and all of
+  /// them are asked before the verdict.
+  bool holds_point(const ElementSurface& element, const Cover& cover, double slack) {
+    const bool is_covered = !element.surface.goes_on_at(point, slack);
+    const bool may_be_near = !is_covered || near_sample(cover, point, slack);
+    if (!element.solid) return may_be_near;
+    if (!contains(solids, element.ref)) solids.push_back(element.ref);
+    if (may_be_near && !contains(near_solids, element.ref)) near_solids.push_back(element.ref);
+    return element.solid->may_have(point, slack);
+  }
+
+  /// The verdict when all surfaces were held against it: each solid that the claim names has a sample near.
+  SampledVerdict decided() const {
+    return solids.size() == near_solids.size() ? verdict : std::max(verdict, SampledVerdict::incomplete);
   }
 
   ScaledRay line;
@@ -147,6 +113,7 @@ struct Oracle::Judged {
   glm::dvec3 point;
   double distance;
   SampledVerdict verdict = SampledVerdict::agrees;
+  scene::ElementSet solids{}, near_solids{};  // that the claim names; that have a sample near its point
 };
 
 struct Oracle::First {
@@ -154,7 +121,7 @@ struct Oracle::First {
 
   void look_among(const Part& part) {
     for (std::size_t i = 0; i < part.elements.size(); ++i) {
-      const Element& element = part.elements[i];
+      const ElementSurface& element = part.elements[i];
       if (!may_hold_candidate(element.outline.ball, element.outline.delta, line, distance)) continue;
       const auto candidate = nearest(part.covers[i], line);
       if (!candidate || candidate->distance >= distance) continue;
@@ -164,31 +131,22 @@ struct Oracle::First {
   }
 
   ScaledRay line;
-  double distance = infinity;
+  double distance = endless;
   scene::Hit hit;
 };
 
 Oracle::Oracle(const scene::Scene& scene, double fineness, std::size_t most_bytes)
-    : fineness_(fineness), most_bytes_(most_bytes) {
-  elements_.reserve(scene.size());
-  const PatchWidths widths(scene);
-  scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
-    const double patch = [&] {
-      if constexpr (std::is_same_v<Shape, scene::Plane>) return widths.about(shape.centro);
-      return 0.0;
-    }();
-    const Parametrisation surface(scene::ShapeView(shape), patch);
-    require_range(surface, scene.name(e));
-    elements_.push_back({e, surface, outline(surface, fineness)});
-  });
+    : fineness_(fineness), most_bytes_(most_bytes), elements_(surfaces_of(scene, fineness)) {
   if (end_of_part(0) < elements_.size()) return;
-  kept_ = covers(elements_, [](const Element&) { return true; });
+  kept_ = covers(elements_, [](const ElementSurface&) { return true; });
 }
+
+Oracle::~Oracle() = default;
 
 std::vector<BallNode> Oracle::bounds() const {
   std::vector<BallNode> balls;
   balls.reserve(elements_.size());
-  for (const Element& element : elements_) balls.push_back(element.outline.ball);
+  for (const ElementSurface& element : elements_) balls.push_back(element.outline.ball);
   return balls;
 }
 
@@ -200,10 +158,10 @@ std::size_t Oracle::end_of_part(std::size_t first) const {
 }
 
 template <class IsWanted>
-std::vector<Cover> Oracle::covers(std::span<const Element> of, IsWanted is_wanted) const {
+std::vector<Cover> Oracle::covers(std::span<const ElementSurface> of, IsWanted is_wanted) const {
   std::vector<Cover> made(of.size());
   tbb::parallel_for(std::size_t{0}, of.size(), [&](std::size_t i) {
-    if (is_wanted(of[i])) made[i] = cover(of[i].surface, fineness_);
+    if (is_wanted(of[i])) made[i] = of[i].cover(fineness_);
   });
   return made;
 }
@@ -227,7 +185,7 @@ void Oracle::first_hits(std::span<const scene::Query> queries, std::span<scene::
   const auto look = [&](const Part& part) {
     tbb::parallel_for(std::size_t{0}, first.size(), [&](std::size_t i) { first[i].look_among(part); });
   };
-  for_each_part(look, [&](const Element& element) { return is_near_any(element, first); });
+  for_each_part(look, [&](const ElementSurface& element) { return is_near_any(element, first); });
   for (std::size_t i = 0; i < first.size(); ++i) hits[i] = std::move(first[i].hit);
 }
 
@@ -248,11 +206,11 @@ std::vector<SampledVerdict> Oracle::judge(std::span<const scene::Query> queries,
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, judged.size()), some);
   };
-  for_each_part(hold, [&](const Element& element) {
+  for_each_part(hold, [&](const ElementSurface& element) {
     return std::ranges::binary_search(named, element.ref) || is_near_any(element, judged);
   });
   std::vector<SampledVerdict> verdicts;
-  for (const Judged& one : judged) verdicts.push_back(one.verdict);
+  for (const Judged& one : judged) verdicts.push_back(one.decided());
   return verdicts;
 }
 

@@ -1,4 +1,5 @@
 # durero agree: engines against the sampled oracle; its range, and calls that it refuses.
+tree=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 . "$(dirname "$0")/harness.sh"
 sample >scene.json
 
@@ -68,4 +69,14 @@ refused 'agree: --fineness 2: no number' agree scene.json --fineness 2
 refused 'agree: --fineness inf: no number' agree scene.json --fineness inf
 refused 'agree: --fineness x: no number' agree scene.json --fineness x
 refused 'agree: --engine nobody: no such engine; expected one of ' agree scene.json --engine nobody
+# Instances and solids: a ray towards each of their surfaces, and none is unexplained.
+for scene in solids instances; do
+  run 0 agree "$tree/demo/gallery/$scene.json" --rays 2000
+  has out 'unexplained: 0'
+done
+cat >lens.json <<'SCENE'
+{"format":"durero-scene","version":1,"elementos":[{"id":"lens","tipo":"interseccion","de":[
+{"tipo":"esfera","centro":[0,0,-3],"radio":5},{"tipo":"esfera","centro":[0,0,3],"radio":1e-150}]}]}
+SCENE
+refused 'lens.json: element lens has a length of 1e-150; expected lengths from 1e-140 to 1e+140' agree lens.json
 finish

@@ -68,10 +68,13 @@ std::string_view name(SampledVerdict verdict) noexcept;
 /// Whether the claim is not shown to be wrong.
 constexpr bool agrees(SampledVerdict verdict) noexcept { return verdict < SampledVerdict::incomplete; }
 
-/// Is told of how many pairs of a ray and an element more is known, by any thread.
+/// Is told of how many pairs of a ray and a surface more is known, by any thread.
 using Done = std::function<void(std::uint64_t)>;
 
-/// The samples of every element of a scene. They are copies: the scene may be edited or end.
+struct ElementSurface;
+
+/// The samples of every element of a scene, instances and solids among them. They are copies: the scene may be edited
+/// or end.
 ///
 /// The samples of a usual element take 90 kB, and those of a needle 2 GB. Where all take more than most_bytes, none are
 /// kept: each call makes those of some elements at a time, of what it asks for, and holds all its rays against them. So
@@ -83,8 +86,11 @@ class Oracle {
 
   /// Throws std::domain_error where a length or coordinate of an element is not one that it takes.
   explicit Oracle(const scene::Scene& scene, double fineness = default_fineness, std::size_t most_bytes = usual_bytes);
+  ~Oracle();
+  Oracle(const Oracle&) = delete;
+  Oracle& operator=(const Oracle&) = delete;
 
-  /// A ball around each element.
+  /// A ball around each surface: of a solid around that of each leaf, of another element around its own.
   std::vector<BallNode> bounds() const;
 
   // All throw std::domain_error where a ray starts beyond greatest_origin.
@@ -102,25 +108,20 @@ class Oracle {
       const Done& done = [](std::uint64_t) {}) const;
 
  private:
-  struct Element {
-    scene::ElementRef ref;
-    Parametrisation surface;
-    CoverPlan outline;
-  };
-  struct Part;    // some elements that follow each other, and their covers
+  struct Part;    // some surfaces that follow each other, and their covers
   struct Judged;  // a ray and its claim
   struct First;   // a ray and its first hit
 
   /// Behind the last element of the part that begins with that one.
   std::size_t end_of_part(std::size_t first) const;
   template <class IsWanted>
-  std::vector<Cover> covers(std::span<const Element> of, IsWanted is_wanted) const;
+  std::vector<Cover> covers(std::span<const ElementSurface> of, IsWanted is_wanted) const;
   template <class Visit, class IsWanted>
   void for_each_part(Visit visit, IsWanted is_wanted) const;
 
   double fineness_;
   std::size_t most_bytes_;
-  std::vector<Element> elements_;
+  std::vector<ElementSurface> elements_;
   std::vector<Cover> kept_{};  // of all elements, or of none
 };
 

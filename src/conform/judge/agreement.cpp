@@ -30,8 +30,8 @@ Agreement agreement(const oracle::sampled::Oracle& oracle, const FirstHits& firs
   const std::vector<oracle::BallNode> balls = oracle.bounds();
   if (balls.empty()) return agreement;
   RaysTowards stream(balls, seed);
-  // A ray counts as judged when all its pairs with elements are; `judged` receives one ray for as many pairs as there
-  // are elements.
+  // A ray counts as judged when all its pairs with surfaces are; `judged` receives one ray for as many pairs as there
+  // are surfaces.
   std::atomic<std::uint64_t> pairs = 0;
   const auto in_rays = [&](std::uint64_t more) {
     const std::uint64_t before = pairs.fetch_add(more);
