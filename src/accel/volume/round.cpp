@@ -8,12 +8,14 @@
 namespace durero::accel {
 namespace {
 
-/// Tests the ray q + t·v against the ball of that radius about 0, by the steps and allowances of trace/filter.hpp.
+/// Tests the ray q + t·v against the ball of that radius about 0, by the steps and allowances of trace/filter.hpp. Most
+/// rays miss, which is known without the root.
 VolumeTest round(const glm::dvec3& q, const glm::dvec3& v, double radius, double limit) {
   const double length_squared = glm::dot(v, v) * (1 + 0x1p-47 + 0x1p-50);
   const glm::dvec3 moment = glm::cross(q, v);
+  if (!(glm::dot(moment, moment) <= radius * radius * length_squared)) return VolumeTest::missed;
   const double B = glm::dot(q, v), reach = radius * std::sqrt(length_squared);
-  if (!(glm::dot(moment, moment) <= radius * radius * length_squared) || B > reach) return VolumeTest::missed;
+  if (B > reach) return VolumeTest::missed;
   return B + reach + limit * length_squared >= 0 ? VolumeTest::met : VolumeTest::beyond;
 }
 
