@@ -8,9 +8,9 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/mesh/obj.hpp"
 #include "durero/io/mesh/ply.hpp"
+#include "durero/io/mesh/stl.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/pov/pov.hpp"
-#include "io/mesh/stl.hpp"
 
 namespace durero::io {
 namespace {

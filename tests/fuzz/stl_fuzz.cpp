@@ -1,7 +1,7 @@
 // STL meshes: what was imported is a scene that can be written and read.
 #include "durero/io/json/scene_file.hpp"
+#include "durero/io/mesh/stl.hpp"
 #include "fuzz/fuzz.hpp"
-#include "io/mesh/stl.hpp"
 
 using namespace durero;
 

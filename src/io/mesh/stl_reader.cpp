@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "durero/io/mesh/stl.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
 #include "io/cursor.hpp"
 #include "io/losses.hpp"
-#include "io/mesh/stl.hpp"
 #include "mesh_scene.hpp"
 
 namespace durero::io {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "durero/io/mesh/stl.hpp"
 #include "io/losses.hpp"
-#include "io/mesh/stl.hpp"
 #include "written_triangles.hpp"
 
 namespace durero::io {

@@ -4,8 +4,8 @@
 
 #include "durero/io/mesh/obj.hpp"
 #include "durero/io/mesh/ply.hpp"
+#include "durero/io/mesh/stl.hpp"
 #include "durero/scene/stage.hpp"
-#include "io/mesh/stl.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
 #include "support/scenes.hpp"

@@ -1,4 +1,4 @@
-#include "io/mesh/stl.hpp"
+#include "durero/io/mesh/stl.hpp"
 
 #include <bit>
 
