@@ -1,5 +1,7 @@
 #include "points.hpp"
 
+#include <utility>
+
 namespace durero::render {
 namespace {
 
@@ -16,39 +18,62 @@ std::uint32_t high(std::uint64_t bits) { return static_cast<std::uint32_t>(bits 
 /// The coordinate from −1/2 that 32 binary digits give: the middle of the interval that they begin.
 double coordinate(std::uint32_t digits) { return (digits + 0.5) * 0x1p-32 - 0.5; }
 
-/// Owen's scrambling turns each digit or not by a coin of its own for the digits before it. No two of fewer than 2¹⁶
-/// points have the same first 16 digits in one coordinate, so that one draw of coins suffices for all digits after
-/// these.
+/// The digits behind the point in the order of their worth, the first one highest, of a number whose lowest is first.
+std::uint32_t reversed(std::uint32_t x) {
+  x = (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
+  x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
+  x = (x >> 4 & 0x0F0F0F0F) | (x & 0x0F0F0F0F) << 4;
+  return __builtin_bswap32(x);
+}
+
+/// The number of digits that Owen's scrambling turns each by itself: no two of fewer than 2¹⁶ points have the same
+/// first 16 digits in one coordinate.
+constexpr int apart = 16;
+
+/// Owen's scrambling turns each digit or not by a coin of its own for the digits before it. The coins of the digits
+/// from `from` on are those of a binary tree, which has 2ʲ for the digit j places on: 63 for six digits, one word.
+template <int from, int... j>
+std::uint32_t turned(std::uint32_t digits, std::uint64_t key, std::integer_sequence<int, j...>) {
+  static_assert(sizeof...(j) <= 6);
+  const std::uint64_t own = std::uint64_t{digits} << (32 + from), before = from == 0 ? 0 : digits >> (32 - from) % 32;
+  const std::uint64_t coins = mixed(key ^ ((1U << from) | before));
+  const auto coin = [&](int at) { return coins >> ((1U << at) - 1 + (at == 0 ? 0 : own >> (64 - at) % 64)) & 1; };
+  return static_cast<std::uint32_t>(((coin(j) << (31 - from - j)) | ...));
+}
+
+/// The coins of the first 16 digits, in their places.
+std::uint32_t first_turned(std::uint32_t digits, std::uint64_t key) {
+  constexpr std::make_integer_sequence<int, 6> six;
+  constexpr std::make_integer_sequence<int, 5> five;
+  return turned<0>(digits, key, six) | turned<6>(digits, key, five) | turned<11>(digits, key, five);
+}
+
+/// One draw of coins suffices for all digits after those that are turned by themselves.
 std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
-  constexpr int apart = 16;
-  std::uint32_t turned = 0;
-  for (int place = 0; place < apart; ++place) {
-    const std::uint32_t before = place == 0 ? 0 : digits >> (32 - place);
-    const std::uint32_t node = (1U << place) | before;  // a node of the binary tree of prefixes
-    turned |= (high(mixed(key ^ node)) & 1U) << (31 - place);
-  }
   const std::uint32_t leaf = (1U << apart) | (digits >> (32 - apart));
-  return digits ^ (turned | (high(mixed(key ^ leaf)) >> apart));
+  return digits ^ (first_turned(digits, key) | (high(mixed(key ^ leaf)) >> apart));
 }
 
 /// Van der Corput's sequence: the binary digits of i behind the point.
-std::uint32_t mirrored_digits(std::uint32_t i) {
-  std::uint32_t digits = 0;
-  for (std::uint32_t place = 1U << 31; i != 0; i >>= 1, place >>= 1)
-    if (i & 1) digits |= place;
-  return digits;
-}
+std::uint32_t mirrored_digits(std::uint32_t i) { return reversed(i); }
 
-/// The second coordinate of Sobol's sequence: the digits of i times Pascal's triangle modulo 2.
+/// The second coordinate of Sobol's sequence: the digits of i times Pascal's triangle modulo 2, whose entry (j, b) is 1
+/// where b has every binary digit of j (Lucas's theorem). So digit j is the sum of those digits, and each line takes
+/// those that differ from j in one place of its number.
 std::uint32_t pascal_digits(std::uint32_t i) {
-  std::uint32_t digits = 0;
-  for (std::uint32_t column = 1U << 31; i != 0; i >>= 1, column ^= column >> 1)
-    if (i & 1) digits ^= column;
-  return digits;
+  i ^= i >> 1 & 0x55555555;
+  i ^= i >> 2 & 0x33333333;
+  i ^= i >> 4 & 0x0F0F0F0F;
+  i ^= i >> 8 & 0x00FF00FF;
+  i ^= i >> 16;
+  return reversed(i);
 }
 
 /// The shuffled number of a sample: turned digit by digit by those before it, the first digits stay together.
-std::uint32_t shuffled(std::uint32_t i, std::uint64_t key) { return scrambled(i << 16, key) >> 16; }
+std::uint32_t shuffled(std::uint32_t i, std::uint64_t key) {
+  const std::uint32_t digits = i << apart;
+  return (digits ^ first_turned(digits, key)) >> apart;
+}
 
 }  // namespace
 
