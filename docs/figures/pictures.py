@@ -62,7 +62,8 @@ def main():
     known = {line.split(" | ")[0][2:]: line for line in old.splitlines() if ".png |" in line or ".svg |" in line}
     known.update({picture: row for picture, row in new.items() if row})
     day = datetime.date.today().isoformat()
-    table = [f"Seconds that one thread of an {machine()} worked (user time, on a machine with other work), {day}.", "",
+    table = [f"Seconds that one thread of an {machine()} worked (user time, on a machine with other work), {day}. "
+             "A picture without a row was not timed.", "",
              "| picture | seconds |", "| --- | --- |", *(known[picture] for picture, _ in rows() if picture in known)]
     (GALLERY / "README.md").write_text(before + BEGIN + "\n".join(table) + "\n" + END + after, encoding="utf-8")
 

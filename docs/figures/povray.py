@@ -58,20 +58,12 @@ def vector(v):
     return "<" + ", ".join(repr(float(x)) for x in v) + ">"
 
 
-def area_light(light, side, attributes):
-    """What stands behind the colour of a light of that shape, with so many points along a side."""
-    if "rectangle" in light:
-        first, second = light["rectangle"]["edges"]
-        return f"area_light {vector(first)}, {vector(second)}, {side}, {side} {attributes}"
-    radius = (light.get("disc") or light["sphere"])["radius"]
-    return f"area_light {vector([2 * radius, 0, 0])}, {vector([0, 2 * radius, 0])}, {side}, {side} circular orient {attributes}"
-
-
-def soft(text, scene, side, attributes):
-    """The text with lights of its shapes, in order."""
-    lights = iter(scene["lights"])
-    return re.sub(r"(light_source \{ .*?>, rgb <.*?>) \}",
-                  lambda found: f"{found[1]} {area_light(next(lights), side, attributes)} }}", text)
+def soft(text, side, attributes):
+    """The text with so many points along a side of each light of some size, which `durero export` writes with nine."""
+    changed, count = re.subn(r", 9, 9 jitter ", f", {side}, {side} {attributes} ", text)
+    if count == 0:
+        sys.exit("durero export writes no light with 9 by 9 points; expected one in the soft shadows")
+    return changed
 
 
 def blurred(text, scene, count, variance):
@@ -113,18 +105,22 @@ class Equal:
     def print(title, ours, theirs, truths):
         mine = [(t, rms(p, truths[0])) for t, p in ours]
         other = sorted((rms(p, truths[1]), t, name) for name, (t, p) in theirs)
-        best = [one for one in other if all(one[1] < two[1] for two in other if two[0] < one[0])]
+        best = [one for i, one in enumerate(other) if all(one[1] < two[1] and two[0] < one[0] for two in other[:i])]
         print(f"{title}: RMS error of 255 and seconds of a processor")
         for error, time, name in other:
             print(f"  POV-Ray {name}: {error:.2f}, {time:.2f}")
         for time, error in mine:
             they = time_for(best, error)
-            print(f"  durero {error:.2f}, {time:.2f}: POV-Ray {they:.2f}, ratio {they / time:.1f}", flush=True)
+            there = f"POV-Ray {they:.2f}, ratio {they / time:.1f}" if they else "no picture of POV-Ray is so near"
+            print(f"  durero {error:.2f}, {time:.2f}: {there}", flush=True)
 
 
 def time_for(line, error):
-    """On a line of errors and times, ascending by error: between two, by logarithms; beyond its ends, along the last two."""
+    """On a line of errors and times, ascending by error: between two, by logarithms; beyond the greatest error along the last two;
+    nothing below the least."""
     points = [(math.log(e), math.log(t)) for e, t, _ in line if e > 0]
+    if not points or error < math.exp(points[0][0]) * (1 - 1e-9):
+        return None
     if len(points) == 1:
         return math.exp(points[0][1])
     i = next((k for k in range(1, len(points)) if points[k][0] >= math.log(error)), len(points) - 1)
@@ -137,12 +133,12 @@ def soft_shadows(durero, folder):
     for material in scene["materials"].values():
         material.pop("gloss", None)  # POV-Ray has none
     pair = Equal(durero, folder, scene)
-    ways = [(f"{n} by {n} {word} {' '.join(options)}", soft(pair.bare, scene, n, word), options)
-            for options in (["+AM1", "+A0.1", "+R2"], ["+AM2", "+A0.05", "+R2"], ["+AM2", "+A0.01", "+R3"])
+    ways = [(f"{n} by {n} {word} {' '.join(options)}", soft(pair.bare, n, word), options)
+            for options in (["+AM1", "+A0.1", "+R2"], ["+AM2", "+A0.05", "+R2"], ["+AM2", "+A0.01", "+R3"], ["+AM1", "+A0.0", "+R4"])
             for word in ("jitter", "jitter adaptive 1") for n in (3, 5, 9)]
     theirs = [(name, pair.there(text, options)) for name, text, options in ways]
     ours = [pair.here(n) for n in (16, 64, 144)]
-    truths = pair.here(4096)[1], pair.there(soft(pair.bare, scene, 16, "jitter"), ["+AM1", "+A0.0", "+R6"])[1]
+    truths = pair.here(4096)[1], pair.there(soft(pair.bare, 16, "jitter"), ["+AM1", "+A0.0", "+R6"])[1]
     pair.print("soft shadows", ours, theirs, truths)
 
 
