@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "durero/model/escena.hpp"
 #include "durero/model/interseccion.hpp"
 
 namespace durero::model {

@@ -486,6 +486,19 @@ constexpr SpanishName names[] = {
     {"oscura", "dark", "the points that the test of a depth map takes for shadowed"},
     {"mezcla", "blend", "what a transparent polygon makes of the colour behind it"},
     {"propio", "own", "the colour that a transparent polygon has itself"},
+    // spec/auditoria.tex
+    {"aristas", "edges", "the edges that a face walks, each from one number of a point to the next"},
+    {"de_arista", "of_edge", "the faces that have an edge, whichever way they walk it"},
+    {"abiertas", "open", "the edges of one face"},
+    {"multiples", "multiple", "the edges of more than two faces"},
+    {"discordes", "discordant", "the edges that more than one face walks the same way"},
+    {"repetidas", "repeated", "the faces that have the points of one before them"},
+    {"degeneradas", "degenerate", "the faces whose points lie on one line"},
+    {"uniones_en_t", "t_junctions", "the points of faces that lie between the ends of an edge"},
+    {"cerradas", "closed", "sets of faces that share no point with the faces outside"},
+    {"piezas", "pieces", "the least closed sets of faces"},
+    {"determinante", "determinant", "six times the volume between the origin and three points"},
+    {"volumen", "volume", "the volume that faces enclose"},
 };
 
 }  // namespace

@@ -1,0 +1,135 @@
+#include "durero/model/auditoria.hpp"
+
+#include <algorithm>
+#include <ranges>
+
+#include "durero/model/proyeccion.hpp"
+
+namespace durero::model {
+namespace {
+
+using number::Rational;
+
+std::set<Ordinal> numbers(const Cara& c) { return {c.i, c.j, c.k}; }
+
+/// The edges of all faces, the lesser number first; an edge from a point to itself is none.
+std::set<Arista> undirected(const Red& red) {
+  std::set<Arista> all;
+  for (const Cara& c : red.caras() | std::views::values)
+    for (const auto& [i, j] : aristas(c))
+      if (i != j) all.emplace(std::min(i, j), std::max(i, j));
+  return all;
+}
+
+template <class Holds>
+std::set<Arista> edges_where(const Red& red, const Holds& holds) {
+  std::set<Arista> found;
+  for (const Arista& each : undirected(red))
+    if (holds(de_arista(red, each.first, each.second).size())) found.insert(each);
+  return found;
+}
+
+template <class Holds>
+std::set<Ordinal> faces_where(const Red& red, const Holds& holds) {
+  std::set<Ordinal> found;
+  for (const auto& [n, c] : red.caras())
+    if (holds(n, c)) found.insert(n);
+  return found;
+}
+
+std::size_t count_walks(const Red& red, const Arista& edge) {
+  return faces_where(red, [&](Ordinal, const Cara& c) { return aristas(c).contains(edge); }).size();
+}
+
+/// The point of a number, which a complete mesh has.
+const Punto& point(const Red& red, Ordinal n) { return red.puntos().at(n); }
+
+bool have_common(const Cara& a, const Cara& b) {
+  const std::set<Ordinal> of_b = numbers(b);
+  return std::ranges::any_of(numbers(a), [&](Ordinal n) { return of_b.contains(n); });
+}
+
+/// The least closed set that has a face: what touches it, and what touches that.
+std::set<Ordinal> closure(const Red& red, Ordinal from) {
+  std::set<Ordinal> reached{from};
+  while (!is_closed(red, reached))
+    for (const auto& [m, c] : red.caras())
+      if (std::ranges::any_of(reached, [&](Ordinal n) { return have_common(red.caras().at(n), c); })) reached.insert(m);
+  return reached;
+}
+
+}  // namespace
+
+std::set<Arista> aristas(const Cara& c) { return {{c.i, c.j}, {c.j, c.k}, {c.k, c.i}}; }
+
+std::set<Ordinal> de_arista(const Red& red, Ordinal i, Ordinal j) {
+  return faces_where(red, [&](Ordinal, const Cara& c) {
+    const std::set<Arista> edges = aristas(c);
+    return edges.contains({i, j}) || edges.contains({j, i});
+  });
+}
+
+std::set<Arista> abiertas(const Red& red) {
+  return edges_where(red, [](std::size_t faces) { return faces == 1; });
+}
+
+std::set<Arista> multiples(const Red& red) {
+  return edges_where(red, [](std::size_t faces) { return faces > 2; });
+}
+
+std::set<Arista> discordes(const Red& red) {
+  std::set<Arista> found;
+  for (const auto& [i, j] : undirected(red))
+    for (const Arista& way : {Arista{i, j}, Arista{j, i}})
+      if (count_walks(red, way) > 1) found.insert(way);
+  return found;
+}
+
+std::set<Ordinal> repetidas(const Red& red) {
+  return faces_where(red, [&](Ordinal n, const Cara& c) {
+    return std::ranges::any_of(
+        red.caras(), [&](const auto& other) { return other.first < n && numbers(other.second) == numbers(c); });
+  });
+}
+
+std::set<Ordinal> degeneradas(const Red& red) {
+  return faces_where(red, [&](Ordinal, const Cara& c) { return !Vertices::contains(terna(red, c).value()); });
+}
+
+std::set<std::array<Ordinal, 3>> uniones_en_t(const Red& red) {
+  std::set<Ordinal> used;
+  for (const Cara& c : red.caras() | std::views::values) used.merge(numbers(c));
+  std::set<std::array<Ordinal, 3>> found;
+  for (const Ordinal v : used)
+    for (const auto& [i, j] : undirected(red))
+      if (point(red, i) != point(red, j) && entre(point(red, i), point(red, j), point(red, v))) found.insert({v, i, j});
+  return found;
+}
+
+bool is_closed(const Red& red, const std::set<Ordinal>& s) {
+  return !s.empty() && std::ranges::all_of(red.caras(), [&](const auto& m) {
+    return s.contains(m.first) ||
+           std::ranges::none_of(s, [&](Ordinal n) { return have_common(red.caras().at(n), m.second); });
+  });
+}
+
+std::set<std::set<Ordinal>> piezas(const Red& red) {
+  std::set<std::set<Ordinal>> all;
+  for (const Ordinal n : red.caras() | std::views::keys) all.insert(closure(red, n));
+  return all;
+}
+
+Rational determinante(const Terna& v) {
+  const auto r = [](double x) { return Rational(x); };
+  return r(v.a.x()) * (r(v.b.y()) * r(v.c.z()) - r(v.b.z()) * r(v.c.y())) +
+         r(v.a.y()) * (r(v.b.z()) * r(v.c.x()) - r(v.b.x()) * r(v.c.z())) +
+         r(v.a.z()) * (r(v.b.x()) * r(v.c.y()) - r(v.b.y()) * r(v.c.x()));
+}
+
+Rational volumen(const Red& red) {
+  Rational sum = 0;
+  for (const Cara& c : red.caras() | std::views::values) sum += determinante(terna(red, c).value());
+  return sum / 6;
+}
+
+}  // namespace durero::model

@@ -1,0 +1,80 @@
+#include "durero/model/auditoria.hpp"
+
+#include "support/catch.hpp"
+#include "support/mallas_gen.hpp"
+#include "support/property.hpp"
+
+using namespace durero;
+using namespace durero::model;
+
+namespace {
+
+using Edges = std::set<Arista>;
+using Numbers = std::set<Ordinal>;
+
+const std::vector<Punto> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5, 0, 0}, {2, 0, 0}};
+/// A tetrahedron, seen from outside its faces turn to the left.
+const std::vector<Cara> closed{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+
+Red with(std::vector<Cara> faces, const Cara& more) {
+  faces.push_back(more);
+  return Red::of(corners, faces);
+}
+
+}  // namespace
+
+TEST_CASE("a closed mesh has nothing wrong, and its volume is that of the solid") {
+  const Red red = Red::of(corners, closed);
+  CHECK(abiertas(red).empty());
+  CHECK(multiples(red).empty());
+  CHECK(discordes(red).empty());
+  CHECK(repetidas(red).empty());
+  CHECK(degeneradas(red).empty());
+  CHECK(uniones_en_t(red).empty());
+  CHECK(piezas(red) == std::set<Numbers>{{0, 1, 2, 3}});
+  CHECK(volumen(red) == number::Rational(1) / 6);  // volumen.def.1
+}
+
+TEST_CASE("each fault of a mesh is seen where it is") {
+  CHECK(aristas({0, 2, 1}) == Edges{{0, 2}, {2, 1}, {1, 0}});                       // aristas.def.1
+  CHECK(de_arista(Red::of(corners, closed), 2, 0) == Numbers{0, 3});                // de_arista.def.1
+  CHECK(abiertas(Red::of(corners, {{2, 1, 0}})) == Edges{{0, 1}, {0, 2}, {1, 2}});  // abiertas.def.1
+  CHECK(multiples(with(closed, {1, 0, 5})) == Edges{{0, 1}});                       // multiples.def.1
+  CHECK(discordes(Red::of(corners, {{0, 1, 2}, {0, 1, 3}})) == Edges{{0, 1}});      // discordes.def.1
+  CHECK(repetidas(with(closed, {1, 0, 2})) == Numbers{4});                          // repetidas.def.1
+  CHECK(degeneradas(with(closed, {0, 4, 5})) == Numbers{4});                        // degeneradas.def.1
+  CHECK(degeneradas(with(closed, {0, 0, 1})) == Numbers{4});
+  CHECK(uniones_en_t(Red::of(corners, {{0, 1, 2}, {4, 3, 2}})) ==
+        std::set<std::array<Ordinal, 3>>{{4, 0, 1}});  // uniones_en_t.def.1
+}
+
+TEST_CASE("an edge whose ends are one point has no point between them") {
+  const Red red = Red::of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}});
+  CHECK(uniones_en_t(red).empty());
+}
+
+TEST_CASE("cerradas.def.1 and piezas.def.1: pieces share no point, and no part of one is closed") {
+  test::property("pieces of any mesh", [] {
+    const Red red = *test::any_mesh();
+    Numbers all;
+    for (const Numbers& piece : piezas(red)) {
+      RC_ASSERT(is_closed(red, piece));
+      for (const Ordinal n : piece) {
+        RC_ASSERT(all.insert(n).second);
+        Numbers rest = piece;
+        rest.erase(n);
+        RC_ASSERT(!is_closed(red, rest));
+      }
+    }
+    RC_ASSERT(all.size() == red.caras().size());
+  });
+  CHECK_FALSE(is_closed(Red::of(corners, closed), {}));
+  CHECK(piezas(Red::of(corners, {{0, 1, 2}, {3, 4, 5}})) == std::set<Numbers>{{0}, {1}});
+}
+
+TEST_CASE("determinante.def.1: a face that is turned over counts against") {
+  const Terna v{{1, 2, 3}, {0, 1, 4}, {5, 6, 0}};
+  CHECK(determinante(v) == 1);
+  CHECK(determinante({v.b, v.c, v.a}) == 1);
+  CHECK(determinante({v.b, v.a, v.c}) == -1);
+}
