@@ -1,0 +1,45 @@
+#pragma once
+/// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n). No tolerance
+/// decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or not at
+/// all.
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "durero/number/rational.hpp"
+
+namespace durero::mesh {
+
+/// The numbers of the three vertices of a face, in the order in which they are walked.
+using FaceCorners = std::array<std::uint32_t, 3>;
+/// The numbers of the two ends of an edge.
+using EdgeEnds = std::array<std::uint32_t, 2>;
+
+/// A vertex that lies between the ends of an edge.
+struct TJunction {
+  std::uint32_t vertex;  ///< its number
+  EdgeEnds edge;         ///< the lesser number first
+  auto operator<=>(const TJunction&) const = default;
+};
+
+/// What is found, each list in ascending order. The names of the text are those of model/auditoria.hpp.
+struct MeshAudit {
+  std::vector<EdgeEnds> open;             ///< edges of one face, the lesser number first (abiertas)
+  std::vector<EdgeEnds> multiple;         ///< edges of more than two faces, likewise (multiples)
+  std::vector<EdgeEnds> discordant;       ///< edges that two faces walk this way (discordes)
+  std::vector<std::uint32_t> repeated;    ///< faces that have the vertices of one before (repetidas)
+  std::vector<std::uint32_t> degenerate;  ///< faces whose points lie on one line (degeneradas)
+  std::vector<TJunction> t_junctions;     ///< vertices between the ends of an edge (uniones_en_t)
+  /// For each face the least face that is joined to it by shared vertices: one number a piece (piezas).
+  std::vector<std::uint32_t> piece_of;
+  number::Rational volume;  ///< exact; what the faces enclose where they are closed (volumen)
+};
+
+/// The audit. Precondition: the vertices are finite, and each corner of a face is the number of one of them; throws
+/// std::out_of_range otherwise.
+MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const FaceCorners> faces);
+
+}  // namespace durero::mesh

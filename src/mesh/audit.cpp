@@ -1,0 +1,171 @@
+#include "durero/mesh/audit.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <numeric>
+#include <ranges>
+#include <stdexcept>
+
+#include "orientation.hpp"
+#include "vertex_tree.hpp"
+
+namespace durero::mesh {
+namespace {
+
+using Vertices = std::span<const glm::dvec3>;
+using Faces = std::span<const FaceCorners>;
+
+/// An edge as one face walks it.
+struct EdgeWalk {
+  EdgeEnds ends;       // the lesser number first
+  bool backwards;      // from the greater number to the lesser
+  std::uint32_t face;  // its number
+  auto operator<=>(const EdgeWalk&) const = default;
+};
+
+void require_vertices(std::size_t count, Faces faces) {
+  for (const FaceCorners& face : faces)
+    for (const std::uint32_t corner : face)
+      if (corner >= count) throw std::out_of_range("a face names a vertex that there is not");
+}
+
+/// The walks of all faces, each once a face, sorted. An edge from a vertex to itself is none.
+std::vector<EdgeWalk> walks_of(Faces faces) {
+  std::vector<EdgeWalk> walks;
+  walks.reserve(3 * faces.size());
+  for (std::uint32_t n = 0; n < faces.size(); ++n)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t from = faces[n][corner], to = faces[n][(corner + 1) % 3];
+      if (from != to) walks.push_back({{std::min(from, to), std::max(from, to)}, from > to, n});
+    }
+  std::ranges::sort(walks);
+  return walks;
+}
+
+std::size_t count_faces(std::span<const EdgeWalk> walks) {
+  std::vector<std::uint32_t> faces;
+  for (const EdgeWalk& walk : walks) faces.push_back(walk.face);
+  std::ranges::sort(faces);
+  return faces.size() - std::ranges::unique(faces).size();
+}
+
+/// Judges the walks of one edge.
+void judge_edge(std::span<const EdgeWalk> walks, MeshAudit& audit) {
+  const EdgeEnds ends = walks.front().ends;
+  const std::size_t faces = count_faces(walks);
+  if (faces == 1) audit.open.push_back(ends);
+  if (faces > 2) audit.multiple.push_back(ends);
+  const auto back = std::ranges::count(walks, true, &EdgeWalk::backwards);
+  if (std::ssize(walks) - back > 1) audit.discordant.push_back(ends);
+  if (back > 1) audit.discordant.push_back({ends[1], ends[0]});
+}
+
+/// Judges each edge, and leaves one walk of each.
+void judge_edges(std::vector<EdgeWalk>& walks, MeshAudit& audit) {
+  for (auto begin = walks.begin(); begin != walks.end();) {
+    const auto end = std::find_if(begin, walks.end(), [&](const EdgeWalk& walk) { return walk.ends != begin->ends; });
+    judge_edge({begin, end}, audit);
+    begin = end;
+  }
+  std::ranges::sort(audit.discordant);
+  walks.erase(
+      std::unique(walks.begin(), walks.end(), [](const EdgeWalk& a, const EdgeWalk& b) { return a.ends == b.ends; }),
+      walks.end());
+}
+
+/// The vertices of a face as a set: sorted, and one that stands twice is told apart from two others.
+FaceCorners as_set(FaceCorners corners) {
+  std::ranges::sort(corners);
+  if (corners[0] == corners[1]) corners[1] = corners[2];
+  return corners;
+}
+
+std::vector<std::uint32_t> repeated_faces(Faces faces) {
+  std::vector<std::pair<FaceCorners, std::uint32_t>> sets;
+  sets.reserve(faces.size());
+  for (std::uint32_t n = 0; n < faces.size(); ++n) sets.emplace_back(as_set(faces[n]), n);
+  std::ranges::sort(sets);
+  std::vector<std::uint32_t> found;
+  for (std::size_t i = 1; i < sets.size(); ++i)
+    if (sets[i].first == sets[i - 1].first) found.push_back(sets[i].second);
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<std::uint32_t> used_vertices(Faces faces) {
+  std::vector<std::uint32_t> used;
+  used.reserve(3 * faces.size());
+  for (const FaceCorners& face : faces) used.insert(used.end(), face.begin(), face.end());
+  std::ranges::sort(used);
+  used.erase(std::ranges::unique(used).begin(), used.end());
+  return used;
+}
+
+std::vector<TJunction> t_junctions(Vertices vertices, Faces faces, const std::vector<EdgeWalk>& edges) {
+  const VertexTree tree(vertices, used_vertices(faces));
+  std::vector<TJunction> found;
+  for (const EdgeWalk& edge : edges) {
+    const glm::dvec3 &a = vertices[edge.ends[0]], &b = vertices[edge.ends[1]];
+    tree.in_box(glm::min(a, b), glm::max(a, b), [&](std::uint32_t v) {
+      if (v != edge.ends[0] && v != edge.ends[1] && lies_between(vertices[v], a, b)) found.push_back({v, edge.ends});
+    });
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+/// Sets that are joined two at a time, each known by its least member.
+class JoinedSets {
+ public:
+  explicit JoinedSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
+
+  std::uint32_t least(std::uint32_t n) {
+    while (parents_[n] != n) n = parents_[n] = parents_[parents_[n]];
+    return n;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = least(a), b = least(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+std::vector<std::uint32_t> pieces(std::size_t vertex_count, Faces faces) {
+  constexpr std::uint32_t none = ~0U;
+  std::vector<std::uint32_t> first(vertex_count, none);  // the first face of each vertex
+  JoinedSets sets(faces.size());
+  for (std::uint32_t n = 0; n < faces.size(); ++n)
+    for (const std::uint32_t corner : faces[n]) {
+      if (first[corner] == none) first[corner] = n;
+      sets.join(first[corner], n);
+    }
+  std::vector<std::uint32_t> piece_of(faces.size());
+  for (std::uint32_t n = 0; n < faces.size(); ++n) piece_of[n] = sets.least(n);
+  return piece_of;
+}
+
+void judge_face(Vertices vertices, Faces faces, std::uint32_t n, MeshAudit& audit, number::Dyadic& sum) {
+  const glm::dvec3 &a = vertices[faces[n][0]], &b = vertices[faces[n][1]], &c = vertices[faces[n][2]];
+  if (are_collinear(a, b, c)) audit.degenerate.push_back(n);
+  sum += determinant(a, b, c);
+}
+
+}  // namespace
+
+MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const FaceCorners> faces) {
+  require_vertices(vertices.size(), faces);
+  MeshAudit audit;
+  std::vector<EdgeWalk> walks = walks_of(faces);
+  judge_edges(walks, audit);
+  audit.repeated = repeated_faces(faces);
+  number::Dyadic sum;
+  for (std::uint32_t n = 0; n < faces.size(); ++n) judge_face(vertices, faces, n, audit, sum);
+  audit.t_junctions = t_junctions(vertices, faces, walks);
+  audit.piece_of = pieces(vertices.size(), faces);
+  audit.volume = sum.rational() / 6;
+  return audit;
+}
+
+}  // namespace durero::mesh
