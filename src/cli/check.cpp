@@ -1,5 +1,5 @@
 // durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it
-// stands for.
+// stands for. durero check --mesh FILE: audits the triangles of a file as one mesh.
 #include <unistd.h>
 
 #include <memory>
@@ -9,8 +9,13 @@
 #include "colour.hpp"
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/file_name.hpp"
+#include "durero/io/formats.hpp"
 #include "durero/io/json/scene_check.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/mesh/mesh_check.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/text/shown.hpp"
 #include "durero/written/engine.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -20,8 +25,28 @@ namespace {
 
 struct CheckOptions {
   std::string scene, with, format = "text";
-  bool quiet = false;
+  bool mesh = false, quiet = false;
 };
+
+/// What a file holds, by its name: a scene, or a mesh of another format.
+io::Imported imported(const std::string& path) {
+  if (path == "-" || io::ends_in(path, ".json")) return {io::read_scene(io::read_source(path)), {}};
+  const io::Format& format = io::format_to_read(path);
+  return format.read(format.has_lines ? io::read_lines(path) : io::read_source(path));
+}
+
+/// Runs the audit. What the reader leaves out, such as triangles without area, it says itself.
+int run_mesh(const CheckOptions& options) {
+  if (options.format == "sarif") throw CLI::ValidationError("--format", "--mesh is printed as text or json");
+  std::optional<Progress> progress(std::in_place, options.quiet, "check");
+  const io::Imported found = imported(options.scene);
+  const io::MeshCheck check = io::check_mesh(options.scene, found.scene);
+  progress.reset();
+  io::print(options.format == "json" ? mesh_check_json(check) : mesh_check_text(check));
+  for (const std::string& line : found.lost)
+    io::complain("durero: " + text::escaped(options.scene) + ": " + line + "\n");
+  return check.findings.empty() ? 0 : 1;
+}
 
 /// Checks the scene by a Z text, which must define the points of each element.
 io::SceneCheck checked(const CheckOptions& options) {
@@ -34,6 +59,7 @@ io::SceneCheck checked(const CheckOptions& options) {
 /// Runs the check. A file with an error is refused whatever the format. For programs, all its faults are printed
 /// before.
 int run(const CheckOptions& options) {
+  if (options.mesh) return run_mesh(options);
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
   const io::SceneCheck check = checked(options);
   progress.reset();
@@ -47,19 +73,22 @@ int run(const CheckOptions& options) {
 }  // namespace
 
 void add_check(CLI::App& app, int& status) {
-  auto* command = app.add_subcommand("check", "Read a scene and evaluate every invariant");
+  auto* command = app.add_subcommand("check", "Read a scene and evaluate every invariant, or audit a mesh");
   const auto options = std::make_shared<CheckOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON); - is the standard input")->required();
   command->add_option("--format", options->format, "How the answer is printed; sarif is SARIF 2.1.0")
       ->check(one_of("format", {"text", "json", "sarif"}))
       ->capture_default_str();
-  command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO");
+  auto* const with =
+      command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO");
+  command->add_flag("--mesh", options->mesh, "Audit the triangles of a scene, an OBJ or a PLY file as one mesh")
+      ->excludes(with);
   add_quiet(*command, options->quiet);
   command->footer(
       "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"
       "place; the first is the error on stderr. --with asks the text besides what the points of each element are.\n\n" +
-      exit_status("every invariant holds", "one does not", "the call or the file is bad") +
-      examples({"check demo/still-life.json", "check demo/still-life.json --format json"}));
+      exit_status("every invariant holds, or the mesh has no fault", "otherwise", "the call or the file is bad") +
+      examples({"check demo/still-life.json", "check demo/still-life.json --format json", "check --mesh bunny.ply"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -13,7 +13,7 @@ namespace durero::mesh {
 namespace {
 
 using Vertices = std::span<const glm::dvec3>;
-using Faces = std::span<const FaceCorners>;
+using Faces = std::span<const CornerNumbers>;
 
 /// An edge as one face walks it.
 struct EdgeWalk {
@@ -24,7 +24,7 @@ struct EdgeWalk {
 };
 
 void require_vertices(std::size_t count, Faces faces) {
-  for (const FaceCorners& face : faces)
+  for (const CornerNumbers& face : faces)
     for (const std::uint32_t corner : face)
       if (corner >= count) throw std::out_of_range("a face names a vertex that there is not");
 }
@@ -74,14 +74,14 @@ void judge_edges(std::vector<EdgeWalk>& walks, MeshAudit& audit) {
 }
 
 /// The vertices of a face as a set: sorted, and one that stands twice is told apart from two others.
-FaceCorners as_set(FaceCorners corners) {
+CornerNumbers as_set(CornerNumbers corners) {
   std::ranges::sort(corners);
   if (corners[0] == corners[1]) corners[1] = corners[2];
   return corners;
 }
 
 std::vector<std::uint32_t> repeated_faces(Faces faces) {
-  std::vector<std::pair<FaceCorners, std::uint32_t>> sets;
+  std::vector<std::pair<CornerNumbers, std::uint32_t>> sets;
   sets.reserve(faces.size());
   for (std::uint32_t n = 0; n < faces.size(); ++n) sets.emplace_back(as_set(faces[n]), n);
   std::ranges::sort(sets);
@@ -95,7 +95,7 @@ std::vector<std::uint32_t> repeated_faces(Faces faces) {
 std::vector<std::uint32_t> used_vertices(Faces faces) {
   std::vector<std::uint32_t> used;
   used.reserve(3 * faces.size());
-  for (const FaceCorners& face : faces) used.insert(used.end(), face.begin(), face.end());
+  for (const CornerNumbers& face : faces) used.insert(used.end(), face.begin(), face.end());
   std::ranges::sort(used);
   used.erase(std::ranges::unique(used).begin(), used.end());
   return used;
@@ -154,7 +154,7 @@ void judge_face(Vertices vertices, Faces faces, std::uint32_t n, MeshAudit& audi
 
 }  // namespace
 
-MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const FaceCorners> faces) {
+MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const CornerNumbers> faces) {
   require_vertices(vertices.size(), faces);
   MeshAudit audit;
   std::vector<EdgeWalk> walks = walks_of(faces);

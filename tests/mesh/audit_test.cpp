@@ -43,7 +43,7 @@ std::set<std::set<model::Ordinal>> as_pieces(const std::vector<std::uint32_t>& p
 MeshAudit audited(const model::Red& red) {
   std::vector<glm::dvec3> vertices;
   for (const auto& [n, p] : red.puntos()) vertices.emplace_back(p.x(), p.y(), p.z());
-  std::vector<FaceCorners> faces;
+  std::vector<CornerNumbers> faces;
   for (const auto& [n, c] : red.caras()) faces.push_back({c.i, c.j, c.k});
   return mesh::audited(vertices, faces);
 }
@@ -79,7 +79,7 @@ TEST_CASE("the audit of any mesh is that of the text") {
 }
 
 TEST_CASE("a vertex beside an edge by one unit in the last place is no T-junction") {
-  const std::vector<FaceCorners> faces{{0, 1, 2}, {3, 4, 2}};
+  const std::vector<CornerNumbers> faces{{0, 1, 2}, {3, 4, 2}};
   const auto junctions = [&](double y) {
     const std::vector<glm::dvec3> vertices{{0, 0, 0}, {3, 3, 0}, {0, 0, 1}, {1, y, 0}, {1, 5, 0}};
     return mesh::audited(vertices, faces).t_junctions;
@@ -92,7 +92,7 @@ TEST_CASE("a vertex beside an edge by one unit in the last place is no T-junctio
 TEST_CASE("what is far or small is audited as the rest") {
   for (const double scale : {0x1p-1000, 0x1p+1000}) {
     const std::vector<glm::dvec3> vertices{{0, 0, 0}, {2 * scale, 0, 0}, {0, scale, 0}, {scale, 0, 0}, {0, 0, scale}};
-    const std::vector<FaceCorners> faces{{0, 1, 2}, {0, 1, 3}, {3, 4, 2}};
+    const std::vector<CornerNumbers> faces{{0, 1, 2}, {0, 1, 3}, {3, 4, 2}};
     const MeshAudit audit = mesh::audited(vertices, faces);
     CHECK(audit.degenerate == std::vector<std::uint32_t>{1});
     CHECK(audit.t_junctions == std::vector<TJunction>{{3, {0, 1}}});
@@ -101,6 +101,6 @@ TEST_CASE("what is far or small is audited as the rest") {
 
 TEST_CASE("a corner that is no vertex is refused") {
   const std::vector<glm::dvec3> vertices(3);
-  const std::vector<FaceCorners> faces{{0, 1, 3}};
+  const std::vector<CornerNumbers> faces{{0, 1, 3}};
   CHECK_THROWS_AS(mesh::audited(vertices, faces), std::out_of_range);
 }

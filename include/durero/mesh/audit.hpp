@@ -14,7 +14,7 @@
 namespace durero::mesh {
 
 /// The numbers of the three vertices of a face, in the order in which they are walked.
-using FaceCorners = std::array<std::uint32_t, 3>;
+using CornerNumbers = std::array<std::uint32_t, 3>;
 /// The numbers of the two ends of an edge.
 using EdgeEnds = std::array<std::uint32_t, 2>;
 
@@ -40,6 +40,6 @@ struct MeshAudit {
 
 /// The audit. Precondition: the vertices are finite, and each corner of a face is the number of one of them; throws
 /// std::out_of_range otherwise.
-MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const FaceCorners> faces);
+MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const CornerNumbers> faces);
 
 }  // namespace durero::mesh

@@ -1,0 +1,53 @@
+#pragma once
+/// The audit of the triangles of a file, as lines and as JSON: what is found, where, and what mends it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "durero/io/json/format_version.hpp"
+#include "durero/mesh/audit.hpp"
+#include "durero/scene/scene.hpp"
+
+namespace durero::io {
+
+/// What the text of mesh_check_json() says of itself.
+inline constexpr json::FormatVersion mesh_check_format{"durero-mesh-check", 1};
+
+/// The triangles of a scene as one mesh: points that are the same are one vertex.
+struct SceneMesh {
+  std::vector<glm::dvec3> vertices;        ///< in the order in which triangles have them
+  std::vector<mesh::CornerNumbers> faces;  ///< in the order of the scene
+  std::vector<std::string> names;          ///< of the faces
+};
+
+/// The triangles of a scene. Elements of other types are passed over.
+SceneMesh mesh_of(const scene::Scene& scene);
+
+/// Something wrong with a mesh.
+struct MeshDefect {
+  std::string kind;                 ///< the name of the text: `abiertas`, …
+  std::vector<std::string> faces;   ///< the triangles that have it
+  std::vector<glm::dvec3> places;   ///< the points of it: a vertex, the ends of an edge, the corners of a face
+  std::string message;              ///< what is wrong, in words
+  std::vector<std::string> mended;  ///< operations that mend it; none where none is known
+};
+
+/// What is found of the triangles of a file.
+struct MeshCheck {
+  std::string file;                   ///< its name
+  std::size_t faces, vertices;        ///< how many there are
+  std::size_t pieces;                 ///< how many there are that share no vertex
+  std::optional<std::string> volume;  ///< a fraction; nothing where the mesh is not closed, or its faces disagree
+  std::vector<MeshDefect> findings;   ///< by kinds, in the order of the text
+};
+
+/// Audits the triangles of a scene that a file gave.
+MeshCheck check_mesh(const std::string& file, const scene::Scene& scene);
+
+/// A line for the mesh and one for each finding.
+std::string mesh_check_text(const MeshCheck& check);
+/// One JSON object that says the same. Ends its line.
+std::string mesh_check_json(const MeshCheck& check);
+
+}  // namespace durero::io

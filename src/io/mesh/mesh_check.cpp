@@ -1,0 +1,220 @@
+#include "durero/io/mesh/mesh_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "durero/io/json/json_writer.hpp"
+#include "durero/io/number_text.hpp"
+#include "durero/text/shown.hpp"
+
+namespace durero::io {
+namespace {
+
+using mesh::CornerNumbers;
+using mesh::EdgeEnds;
+
+struct PointHash {
+  std::size_t operator()(const glm::dvec3& p) const noexcept {
+    std::size_t hash = 0;
+    for (const double x : {p.x, p.y, p.z}) hash = hash * 0x9e3779b97f4a7c15U + std::hash<double>{}(x);
+    return hash;
+  }
+};
+
+/// The faces of each vertex.
+std::vector<std::vector<std::uint32_t>> faces_of_vertices(const SceneMesh& mesh) {
+  std::vector<std::vector<std::uint32_t>> faces(mesh.vertices.size());
+  for (std::uint32_t n = 0; n < mesh.faces.size(); ++n)
+    for (const std::uint32_t corner : mesh.faces[n]) faces[corner].push_back(n);
+  return faces;
+}
+
+bool walks(const CornerNumbers& face, std::uint32_t from, std::uint32_t to) {
+  return (face[0] == from && face[1] == to) || (face[1] == from && face[2] == to) || (face[2] == from && face[0] == to);
+}
+
+std::string point_text(const glm::dvec3& p) {
+  return fmt::format("({},{},{})", number_text(p.x), number_text(p.y), number_text(p.z));
+}
+
+/// Writes the findings of one mesh.
+class MeshFindings {
+ public:
+  MeshFindings(const SceneMesh& mesh, std::vector<MeshDefect>& out)
+      : mesh_(mesh), faces_(faces_of_vertices(mesh)), out_(out) {}
+
+  void add(const mesh::MeshAudit& audit) {
+    for (const EdgeEnds& edge : audit.open) add_edge("abiertas", edge, "one face alone has this edge");
+    for (const EdgeEnds& edge : audit.multiple) add_edge("multiples", edge, "more than two faces have this edge");
+    for (const EdgeEnds& edge : audit.discordant) add_discordant(edge);
+    for (const std::uint32_t face : audit.repeated) add_repeated(face);
+    for (const mesh::TJunction& junction : audit.t_junctions) add_junction(junction);
+  }
+
+ private:
+  std::vector<std::uint32_t> faces_with(const EdgeEnds& edge, bool both_ways) const {
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t n : faces_[edge[0]])
+      if (walks(mesh_.faces[n], edge[0], edge[1]) || (both_ways && walks(mesh_.faces[n], edge[1], edge[0])))
+        found.push_back(n);
+    return found;
+  }
+
+  std::vector<std::string> names(const std::vector<std::uint32_t>& faces) const {
+    std::vector<std::string> all;
+    for (const std::uint32_t n : faces) all.push_back(mesh_.names[n]);
+    return all;
+  }
+
+  std::string removal(std::uint32_t n) const { return "Eliminar_Triangulo e?=" + mesh_.names[n]; }
+  std::string addition(const std::string& name, const CornerNumbers& corners) const {
+    return fmt::format("Agregar_Triangulo e?={} vertices?=({},{},{})", name, point_text(mesh_.vertices[corners[0]]),
+                       point_text(mesh_.vertices[corners[1]]), point_text(mesh_.vertices[corners[2]]));
+  }
+
+  void add_edge(const char* kind, const EdgeEnds& edge, const char* message) {
+    out_.push_back({kind, names(faces_with(edge, true)), ends(edge), message, {}});
+  }
+
+  /// The last of the faces is turned over.
+  void add_discordant(const EdgeEnds& edge) {
+    const std::vector<std::uint32_t> faces = faces_with(edge, false);
+    const auto [i, j, k] = mesh_.faces[faces.back()];
+    out_.push_back({"discordes",
+                    names(faces),
+                    ends(edge),
+                    "these faces walk this edge the same way",
+                    {removal(faces.back()), addition(mesh_.names[faces.back()], {j, i, k})}});
+  }
+
+  void add_repeated(std::uint32_t n) {
+    std::vector<glm::dvec3> corners;
+    for (const std::uint32_t corner : mesh_.faces[n]) corners.push_back(mesh_.vertices[corner]);
+    out_.push_back({"repetidas", names({n}), corners, "a face before has the same vertices", {removal(n)}});
+  }
+
+  /// Each face that has the edge is cut in two at the vertex; the second part has a name of its own. A face that would
+  /// have no area left is none: its vertices are not on one line.
+  void add_junction(const mesh::TJunction& junction) {
+    const std::vector<std::uint32_t> faces = faces_with(junction.edge, true);
+    MeshDefect defect{"uniones_en_t",
+                      names(faces),
+                      {mesh_.vertices[junction.vertex]},
+                      "a vertex of other faces lies within this edge",
+                      {}};
+    for (const glm::dvec3& end : ends(junction.edge)) defect.places.push_back(end);
+    for (const std::uint32_t n : faces) {
+      CornerNumbers first = mesh_.faces[n], second = first;
+      std::ranges::replace(first, junction.edge[0], junction.vertex);
+      std::ranges::replace(second, junction.edge[1], junction.vertex);
+      defect.mended.push_back(removal(n));
+      defect.mended.push_back(addition(mesh_.names[n], first));
+      defect.mended.push_back(addition(unused_name(mesh_.names[n]), second));
+    }
+    out_.push_back(std::move(defect));
+  }
+
+  std::string unused_name(const std::string& name) {
+    if (used_.empty()) used_.insert(mesh_.names.begin(), mesh_.names.end());
+    for (std::size_t n = 2;; ++n)
+      if (std::string made = fmt::format("{}.{}", name, n); used_.insert(made).second) return made;
+  }
+
+  std::vector<glm::dvec3> ends(const EdgeEnds& edge) const {
+    return {mesh_.vertices[edge[0]], mesh_.vertices[edge[1]]};
+  }
+
+  const SceneMesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> faces_;
+  std::set<std::string> used_;
+  std::vector<MeshDefect>& out_;
+};
+
+template <class Values, class Text>
+std::string listed(const Values& values, const char* between, const Text& text) {
+  std::string all;
+  for (const auto& value : values) all += (all.empty() ? "" : between) + text(value);
+  return all;
+}
+
+std::string line_of(const MeshDefect& defect) {
+  const auto same = [](const std::string& text) { return text; };
+  std::string line = fmt::format("{}: {}: {}: {}", defect.kind, listed(defect.faces, ", ", same),
+                                 listed(defect.places, " ", point_text), defect.message);
+  if (!defect.mended.empty()) line += "; mended by " + listed(defect.mended, ", then ", same);
+  return line + '\n';
+}
+
+void write_texts(json::Writer& out, std::string_view name, const std::vector<std::string>& texts) {
+  out.key(name).begin_array();
+  for (const std::string& text : texts) out.value(text);
+  out.end_array();
+}
+
+void write_defect(json::Writer& out, const MeshDefect& defect) {
+  out.new_line().begin_object().member("kind", defect.kind);
+  write_texts(out, "faces", defect.faces);
+  out.key("places").begin_array();
+  for (const glm::dvec3& place : defect.places) out.value(place);
+  out.end_array().member("message", defect.message);
+  write_texts(out, "mended", defect.mended);
+  out.end_object();
+}
+
+}  // namespace
+
+SceneMesh mesh_of(const scene::Scene& scene) {
+  SceneMesh mesh;
+  std::unordered_map<glm::dvec3, std::uint32_t, PointHash> numbers;
+  const std::span<const scene::Triangle> triangles = scene.shapes<scene::Triangle>();
+  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
+    CornerNumbers face{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 p = triangles[n].vertices[corner] + 0.0;  // so that −0 is the 0 that it equals
+      const auto [at, fresh] = numbers.try_emplace(p, static_cast<std::uint32_t>(mesh.vertices.size()));
+      if (fresh) mesh.vertices.push_back(p);
+      face[corner] = at->second;
+    }
+    mesh.faces.push_back(face);
+    mesh.names.push_back(scene.name({scene::Triangle::tipo, n}).name());
+  }
+  return mesh;
+}
+
+MeshCheck check_mesh(const std::string& file, const scene::Scene& scene) {
+  const SceneMesh mesh = mesh_of(scene);
+  mesh::MeshAudit audit = mesh::audited(mesh.vertices, mesh.faces);
+  MeshCheck check{file, mesh.faces.size(), mesh.vertices.size(), 0, std::nullopt, {}};
+  MeshFindings(mesh, check.findings).add(audit);
+  if (audit.open.empty() && audit.discordant.empty()) check.volume = audit.volume.str();
+  std::ranges::sort(audit.piece_of);
+  check.pieces = audit.piece_of.size() - std::ranges::unique(audit.piece_of).size();
+  return check;
+}
+
+std::string mesh_check_text(const MeshCheck& check) {
+  std::string text =
+      fmt::format("{}: {} triangles, {} vertices, {} pieces, volume {}\n", text::escaped(check.file), check.faces,
+                  check.vertices, check.pieces, check.volume.value_or("none, as they bound none"));
+  for (const MeshDefect& defect : check.findings) text += line_of(defect);
+  return text;
+}
+
+std::string mesh_check_json(const MeshCheck& check) {
+  std::string text;
+  json::Writer out(text);
+  write_version(out.begin_object(), mesh_check_format);
+  out.member("file", text::escaped(check.file)).member("ok", check.findings.empty());
+  out.member("triangles", std::uint64_t{check.faces}).member("vertices", std::uint64_t{check.vertices});
+  out.member("pieces", std::uint64_t{check.pieces});
+  if (check.volume) out.member("volume", *check.volume);
+  out.key("findings").begin_array();
+  for (const MeshDefect& defect : check.findings) write_defect(out, defect);
+  out.end_array().end_object();
+  return text + '\n';
+}
+
+}  // namespace durero::io

@@ -1,0 +1,70 @@
+#include "durero/io/mesh/mesh_check.hpp"
+
+#include "durero/scene/edit.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using namespace durero::io;
+
+namespace {
+
+constexpr glm::dvec3 o(0, 0, 0), x(2, 0, 0), y(0, 2, 0), z(0, 0, 2), half(1, 0, 0);
+
+scene::Scene scene_of(const std::vector<scene::Triangle>& triangles) {
+  scene::Scene scene;
+  int n = 0;
+  for (const scene::Triangle& each : triangles) {
+    const std::string name(1, static_cast<char>('a' + n++));
+    REQUIRE(scene.add(model::Elemento(name), each).ok());
+  }
+  return scene;
+}
+
+std::vector<std::string> kinds(const std::vector<scene::Triangle>& triangles) {
+  std::vector<std::string> all;
+  for (const MeshDefect& each : check_mesh("m", scene_of(triangles)).findings) all.push_back(each.kind);
+  return all;
+}
+
+const scene::Triangle base{{o, y, x}}, front{{o, x, z}}, slope{{x, y, z}}, side{{o, z, y}};
+
+}  // namespace
+
+TEST_CASE("points that are the same are one vertex, the two zeros too") {
+  const SceneMesh mesh = mesh_of(scene_of({base, {{glm::dvec3(-0.0, 0, -0.0), x, z}}}));
+  CHECK(mesh.vertices == std::vector<glm::dvec3>{o, y, x, z});
+  CHECK(mesh.faces == std::vector<mesh::CornerNumbers>{{0, 1, 2}, {0, 2, 3}});
+  CHECK(mesh.names == std::vector<std::string>{"a", "b"});
+}
+
+TEST_CASE("a closed mesh has no finding, and an exact volume") {
+  const MeshCheck check = check_mesh("m", scene_of({base, front, slope, side}));
+  CHECK(mesh_check_text(check) == "m: 4 triangles, 4 vertices, 1 pieces, volume 4/3\n");
+  CHECK(mesh_check_json(check) ==
+        "{\"format\":\"durero-mesh-check\",\"version\":1,\"file\":\"m\",\"ok\":true,\"triangles\":4,\"vertices\":4,"
+        "\"pieces\":1,\"volume\":\"4/3\",\"findings\":[]}\n");
+}
+
+TEST_CASE("each planted fault is found, with its faces and what mends it") {
+  CHECK(kinds({base, front, slope}) == std::vector<std::string>{"abiertas", "abiertas", "abiertas"});
+  const auto of = [](const std::vector<scene::Triangle>& triangles, const std::string& kind) {
+    for (const MeshDefect& each : check_mesh("m", scene_of(triangles)).findings)
+      if (each.kind == kind) return each;
+    FAIL("no " + kind);
+    throw 0;
+  };
+  const MeshDefect turned = of({base, front, slope, {{z, o, y}}}, "discordes");
+  CHECK(turned.faces == std::vector<std::string>{"a", "d"});
+  CHECK(turned.mended == std::vector<std::string>{"Eliminar_Triangulo e?=d",
+                                                  "Agregar_Triangulo e?=d vertices?=((0,0,0),(0,0,2),(0,2,0))"});
+  const MeshDefect twice = of({base, front, slope, side, {{z, y, o}}}, "repetidas");
+  CHECK(twice.faces == std::vector<std::string>{"e"});
+  CHECK(twice.mended == std::vector<std::string>{"Eliminar_Triangulo e?=e"});
+  CHECK(of({base, front, slope, side, {{z, y, o}}}, "multiples").faces == std::vector<std::string>{"a", "d", "e"});
+  const MeshDefect junction = of({base, {{o, half, z}}, {{half, x, z}}, slope, side}, "uniones_en_t");
+  CHECK(junction.faces == std::vector<std::string>{"a"});
+  CHECK(junction.places == std::vector<glm::dvec3>{half, o, x});
+  CHECK(junction.mended == std::vector<std::string>{"Eliminar_Triangulo e?=a",
+                                                    "Agregar_Triangulo e?=a vertices?=((1,0,0),(0,2,0),(2,0,0))",
+                                                    "Agregar_Triangulo e?=a.2 vertices?=((0,0,0),(0,2,0),(1,0,0))"});
+}
