@@ -89,6 +89,18 @@ TEST_CASE("a vertex beside an edge by one unit in the last place is no T-junctio
   CHECK(junctions(1 - 0x1p-53).empty());
 }
 
+TEST_CASE("every vertex on an edge is found, where many have one coordinate") {
+  std::vector<glm::dvec3> vertices{{0, 0, 0}, {0, 9, 0}, {20, 0, 0}};
+  std::vector<CornerNumbers> faces{{0, 1, 2}};
+  std::vector<TJunction> expected;
+  for (std::uint32_t n = 3; n < 11; ++n) {
+    vertices.emplace_back(0, n - 2.0, 0);
+    faces.push_back({n, n, 2});
+    expected.push_back({n, {0, 1}});
+  }
+  CHECK(mesh::audited(vertices, faces).t_junctions == expected);
+}
+
 TEST_CASE("what is far or small is audited as the rest") {
   for (const double scale : {0x1p-1000, 0x1p+1000}) {
     const std::vector<glm::dvec3> vertices{{0, 0, 0}, {2 * scale, 0, 0}, {0, scale, 0}, {scale, 0, 0}, {0, 0, scale}};
