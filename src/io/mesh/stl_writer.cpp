@@ -17,7 +17,7 @@ glm::dvec3 facet_normal(const scene::Triangle& triangle) {
   return std::isfinite(normal.x + normal.y + normal.z) ? normal + 0.0 : glm::dvec3(0);  // -0 becomes 0
 }
 
-std::string text(const glm::dvec3& x) { return fmt::format("{} {} {}", x.x, x.y, x.z); }
+std::string triple_text(const glm::dvec3& x) { return fmt::format("{} {} {}", x.x, x.y, x.z); }
 
 std::string solid_line(std::string_view word, std::string_view name) {
   return name.empty() ? fmt::format("{}\n", word) : fmt::format("{} {}\n", word, name);
@@ -33,8 +33,8 @@ Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
     const auto& [element, group] = triangles[i];
     if (i == 0 || triangles[i - 1].group != group) out.text += solid_line("solid", group);
     const scene::Triangle& triangle = scene.shapes<scene::Triangle>()[element.index];
-    out.text += fmt::format("facet normal {}\nouter loop\n", text(facet_normal(triangle)));
-    for (const glm::dvec3& vertex : triangle.vertices) out.text += fmt::format("vertex {}\n", text(vertex));
+    out.text += fmt::format("facet normal {}\nouter loop\n", triple_text(facet_normal(triangle)));
+    for (const glm::dvec3& vertex : triangle.vertices) out.text += fmt::format("vertex {}\n", triple_text(vertex));
     out.text += "endloop\nendfacet\n";
     if (i + 1 == triangles.size() || triangles[i + 1].group != group) out.text += solid_line("endsolid", group);
     smooth += scene.vertex_normals(element) != nullptr;
