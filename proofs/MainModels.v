@@ -7,7 +7,7 @@ From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims Beside Watertight
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims Beside Watertight Auditoria
   Instancias Solidos.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -418,6 +418,15 @@ Proof.
   exact (conj Watertight.an_edge_turns_one_way (conj Watertight.three_signs_decide (conj Watertight.no_line_passes_between
     Watertight.what_meets_the_edge_meets_both))).
 Qed.
+
+(** The audit of a mesh: a face that is turned over walks its edges the other way, and its determinant changes the sign; from
+    whichever corner it is walked, the determinant is the same. *)
+Theorem a_face_turned_over_is_audited_as_such :
+  (forall c i j, Auditoria.aristas (Auditoria.turned_over c) (i, j) <-> Auditoria.aristas c (j, i))
+  /\ (forall a b c : Punto,
+       Auditoria.determinante (mk_Terna b c a) = Auditoria.determinante (mk_Terna a b c)
+       /\ Auditoria.determinante (mk_Terna b a c) = - Auditoria.determinante (mk_Terna a b c)).
+Proof. exact (conj Auditoria.turned_over_walks_back Auditoria.determinant_alternates). Qed.
 
 (** * Copies and solids *)
 
