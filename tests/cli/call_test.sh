@@ -103,9 +103,9 @@ same out once
 
 refused 'nowhere.json: cannot be read: No such file or directory' check nowhere.json
 refused '.: cannot be read: Is a directory' check .
-refused 'scene.obj: a format that is not known by this name' export scene.json -o scene.obj
-refused 'scene.stl: a format that is not known by this name' import scene.stl -o out.json
-absent scene.obj
+refused 'scene.step: a format that is not known by this name' export scene.json -o scene.step
+refused 'scene.step: a format that is not known by this name' import scene.step -o out.json
+absent scene.step
 
 # Whatever the bytes of an argument, of a file's name or of a file: a terminal prints the message and does not obey it.
 escape=$(printf '\033[2J\233\n.')
