@@ -13,7 +13,7 @@ f 2 3 4
 f 1 3 4
 OBJ
 run 1 check --mesh tent.obj
-has out 'tent.obj: 5 triangles, 5 vertices, 1 pieces, volume none'
+has out 'tent.obj: 5 triangles, 5 vertices, 1 piece, volume none'
 has out 'discordes: '
 has out 'uniones_en_t: tent.obj:1: (1,0,0) (0,0,0) (2,0,0): '
 run 0 import tent.obj -o tent.json
@@ -21,7 +21,7 @@ run 1 check --mesh tent.json --format json
 grep -o '"mended":\["[^]]*' out | sed 's/"mended":\["//; s/","/\n/g; s/"$//' | awk '/e\?=tent.obj:5/ && seen[$0]++ { next } 1' >mend
 run 0 edit tent.json --script mend -o mended.json
 run 0 check --mesh mended.json
-has out 'mended.json: 6 triangles, 5 vertices, 1 pieces, volume 4/3'
+has out 'mended.json: 6 triangles, 5 vertices, 1 piece, volume 4/3'
 lines out 1
 run 2 check --mesh tent.obj --format sarif
 run 2 check --mesh absent.obj

@@ -1,7 +1,8 @@
 #pragma once
-/// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n). No tolerance
-/// decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or not at
-/// all.
+/// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n), but for
+/// vertices within edges: an edge asks all vertices in its box, which are many where a long edge lies askew. No
+/// tolerance decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or
+/// not at all.
 
 #include <array>
 #include <cstdint>

@@ -197,8 +197,9 @@ MeshCheck check_mesh(const std::string& file, const scene::Scene& scene) {
 
 std::string mesh_check_text(const MeshCheck& check) {
   std::string text =
-      fmt::format("{}: {} triangles, {} vertices, {} pieces, volume {}\n", text::escaped(check.file), check.faces,
-                  check.vertices, check.pieces, check.volume.value_or("none, as they bound none"));
+      fmt::format("{}: {} triangles, {} vertices, {}, volume {}\n", text::escaped(check.file), check.faces,
+                  check.vertices, check.pieces == 1 ? "1 piece" : fmt::format("{} pieces", check.pieces),
+                  check.volume.value_or("none, as they bound none"));
   for (const MeshDefect& defect : check.findings) text += line_of(defect);
   return text;
 }

@@ -39,7 +39,7 @@ TEST_CASE("points that are the same are one vertex, the two zeros too") {
 
 TEST_CASE("a closed mesh has no finding, and an exact volume") {
   const MeshCheck check = check_mesh("m", scene_of({base, front, slope, side}));
-  CHECK(mesh_check_text(check) == "m: 4 triangles, 4 vertices, 1 pieces, volume 4/3\n");
+  CHECK(mesh_check_text(check) == "m: 4 triangles, 4 vertices, 1 piece, volume 4/3\n");
   CHECK(mesh_check_json(check) ==
         "{\"format\":\"durero-mesh-check\",\"version\":1,\"file\":\"m\",\"ok\":true,\"triangles\":4,\"vertices\":4,"
         "\"pieces\":1,\"volume\":\"4/3\",\"findings\":[]}\n");
