@@ -43,6 +43,10 @@ void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, 
   add_loss(lost, triangles, "name of an element", "names of elements", none);
   add_loss(lost, stage.materials.size(), "material", "materials", none);
   add_loss(lost, stage.textures.size(), "texture", "textures", none);
+  std::size_t wrapped = 0;
+  scene.for_each([&](scene::ElementRef element, const auto&) { wrapped += scene.wrap(element) != nullptr; });
+  add_loss(lost, wrapped, "uv of a triangle", "uv of triangles",
+           fmt::format("left out: they are not written to {}", format));
   add_loss(lost, stage.lights.size() + stage.directional_lights.size(), "light", "lights", none);
   add_loss(lost, stage.camera.has_value(), "camera", "cameras", none);
   add_loss(lost, stage.resolution.has_value(), "resolution", "resolutions", none);

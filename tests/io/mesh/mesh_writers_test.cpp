@@ -105,11 +105,13 @@ TEST_CASE("a point is written once, and what is lost is named") {
   add(scene, scene::Triangle{std::array{glm::dvec3(1, 0, 0), glm::dvec3(1, 1, 0), glm::dvec3(0, 1, 0)}});
   add(scene, scene::Sphere{{0, 0, 0}, 1});
   scene.set_vertex_normals(*scene.find("e1"), {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, 1), glm::dvec3(0, 0, 2)});
+  scene.set_wrap(*scene.find("e0"), {.uv = {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}});
   scene.stage().background = glm::dvec3(0, 0, 0.5);
   const io::Exported obj = io::obj_text(scene, {});
   CHECK(obj.text == "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nv 1 1 0\nvn 0 0 2\nf 1 2 3\nf 2//1 4//1 3//2\n");
   CHECK(obj.lost == std::vector<std::string>{"1 element left out: OBJ has triangles alone",
                                              "2 names of elements left out: OBJ has none",
+                                             "1 uv of a triangle left out: they are not written to OBJ",
                                              "1 background left out: OBJ has none"});
   const io::Exported ply = io::ply_text(scene, {});
   CHECK(
