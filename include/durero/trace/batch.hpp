@@ -157,11 +157,10 @@ class Batch {
   /// Tests a ray against a block of triangles, the first of which has the name `first`.
   void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
     kernel_.triage(rays_[number], block, findings_);
-    unsigned used = (1u << TriangleBlock::size) - 1;
-    if (const scene::ElementRef start = rays_[number].start(); start != nothing) used &= ~lane_of(start, first);
+    const unsigned others = ~lane_of(rays_[number].start(), first);  // than the triangle that the ray starts on
     Nearest& nearest = nearest_[number];
-    if ((findings_.undecided & used) != 0) nearest.alone = true;
-    for (unsigned left = findings_.hit & used; left != 0; left &= left - 1) {
+    if ((findings_.undecided & others) != 0) nearest.alone = true;
+    for (unsigned left = findings_.hit & others; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
       keep_nearest(nearest, {first.tipo, first.index + lane}, kernel_.point(findings_, lane));
     }

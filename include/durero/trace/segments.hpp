@@ -145,9 +145,8 @@ class SegmentBatch {
   void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
     if (!open_[number]) return;
     triage(rays_[number], block, findings_);
-    unsigned used = (1u << TriangleBlock::size) - 1;
-    if (const scene::ElementRef start = rays_[number].start(); start != nothing) used &= ~lane_of(start, first);
-    for (unsigned left = (findings_.hit | findings_.undecided) & used; left != 0 && open_[number]; left &= left - 1) {
+    const unsigned others = ~lane_of(rays_[number].start(), first);  // than the triangle that the ray starts on
+    for (unsigned left = (findings_.hit | findings_.undecided) & others; left != 0 && open_[number]; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
       const scene::ElementRef own{first.tipo, first.index + lane};
       if (!starts_on_it_too(number, own)) decide(findings_, lane, number, own);

@@ -20,7 +20,9 @@ Lanes greatest(Lanes a, Lanes b) { return a > b ? a : b; }
 
 }  // namespace
 
-void unpack(const trace::TriangleBlock& block, scene::ElementRef first, WideNode& node) {
+void unpack(std::span<const trace::TriangleBlock> blocks, std::uint32_t index, WideNode& node) {
+  const trace::TriangleBlock& block = blocks[index];
+  const scene::ElementRef first = LeafColumns::first_of(index);
   static_assert(WideNode::width == trace::TriangleBlock::size);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t at = 0; at < WideNode::width; at += lanes) {

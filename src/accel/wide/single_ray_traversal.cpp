@@ -76,13 +76,13 @@ HWY_INLINE void meet(SingleRayTraversal& walker, const WideNode& node, const Lan
   walker.met += walker.size - walker.sorted;
 }
 
-Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, const trace::TriangleBlock* blocks,
+Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, std::span<const trace::TriangleBlock> blocks,
                     double limit) {
   WideNode unpacked;
   const LaneBeam beam(walker.beam);
   Next next = walker.next(limit);
   for (; next == Next::node || next == Next::block; next = walker.next(limit)) {
-    if (next == Next::block) unpack(blocks[walker.node], LeafColumns::first_of(walker.node), unpacked);
+    if (next == Next::block) unpack(blocks, walker.node, unpacked);
     meet(walker, next == Next::block ? unpacked : nodes[walker.node], beam);
     sort(walker);
   }
@@ -113,7 +113,7 @@ void SingleRayTraversal::restart(const trace::Ray& ray) {
   children[0] = std::bit_cast<std::uint64_t>(WideChild{0, {}, WideChild::Kind::node});
 }
 
-SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, const trace::TriangleBlock* blocks,
+SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, std::span<const trace::TriangleBlock> blocks,
                                                      double greatest) {
   return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, blocks, greatest);
 }

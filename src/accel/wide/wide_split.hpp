@@ -42,8 +42,6 @@ struct Item {
   std::uint32_t index;  ///< of the element, among those of its type
   model::Tipo tipo;     ///< the element's type
   bool single;          ///< the element is a triangle that fits into a block (trace/triangle_block.hpp)
-
-  scene::ElementRef e() const { return {tipo, index}; }
 };
 static_assert(sizeof(Item) == 32);
 using Items = std::span<Item>;

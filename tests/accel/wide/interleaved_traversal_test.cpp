@@ -50,7 +50,7 @@ TEST_CASE(
     for (const std::uint32_t number : numbers) {
       accel::SingleRayTraversal walker(rays[number]);
       std::vector<scene::ElementRef> alone;
-      while (walker.advance(tree.nodes().data(), tree.leaves().blocks().data(), limits[number]) !=
+      while (walker.advance(tree.nodes().data(), tree.leaves().blocks(), limits[number]) !=
              accel::SingleRayTraversal::Next::end)
         alone.push_back(walker.element);
       some += alone.size();
@@ -82,10 +82,10 @@ TEST_CASE("a ray goes on by its limit as it is in each turn") {
   for (const std::uint32_t number : numbers) {
     accel::SingleRayTraversal about(rays[number]), whole(rays[number]);
     std::set<scene::ElementRef> expected;
-    while (about.advance(tree.nodes().data(), tree.leaves().blocks().data(), 0) != accel::SingleRayTraversal::Next::end)
+    while (about.advance(tree.nodes().data(), tree.leaves().blocks(), 0) != accel::SingleRayTraversal::Next::end)
       expected.insert(about.element);
     boxes += expected.size();
-    if (whole.advance(tree.nodes().data(), tree.leaves().blocks().data(), trace::no_limit) !=
+    if (whole.advance(tree.nodes().data(), tree.leaves().blocks(), trace::no_limit) !=
         accel::SingleRayTraversal::Next::end) {
       expected.insert(whole.element);
       ++rays_with_some;

@@ -52,7 +52,7 @@ TEST_CASE("a triangle of a block has a name, its row and its geometry; an unpack
   CHECK(leaves.bytes() == bytes);
   scene.for_each([&](ElementRef e, const auto&) { CHECK(leaves.element(leaves.leaf(e)) == e); });
   accel::WideNode node;
-  accel::unpack(leaves.blocks()[block], first, node);
+  accel::unpack(leaves.blocks(), block, node);
   CHECK(leaves.blocks()[block].count() == 3);
   for (std::uint32_t lane = 0; lane < 8; ++lane) {
     if (lane >= rows.size()) {

@@ -73,7 +73,7 @@ bool all_within(const WideBvh& tree, std::size_t at, const surface::Box& box, st
       good = good && child.index > at && all_within(tree, child.index, own, found);
     } else if (child.kind == WideChild::Kind::block) {
       WideNode block;
-      accel::unpack(tree.leaves().blocks()[child.index], accel::LeafColumns::first_of(child.index), block);
+      accel::unpack(tree.leaves().blocks(), child.index, block);
       for (std::size_t lane = 0; lane < WideNode::width; ++lane)
         if (block.children[lane].kind != WideChild::Kind::none)
           good = good && within(box_at(block, lane), own) && leaf_within(tree, block, lane, found);
@@ -181,6 +181,16 @@ std::vector<model::Rayo> bunch(const glm::dvec3& p, const glm::dvec3& v, double 
   return rays;
 }
 
+/// Rays at random, and two bunches of rays, with limits and without.
+void check_no_loss_alone_or_in_bundles(const scene::Scene& scene, Random& random) {
+  std::vector<model::Rayo> rays;
+  for (std::size_t i = 0; i < fewer_when_sanitized(300); ++i) rays.push_back(random_ray(random));
+  check_no_loss(scene, rays);
+  check_no_loss(scene, rays, 1);
+  check_no_loss(scene, bunch({3, 2, 1}, {-3, -2, -1}, 0x1p-10));
+  check_no_loss(scene, bunch({-3, 2, -1}, {3, -2, 1}, -0x1p-10), 1);
+}
+
 }  // namespace
 
 TEST_CASE("each element lies in its box and in those of all nodes above it") {
@@ -245,13 +255,7 @@ TEST_CASE("a triangle of binary32 takes 80 bytes at most, in a tree of many") {
 
 TEST_CASE("no ray loses a triangle that it meets, alone or in bundles, up to any limit") {
   Random random(6);
-  const scene::Scene scene = triangles(300, 7, 5);
-  std::vector<model::Rayo> rays;
-  for (std::size_t i = 0; i < fewer_when_sanitized(300); ++i) rays.push_back(random_ray(random));
-  check_no_loss(scene, rays);
-  check_no_loss(scene, rays, 1);
-  check_no_loss(scene, bunch({3, 2, 1}, {-3, -2, -1}, 0x1p-10));
-  check_no_loss(scene, bunch({-3, 2, -1}, {3, -2, 1}, -0x1p-10), 1);
+  check_no_loss_alone_or_in_bundles(triangles(300, 7, 5), random);
 }
 
 TEST_CASE("a tree does not depend on the number of threads") {
@@ -280,12 +284,7 @@ TEST_CASE("it takes 120 bytes an element at most, of a hundred thousand", "[long
 TEST_CASE("no ray loses what it meets, alone or in bundles, up to any limit") {
   Random random(5);
   const scene::Scene scene = random_scene(random, 60);
-  std::vector<model::Rayo> rays;
-  for (std::size_t i = 0; i < fewer_when_sanitized(300); ++i) rays.push_back(random_ray(random));
-  check_no_loss(scene, rays);
-  check_no_loss(scene, rays, 1);
-  check_no_loss(scene, bunch({3, 2, 1}, {-3, -2, -1}, 0x1p-10));
-  check_no_loss(scene, bunch({-3, 2, -1}, {3, -2, 1}, -0x1p-10), 1);
+  check_no_loss_alone_or_in_bundles(scene, random);
 }
 
 TEST_CASE("no ray loses what it only touches: poles, equators and rims, with zeros in its direction") {

@@ -40,7 +40,7 @@ class InterleavedTraversal {
       for (std::size_t i = 0; i < count;) {
         Walking& one = *active[i];
         if (goes_on(one)) {
-          if (!one.arrived) at_nodes[nodes++] = &one.walker;
+          if (one.at == SingleRayTraversal::Next::node) at_nodes[nodes++] = &one.walker;
           ++i;
         } else {
           active[i] = active[--count];
@@ -58,8 +58,7 @@ class InterleavedTraversal {
     Walking(const trace::Ray& ray, std::uint32_t number_of_it) : walker(ray), number(number_of_it) {}
     SingleRayTraversal walker;
     std::uint32_t number;
-    bool arrived = false;   // at an element or a block, which was prefetched
-    bool at_block = false;  // what has arrived is a block
+    SingleRayTraversal::Next at = SingleRayTraversal::Next::node;  // an element or a block was prefetched
   };
 
   /// Takes the next ray that has not started.
@@ -72,20 +71,16 @@ class InterleavedTraversal {
   /// Tests the element that the traversal has reached, and goes on to the next node or element, which it prefetches
   /// before the other rays' turns. A traversal that ends restarts with another ray; false where none is left.
   bool goes_on(Walking& one) {
-    if (one.at_block) {
-      take_block(take_, one.number, blocks_, one.walker.node);
-    } else if (one.arrived) {
-      take_(one.number, one.walker.element);
-    }
-    one.arrived = one.at_block = false;
+    if (one.at == SingleRayTraversal::Next::block) take_block(take_, one.number, blocks_, one.walker.node);
+    if (one.at == SingleRayTraversal::Next::element) take_(one.number, one.walker.element);
     for (;;) {
-      switch (one.walker.next(limit_(one.number))) {
+      switch (one.at = one.walker.next(limit_(one.number))) {
         case SingleRayTraversal::Next::element:
           rows_.ask_for(one.walker.element);
-          return one.arrived = true;
+          return true;
         case SingleRayTraversal::Next::block:
           trace::ask_for(blocks_[one.walker.node]);
-          return one.arrived = one.at_block = true;
+          return true;
         case SingleRayTraversal::Next::node:
           trace::ask_for(nodes_[one.walker.node]);
           return true;

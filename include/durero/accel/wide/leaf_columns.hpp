@@ -191,8 +191,8 @@ void take_block(Visitor& take, std::uint32_t number, std::span<const trace::Tria
   }
 }
 
-/// Makes the node that a block of triangles stands for: its children are the triangles, whose boxes are exact in
-/// binary32, by the names that count up from `first`. Unused lanes become empty children, which may not come last.
-void unpack(const trace::TriangleBlock& block, scene::ElementRef first, WideNode& node);
+/// Makes the node that the block of this index stands for: its children are the triangles by their names, and their
+/// boxes are exact in binary32. Unused lanes become empty children, which may not come last.
+void unpack(std::span<const trace::TriangleBlock> blocks, std::uint32_t index, WideNode& node);
 
 }  // namespace durero::accel

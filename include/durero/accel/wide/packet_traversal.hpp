@@ -220,28 +220,28 @@ class PacketTraversal {
         limit = walk_block(some, child.index, limit);
         continue;
       }
-      const std::uint64_t which = met_by_now(nodes_[node], place, some.bundle);
-      if (which == 0) continue;
-      const std::uint64_t changed = take(some, which, child.element());
-      if (changed != 0) limit = brought_up_to_date(some, changed);
+      limit = take_leaf(some, nodes_[node], place, limit);
     }
+  }
+
+  /// Tests an element of a node for the rays that meet its box. The greatest limit of the bundle from then on.
+  double take_leaf(PendingRays& some, const WideNode& node, std::size_t place, double limit) {
+    const std::uint64_t which = met_by_now(node, place, some.bundle);
+    if (which == 0) return limit;
+    const std::uint64_t changed = take(some, which, node.children[place].element());
+    return changed == 0 ? limit : brought_up_to_date(some, changed);
   }
 
   /// Tests the triangles of a block, nearest box first. The greatest limit of the bundle from then on.
   double walk_block(PendingRays& some, std::uint32_t block, double limit) {
-    unpack(blocks_[block], LeafColumns::first_of(block), unpacked_);
+    unpack(blocks_, block, unpacked_);
     WideNode::Entries entries;
-    for (unsigned left = met(unpacked_, some.bundle, limit, entries); left != 0;) {
-      auto nearest = static_cast<std::size_t>(std::countr_zero(left));
-      for (unsigned others = left & (left - 1); others != 0; others &= others - 1) {
-        const auto other = static_cast<std::size_t>(std::countr_zero(others));
-        if (entries[other] < entries[nearest]) nearest = other;
-      }
-      if (entries[nearest] > latest_entry(limit)) break;
-      left &= ~(1u << nearest);
-      const std::uint64_t which = met_by_now(unpacked_, nearest, some.bundle);
-      const std::uint64_t changed = which == 0 ? 0 : take(some, which, unpacked_.children[nearest].element());
-      if (changed != 0) limit = brought_up_to_date(some, changed);
+    TraversalStack waiting;
+    waiting.push(block, met(unpacked_, some.bundle, limit, entries), entries);
+    while (!waiting.empty()) {
+      const auto [entry, parent, place] = waiting.pop();
+      if (entry > latest_entry(limit)) break;
+      limit = take_leaf(some, unpacked_, place, limit);
     }
     return limit;
   }
@@ -327,8 +327,7 @@ class PacketTraversal {
   /// The node of an index; or a block's, where LeafColumns::in_block is set.
   const WideNode& opened(std::uint32_t index) {
     if ((index & LeafColumns::in_block) == 0) return nodes_[index];
-    const std::uint32_t block = index & ~LeafColumns::in_block;
-    unpack(blocks_[block], LeafColumns::first_of(block), unpacked_);
+    unpack(blocks_, index & ~LeafColumns::in_block, unpacked_);
     return unpacked_;
   }
 

@@ -99,8 +99,7 @@ bool WideBvh::walk(const trace::Ray& ray, Limit limit, Visit visit, Count count)
   if (nodes_.empty()) return false;
   SingleRayTraversal walker(ray);
   bool answered = false;
-  while (!answered &&
-         walker.advance(nodes_.data(), leaves_.blocks().data(), limit()) == SingleRayTraversal::Next::element) {
+  while (!answered && walker.advance(nodes_.data(), leaves_.blocks(), limit()) == SingleRayTraversal::Next::element) {
     count([](Work& work) { ++work.cells, ++work.candidates; });
     answered = visit(element(walker.element));
   }
