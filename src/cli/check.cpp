@@ -15,8 +15,8 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/mesh/mesh_check.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/text/shown.hpp"
 #include "durero/written/engine.hpp"
+#include "losses.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 
@@ -28,11 +28,10 @@ struct CheckOptions {
   bool mesh = false, quiet = false;
 };
 
-/// What a file holds, by its name: a scene, or a mesh of another format.
+/// The scene or mesh of a file, by its name.
 io::Imported imported(const std::string& path) {
   if (path == "-" || io::ends_in(path, ".json")) return {io::read_scene(io::read_source(path)), {}};
-  const io::Format& format = io::format_to_read(path);
-  return format.read(format.has_lines ? io::read_lines(path) : io::read_source(path));
+  return io::read_any_format(path);
 }
 
 /// Runs the audit. What the reader leaves out, such as triangles without area, it says itself.
@@ -43,8 +42,7 @@ int run_mesh(const CheckOptions& options) {
   const io::MeshCheck check = io::check_mesh(options.scene, found.scene);
   progress.reset();
   io::print(options.format == "json" ? mesh_check_json(check) : mesh_check_text(check));
-  for (const std::string& line : found.lost)
-    io::complain("durero: " + text::escaped(options.scene) + ": " + line + "\n");
+  name_losses(options.scene, found.lost);
   return check.findings.empty() ? 0 : 1;
 }
 
@@ -81,7 +79,9 @@ void add_check(CLI::App& app, int& status) {
       ->capture_default_str();
   auto* const with =
       command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO");
-  command->add_flag("--mesh", options->mesh, "Audit the triangles of a scene, an OBJ or a PLY file as one mesh")
+  command
+      ->add_flag("--mesh", options->mesh,
+                 "Audit the triangles of a scene, or of an OBJ, a PLY or an STL file, as one mesh")
       ->excludes(with);
   add_quiet(*command, options->quiet);
   command->footer(

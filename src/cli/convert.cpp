@@ -14,6 +14,7 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
+#include "losses.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
@@ -24,16 +25,12 @@ struct ConvertOptions {
   bool quiet = false;
 };
 
-void name_losses(const std::string& path, const std::vector<std::string>& lost) {
-  for (const std::string& line : lost) io::complain(fmt::format("durero: {}: {}\n", text::escaped(path), line));
-}
-
 int import_scene(const ConvertOptions& options) {
-  const io::Format& format = io::format_to_read(options.from);
+  io::format_to_read(options.from);  // its name is asked before the other file is made
   io::require_ending(options.to, io::json_endings, "a scene");
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
-  io::Imported imported = format.read(format.has_lines ? io::read_lines(options.from) : io::read_source(options.from));
+  io::Imported imported = io::read_any_format(options.from);
   io::rename_pictures(imported.scene.stage(), options.from, options.to);
   out.write(io::scene_text(imported.scene, imported.groups));
   out.commit();

@@ -52,6 +52,11 @@ std::span<const Format> formats() { return all; }
 const Format& format_to_read(const std::string& path) { return format_of(path, is_read); }
 const Format& format_to_write(const std::string& path) { return format_of(path, is_written); }
 
+Imported read_any_format(const std::string& path) {
+  const Format& format = format_to_read(path);
+  return format.read(format.has_lines ? read_lines(path) : read_source(path));
+}
+
 std::string endings_to_read() { return endings(is_read); }
 std::string endings_to_write() { return endings(is_written); }
 

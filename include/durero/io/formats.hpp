@@ -46,6 +46,9 @@ const Format& format_to_read(const std::string& path);
 const Format& format_to_write(const std::string& path);
 /// @}
 
+/// Reads a file in the format that its name tells. Throws FileError and InputError.
+Imported read_any_format(const std::string& path);
+
 /// @{ The endings of those formats, as a sentence lists them: ".json or .nff".
 std::string endings_to_read();
 std::string endings_to_write();

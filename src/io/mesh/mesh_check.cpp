@@ -3,26 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
-#include <unordered_map>
 
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
+#include "numbering.hpp"
 
 namespace durero::io {
 namespace {
 
 using mesh::CornerNumbers;
 using mesh::EdgeEnds;
-
-struct PointHash {
-  std::size_t operator()(const glm::dvec3& p) const noexcept {
-    std::size_t hash = 0;
-    for (const double x : {p.x, p.y, p.z}) hash = hash * 0x9e3779b97f4a7c15U + std::hash<double>{}(x);
-    return hash;
-  }
-};
 
 /// The faces of each vertex.
 std::vector<std::vector<std::uint32_t>> faces_of_vertices(const SceneMesh& mesh) {
@@ -168,15 +161,15 @@ void write_defect(json::Writer& out, const MeshDefect& defect) {
 
 SceneMesh mesh_of(const scene::Scene& scene) {
   SceneMesh mesh;
-  std::unordered_map<glm::dvec3, std::uint32_t, PointHash> numbers;
+  Numbering<std::array<double, 3>> numbers;
   const std::span<const scene::Triangle> triangles = scene.shapes<scene::Triangle>();
   for (std::uint32_t n = 0; n < triangles.size(); ++n) {
     CornerNumbers face{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const glm::dvec3 p = triangles[n].vertices[corner] + 0.0;  // so that −0 is the 0 that it equals
-      const auto [at, fresh] = numbers.try_emplace(p, static_cast<std::uint32_t>(mesh.vertices.size()));
-      if (fresh) mesh.vertices.push_back(p);
-      face[corner] = at->second;
+      const auto [number, is_new] = numbers.number({p.x, p.y, p.z});
+      if (is_new) mesh.vertices.push_back(p);
+      face[corner] = static_cast<std::uint32_t>(number);
     }
     mesh.faces.push_back(face);
     mesh.names.push_back(scene.name({scene::Triangle::tipo, n}).name());

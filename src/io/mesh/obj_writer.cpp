@@ -3,7 +3,7 @@
 #include <array>
 
 #include "durero/io/mesh/obj.hpp"
-#include "io/losses.hpp"
+#include "numbering.hpp"
 #include "written_triangles.hpp"
 
 namespace durero::io {
@@ -39,10 +39,7 @@ Exported obj_text(const scene::Scene& scene, const scene::Groups& groups) {
     faces += '\n';
   }
   out.text += faces;
-  std::size_t within = 0;
-  for (const auto& [name, of] : groups.table()) within += !groups.of_group(name).empty();
-  add_loss(out.lost, within, "place of a group in another", "places of groups in others",
-           "left out: a group of OBJ is in none");
+  add_nesting_loss(out.lost, groups, "a group of OBJ");
   add_mesh_losses(out.lost, scene, "OBJ");
   return out;
 }

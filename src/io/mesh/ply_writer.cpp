@@ -5,6 +5,7 @@
 
 #include "durero/io/mesh/ply.hpp"
 #include "io/losses.hpp"
+#include "numbering.hpp"
 #include "written_triangles.hpp"
 
 namespace durero::io {

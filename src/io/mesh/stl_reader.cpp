@@ -15,7 +15,7 @@
 namespace durero::io {
 namespace {
 
-/// What both kinds of file give.
+/// The mesh of a file of either kind.
 struct StlMesh {
   PolygonSoup soup;
   FaceGroups groups;
@@ -153,7 +153,7 @@ class StlText {
     cursor_->skip_blanks();
     return word;
   }
-  /// What stands behind the last word on its line, without blanks at the end.
+  /// The rest of the last word's line, without blanks at the end.
   std::string_view rest_of_line() {
     const std::size_t begin = cursor_->offset();
     cursor_.reset();

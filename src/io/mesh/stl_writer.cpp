@@ -40,10 +40,7 @@ Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
     smooth += scene.vertex_normals(element) != nullptr;
   }
   if (triangles.empty()) out.text = "solid\nendsolid\n";
-  std::size_t within = 0;
-  for (const auto& [name, of] : groups.table()) within += !groups.of_group(name).empty();
-  add_loss(out.lost, within, "place of a group in another", "places of groups in others",
-           "left out: a solid of STL is in none");
+  add_nesting_loss(out.lost, groups, "a solid of STL");
   add_loss(out.lost, smooth, "smooth triangle", "smooth triangles", "written flat: STL has no normals of vertices");
   add_mesh_losses(out.lost, scene, "STL");
   return out;

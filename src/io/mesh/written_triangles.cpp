@@ -34,6 +34,13 @@ std::vector<WrittenTriangle> written_triangles(const scene::Scene& scene, const 
   return triangles;
 }
 
+void add_nesting_loss(std::vector<std::string>& lost, const scene::Groups& groups, std::string_view one) {
+  const auto within =
+      std::ranges::count_if(groups.table(), [&](const auto& group) { return !groups.of_group(group.first).empty(); });
+  add_loss(lost, static_cast<std::size_t>(within), "place of a group in another", "places of groups in others",
+           fmt::format("left out: {} is in none", one));
+}
+
 void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format) {
   const scene::Stage& stage = scene.stage();
   const std::string none = fmt::format("left out: {} has none", format);

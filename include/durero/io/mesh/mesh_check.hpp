@@ -11,7 +11,7 @@
 
 namespace durero::io {
 
-/// What the text of mesh_check_json() says of itself.
+/// The name and version that the text of mesh_check_json() begins with.
 inline constexpr json::FormatVersion mesh_check_format{"durero-mesh-check", 1};
 
 /// The triangles of a scene as one mesh: points that are the same are one vertex.
@@ -33,7 +33,7 @@ struct MeshDefect {
   std::vector<std::string> mended;  ///< operations that mend it; none where none is known
 };
 
-/// What is found of the triangles of a file.
+/// The findings of the triangles of a file.
 struct MeshCheck {
   std::string file;                   ///< its name
   std::size_t faces, vertices;        ///< how many there are
