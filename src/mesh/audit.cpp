@@ -18,8 +18,8 @@ using Faces = std::span<const CornerNumbers>;
 /// An edge as one face walks it.
 struct EdgeWalk {
   EdgeEnds ends;       // the lesser number first
-  bool backwards;      // from the greater number to the lesser
   std::uint32_t face;  // its number
+  bool backwards;      // from the greater number to the lesser
   auto operator<=>(const EdgeWalk&) const = default;
 };
 
@@ -36,17 +36,17 @@ std::vector<EdgeWalk> walks_of(Faces faces) {
   for (std::uint32_t n = 0; n < faces.size(); ++n)
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const std::uint32_t from = faces[n][corner], to = faces[n][(corner + 1) % 3];
-      if (from != to) walks.push_back({{std::min(from, to), std::max(from, to)}, from > to, n});
+      if (from != to) walks.push_back({{std::min(from, to), std::max(from, to)}, n, from > to});
     }
   std::ranges::sort(walks);
   return walks;
 }
 
+/// The number of faces that walk one edge. Precondition: the walks are sorted.
 std::size_t count_faces(std::span<const EdgeWalk> walks) {
-  std::vector<std::uint32_t> faces;
-  for (const EdgeWalk& walk : walks) faces.push_back(walk.face);
-  std::ranges::sort(faces);
-  return faces.size() - std::ranges::unique(faces).size();
+  std::size_t count = 1;
+  for (std::size_t i = 1; i < walks.size(); ++i) count += walks[i].face != walks[i - 1].face;
+  return count;
 }
 
 /// Judges the walks of one edge.

@@ -26,7 +26,7 @@ struct TJunction {
   auto operator<=>(const TJunction&) const = default;
 };
 
-/// What is found, each list in ascending order. The names of the text are those of model/auditoria.hpp.
+/// The findings, each list in ascending order. The names of the text are those of model/auditoria.hpp.
 struct MeshAudit {
   std::vector<EdgeEnds> open;             ///< edges of one face, the lesser number first (abiertas)
   std::vector<EdgeEnds> multiple;         ///< edges of more than two faces, likewise (multiples)
