@@ -18,10 +18,6 @@ namespace {
 /// as much, are far below the 1/8 that they are compared with.
 constexpr double most_stretch = 0x1p16;
 
-[[noreturn]] void out_of_range(const std::string& what, double value, const std::string& expected) {
-  throw std::domain_error(fmt::format("{} {}; expected {} (the sampled oracle's range)", what, value, expected));
-}
-
 void require_length(double length, const model::Elemento& e) {
   if (length >= least_length && length <= greatest_length) return;
   out_of_range(fmt::format("element {} has a length of", e.name()), length,
@@ -167,6 +163,10 @@ void keep(Cover& cover, Keeps keeps) {
 }
 
 }  // namespace
+
+void out_of_range(const std::string& what, double value, const std::string& expected) {
+  throw std::domain_error(fmt::format("{} {}; expected {} (the sampled oracle's range)", what, value, expected));
+}
 
 Cover ElementSurface::cover(double fineness) const {
   Cover cover = surface.cover(fineness);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "durero/oracle/cover.hpp"
@@ -12,6 +13,9 @@
 #include "sampled_solid.hpp"
 
 namespace durero::oracle::sampled {
+
+/// Refuses what is out of the range of the oracle. Throws std::domain_error.
+[[noreturn]] void out_of_range(const std::string& what, double value, const std::string& expected);
 
 /// One of them.
 struct ElementSurface {

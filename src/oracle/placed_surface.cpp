@@ -20,7 +20,7 @@ SurfacePoint PlacedSurface::at(double u, double v) const {
           there.curvature * (by_.most() / least) / least};
 }
 
-/// What the map adds to the rounding of the original.
+/// The map's own rounding, beside that of the original.
 double PlacedSurface::moved_rounding() const noexcept {
   return by_.most() * off_ + by_.rounding(glm::length(original_.center()) + original_.size());
 }

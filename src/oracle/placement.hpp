@@ -15,7 +15,7 @@ class Placement {
   /// Precondition: inv(mapa). A map whose vectors are equal once rounded has stretches that are no numbers.
   explicit Placement(const model::Mapa& mapa);
 
-  /// Where a point is put, and the place of the origin.
+  /// The place where a point is put.
   glm::dvec3 point(const glm::dvec3& u) const { return linear_ * u + centro_; }
   /// The point that is put there.
   glm::dvec3 original(const glm::dvec3& w) const { return inverse_ * (w - centro_); }

@@ -34,9 +34,7 @@ glm::dvec3 claimed_point(const ScaledRay& line, const scene::Hit& claim) {
 ScaledRay checked_line(const model::Rayo& ray) {
   for (const double x : {ray.p().x(), ray.p().y(), ray.p().z()}) {
     if (std::abs(x) > greatest_origin) {
-      throw std::domain_error(fmt::format(
-          "a ray's origin has a coordinate of {}; expected coordinates up to {} (the sampled oracle's range)", x,
-          greatest_origin));
+      out_of_range("a ray's origin has a coordinate of", x, fmt::format("coordinates up to {}", greatest_origin));
     }
   }
   return ScaledRay(ray);

@@ -23,7 +23,7 @@ class SampledSolid {
   /// Precondition: the body bounds a solid.
   explicit SampledSolid(const scene::Compound& solid);
 
-  /// What is seen of it: a ball that holds what its planes and its other leaves bound.
+  /// A ball that holds the part of it that rays are aimed at: all that its planes and its other leaves bound.
   const SolidLeaf::Extent& seen() const { return seen_; }
   /// How many leaves it has.
   std::size_t size() const { return leaves_.size(); }

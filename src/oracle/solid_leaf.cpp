@@ -7,7 +7,7 @@
 
 namespace durero::oracle {
 
-/// What each shape is filled with.
+/// The inside of each shape.
 struct SolidLeaf::InsideOf {
   using Inside = decltype(SolidLeaf::inside_);
 
@@ -57,15 +57,17 @@ double SolidLeaf::margin_of(const HalfSpace& half, const glm::dvec3& w) const {
   return glm::dot(w - half.point, half.normal);
 }
 
+Parametrisation SolidLeaf::side() const {
+  return std::visit([](const auto& shape) { return Parametrisation(scene::ShapeView(shape)); }, shape_);
+}
+
 std::vector<PlacedSurface> SolidLeaf::surfaces(const Extent& seen) const {
   if (const HalfSpace* const half = plane()) {
     const glm::dvec3 foot = seen.center - half->normal * margin_of(*half, seen.center);
     const double off = 0x1p-48 * (glm::length(half->point) + glm::length(seen.center) + seen.radius);
     return {PlacedSurface(Parametrisation(scene::ShapeView(scene::Plane{foot, half->normal}), seen.radius), {}, off)};
   }
-  const Parametrisation side =
-      std::visit([](const auto& shape) { return Parametrisation(scene::ShapeView(shape)); }, shape_);
-  std::vector<PlacedSurface> surfaces{PlacedSurface(side, by_)};
+  std::vector<PlacedSurface> surfaces{PlacedSurface(side(), by_)};
   if (const Turned* const turned = std::get_if<Turned>(&inside_)) add_lids(surfaces, *turned);
   return surfaces;
 }
@@ -84,9 +86,8 @@ void SolidLeaf::add_lids(std::vector<PlacedSurface>& surfaces, const Turned& tur
 
 SolidLeaf::Extent SolidLeaf::extent() const {
   if (const HalfSpace* const half = plane()) return {half->point, 0};
-  const Parametrisation side =
-      std::visit([](const auto& shape) { return Parametrisation(scene::ShapeView(shape)); }, shape_);
-  return {by_.point(side.center()), by_.most() * side.size()};
+  const Parametrisation surface = side();
+  return {by_.point(surface.center()), by_.most() * surface.size()};
 }
 
 }  // namespace durero::oracle

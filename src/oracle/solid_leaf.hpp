@@ -34,7 +34,7 @@ class SolidLeaf {
   std::vector<PlacedSurface> surfaces(const Extent& seen) const;
   /// Null of a leaf that ends.
   const HalfSpace* plane() const noexcept { return std::get_if<HalfSpace>(&inside_); }
-  /// What holds the surface; of a plane the point that it was given by.
+  /// A ball that holds the surface; of a plane the point that it was given by.
   Extent extent() const;
 
  private:
@@ -48,6 +48,8 @@ class SolidLeaf {
   };
   struct InsideOf;
 
+  /// The surface of a shape, without lids, before it is put anywhere.
+  Parametrisation side() const;
   double margin_of(const Ball& ball, const glm::dvec3& w) const;
   double margin_of(const Turned& turned, const glm::dvec3& w) const;
   double margin_of(const HalfSpace& half, const glm::dvec3& w) const;

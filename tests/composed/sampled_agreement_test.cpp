@@ -22,7 +22,7 @@ namespace {
 constexpr std::uint64_t seed = 20'261'127;
 const int rounds = test::sanitized ? 8 : 60;
 
-/// What the samples say of the right hits of rays towards a scene, and of none in their place.
+/// The verdicts of the samples on the right hits of rays towards a scene, and on none in their place.
 struct Judged {
   std::size_t wrong = 0, hits = 0, missed = 0;
 
@@ -66,6 +66,18 @@ model::Mapa random_map(test::Random& random) {
   }
 }
 
+/// The verdicts on so many scenes; put(scene) fills one, and answers rays towards it.
+template <class Put>
+Judged judged_rounds(Put put) {
+  Judged judged;
+  for (int round = 0; round < rounds; ++round) {
+    scene::Scene scene;
+    const std::vector<model::Rayo> rays = put(scene);
+    judged.add(scene, rays);
+  }
+  return judged;
+}
+
 scene::Compound joined(scene::Compound::Operation operation, std::vector<scene::Body> parts) {
   return {operation, std::move(parts)};
 }
@@ -82,15 +94,13 @@ const scene::Sphere unit{{0, 0, 0}, 1}, second{{0, 0, 1}, 1};
 
 TEST_CASE("the first hits of copies stand, and nearly all are missed once they are taken away") {
   test::Random random(seed);
-  Judged judged;
-  for (int round = 0; round < rounds; ++round) {
+  const Judged judged = judged_rounds([&](scene::Scene& scene) {
     const scene::Scene originals = test::random_scene(random, 5);
-    scene::Scene scene;
     originals.for_each([&](scene::ElementRef e, const auto& shape) {
       add_body(scene, originals.name(e).name(), {scene::Instance{shape, random_map(random)}});
     });
-    judged.add(scene, rays_near(random, 1.5));
-  }
+    return rays_near(random, 1.5);
+  });
   CAPTURE(seed, judged.hits, judged.missed);
   CHECK(judged.wrong == 0);
   CHECK(judged.hits > 10u * static_cast<unsigned>(rounds));
@@ -100,12 +110,10 @@ TEST_CASE("the first hits of copies stand, and nearly all are missed once they a
 TEST_CASE("the first hits of solids anywhere stand, and nearly all are missed once they are taken away") {
   test::SolidDraw draw(seed, false);
   test::Random random(seed);
-  Judged judged;
-  for (int round = 0; round < rounds; ++round) {
-    scene::Scene scene;
+  const Judged judged = judged_rounds([&](scene::Scene& scene) {
     add_body(scene, "s", scene::copied(random_map(random), draw.tree(3).body));
-    judged.add(scene, rays_near(random, 2));
-  }
+    return rays_near(random, 2);
+  });
   CAPTURE(seed, judged.hits, judged.missed);
   CHECK(judged.wrong == 0);
   CHECK(judged.hits > 10u * static_cast<unsigned>(rounds));
@@ -115,14 +123,12 @@ TEST_CASE("the first hits of solids anywhere stand, and nearly all are missed on
 TEST_CASE("the first hits of solids whose faces coincide stand") {
   test::SolidDraw draw(seed, true);
   test::Random random(seed);
-  Judged judged;
-  for (int round = 0; round < rounds; ++round) {
-    scene::Scene scene;
+  const Judged judged = judged_rounds([&](scene::Scene& scene) {
     add_body(scene, "s", draw.tree(3).body);
     std::vector<model::Rayo> rays = rays_near(random, 2);
     for (int i = 0; i < 20; ++i) rays.push_back(draw.ray());
-    judged.add(scene, rays);
-  }
+    return rays;
+  });
   CAPTURE(seed, judged.hits, judged.missed);
   CHECK(judged.wrong == 0);
   CHECK(judged.missed > judged.hits / 2);

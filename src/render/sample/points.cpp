@@ -18,14 +18,6 @@ std::uint32_t high(std::uint64_t bits) { return static_cast<std::uint32_t>(bits 
 /// The coordinate from −1/2 that 32 binary digits give: the middle of the interval that they begin.
 double coordinate(std::uint32_t digits) { return (digits + 0.5) * 0x1p-32 - 0.5; }
 
-/// The digits behind the point in the order of their worth, the first one highest, of a number whose lowest is first.
-std::uint32_t reversed(std::uint32_t x) {
-  x = (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
-  x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
-  x = (x >> 4 & 0x0F0F0F0F) | (x & 0x0F0F0F0F) << 4;
-  return __builtin_bswap32(x);
-}
-
 /// The number of digits that Owen's scrambling turns each by itself: no two of fewer than 2¹⁶ points have the same
 /// first 16 digits in one coordinate.
 constexpr int apart = 16;
@@ -54,8 +46,13 @@ std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
   return digits ^ (first_turned(digits, key) | (high(mixed(key ^ leaf)) >> apart));
 }
 
-/// Van der Corput's sequence: the binary digits of i behind the point.
-std::uint32_t mirrored_digits(std::uint32_t i) { return reversed(i); }
+/// Van der Corput's sequence: the binary digits of i behind the point, the lowest first.
+std::uint32_t mirrored_digits(std::uint32_t i) {
+  i = (i >> 1 & 0x55555555) | (i & 0x55555555) << 1;
+  i = (i >> 2 & 0x33333333) | (i & 0x33333333) << 2;
+  i = (i >> 4 & 0x0F0F0F0F) | (i & 0x0F0F0F0F) << 4;
+  return __builtin_bswap32(i);
+}
 
 /// The second coordinate of Sobol's sequence: the digits of i times Pascal's triangle modulo 2, whose entry (j, b) is 1
 /// where b has every binary digit of j (Lucas's theorem). So digit j is the sum of those digits, and each line takes
@@ -66,7 +63,7 @@ std::uint32_t pascal_digits(std::uint32_t i) {
   i ^= i >> 4 & 0x0F0F0F0F;
   i ^= i >> 8 & 0x00FF00FF;
   i ^= i >> 16;
-  return reversed(i);
+  return mirrored_digits(i);
 }
 
 /// The shuffled number of a sample: turned digit by digit by those before it, the first digits stay together.
