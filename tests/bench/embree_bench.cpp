@@ -71,7 +71,7 @@ void set(Rays& rays, std::size_t lane, const Ray32& from) {
   rays.mask[lane] = ~0U, rays.flags[lane] = 0;
 }
 
-/// What Embree is asked, and where its answers go.
+/// The rays that Embree is asked, and the places of its answers.
 struct Asked {
   const std::vector<Ray32>& rays;
   std::vector<Hit32>& hits;
@@ -195,7 +195,7 @@ void compare(std::size_t n, const char* kind, std::size_t rays, std::size_t firs
   std::fflush(stdout);
 }
 
-/// What to compare.
+/// The choice of scenes and rays to compare.
 struct Asking {
   std::string scene = "curved", rays{};
   std::vector<std::uint32_t> sizes{};
