@@ -7,7 +7,7 @@ From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims Beside Watertight Auditoria
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims MeshesApart Beside Watertight Auditoria
   Instancias Solidos.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -407,6 +407,28 @@ Proof.
     nombre_cara) (conj (Beside.Eliminar_Plano_Mallas_is_total Elemento nombre_cara) (conj
     (Beside.Eliminar_Disco_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Triangulo_Mallas_is_total
     Elemento nombre_cara) (Beside.Eliminar_Elemento_Mallas_is_total Elemento nombre_cara)))))))))))))))).
+Qed.
+
+(** The elements of no mesh are a scene by themselves; with the meshes they say all, and any scene and any meshes go
+    together whose names are free; no operation on meshes changes them, and none on single elements a triangle of a mesh. *)
+Theorem meshes_stand_apart_from_the_other_elements :
+  Malla.sueltas_conj_1 Elemento nombre_cara
+  /\ Malla.sueltas_conj_2 Elemento nombre_cara
+  /\ Malla.sueltas_conj_3 Elemento nombre_cara
+  /\ Malla.sueltas_conj_4 Elemento nombre_cara
+  /\ Malla.sueltas_conj_5 Elemento nombre_cara
+  /\ Malla.sueltas_conj_6 Elemento nombre_cara
+  /\ Malla.sueltas_conj_7 Elemento nombre_cara
+  /\ Malla.sueltas_conj_8 Elemento nombre_cara.
+Proof.
+  exact (conj (MeshesApart.elements_of_no_mesh_are_a_scene Elemento nombre_cara) (conj
+    (MeshesApart.elements_and_meshes_say_all Elemento nombre_cara) (conj
+    (MeshesApart.elements_and_meshes_go_together Elemento nombre_cara named) (conj
+    (MeshesApart.adding_a_mesh_keeps_the_others Elemento nombre_cara named) (conj
+    (MeshesApart.removing_a_mesh_keeps_the_others Elemento nombre_cara named) (conj
+    (MeshesApart.replacing_a_mesh_keeps_the_others Elemento nombre_cara named) (conj
+    (MeshesApart.moving_a_vertex_keeps_the_others Elemento nombre_cara named)
+    (MeshesApart.single_elements_leave_meshes_alone Elemento nombre_cara)))))))).
 Qed.
 End Meshes.
 

@@ -355,7 +355,37 @@ Definition Eliminar_Elemento_Mallas S S' e (r_out : Respuesta) : Prop :=
   (Eliminar_Elemento_Total (escena S) (escena S') e r_out /\ Mismas_Mallas S S' /\ Fuera_De_Malla S e)
   \/ Es_De_Malla S S' e r_out.
 
+(** ** What is of no mesh *)
+
+Definition sueltas S : Escena := {|
+  elementos := elementos (escena S) ∖ de_malla S;
+  tipos := ran (ndres (de_malla S) (de_que_tipo (escena S)));
+  de_que_tipo := ndres (de_malla S) (de_que_tipo (escena S));
+  mi_centro := mi_centro (escena S);
+  mi_radio := mi_radio (escena S);
+  mi_vector := mi_vector (escena S);
+  mi_altura := mi_altura (escena S);
+  mi_proporcion := mi_proporcion (escena S);
+  mi_vertices := ndres (de_malla S) (mi_vertices (escena S))
+|}.
+
 (** ** What the text claims *)
+
+Definition sueltas_conj_1 : Prop := forall S, Mallas_ok S -> Escena_ok (sueltas S).
+Definition sueltas_conj_2 : Prop := forall S S', Mallas_ok S -> Mallas_ok S' ->
+  Escena_eq (sueltas S) (sueltas S') /\ mallas S' ≡ mallas S -> Mallas_eq S S'.
+Definition sueltas_conj_3 : Prop := forall s (f : rel Elemento Red),
+  Escena_ok s -> f ∈ (univ ⇸ Malla) -> dom f ∈ 𝔽 univ ->
+  (forall m r, (m, r) ∈ f -> nameable m r) /\ (forall m r, (m, r) ∈ f -> dom (familia m r) ∩ elementos s ≡ ∅) ->
+  exists S, Mallas_ok S /\ Escena_eq s (sueltas S) /\ mallas S ≡ f.
+Definition sueltas_conj_4 : Prop := forall S S' m r r_out, Agregar_Malla S S' m r r_out -> Escena_eq (sueltas S) (sueltas S').
+Definition sueltas_conj_5 : Prop := forall S S' m r_out, Eliminar_Malla S S' m r_out -> Escena_eq (sueltas S) (sueltas S').
+Definition sueltas_conj_6 : Prop := forall S S' m r r_out,
+  Reemplazar_Malla S S' m r r_out -> Escena_eq (sueltas S) (sueltas S').
+Definition sueltas_conj_7 : Prop := forall S S' m n p r_out,
+  Mover_Vertice S S' m n p r_out -> Escena_eq (sueltas S) (sueltas S').
+Definition sueltas_conj_8 : Prop := forall S S', Mismas_Mallas S S' ->
+  dres (de_malla S') (mi_vertices (escena S')) ≡ dres (de_malla S) (mi_vertices (escena S)).
 
 Definition Init_Mallas_conj_1 : Prop := exists S', Init_Mallas S'.
 Definition suyos_conj_1 : Prop := forall S m w, Mallas_ok S -> m <> w -> suyos S m ∩ suyos S w ≡ ∅.

@@ -197,6 +197,13 @@ std::set<Elemento> de_malla(const Mallas& s) {
   return names;
 }
 
+Escena sueltas(const Mallas& s) {
+  Escena others = s.escena;
+  erase_triangles(others, de_malla(s));
+  gather_types(others);
+  return others;
+}
+
 Judgements Init_Mallas_post(const Mallas& after) {
   Judgements all = Init_post(after.escena);
   all.push_back({&Init_Mallas_post_1, after.mallas.empty()});

@@ -427,6 +427,7 @@ constexpr SpanishName names[] = {
     {"mallas", "meshes", "the meshes by their names"},
     {"suyos", "its_own", "the names of the triangles of one mesh"},
     {"de_malla", "of_a_mesh", "the names of the triangles of all meshes"},
+    {"sueltas", "loose_ones", "the elements that are of no mesh, as a scene"},
     {"Init_Mallas", "Init_Meshes", "the first scene, which has no mesh"},
     {"Solo_Triangulos", "Only_Triangles", "what an edit of a mesh leaves as it is"},
     {"m?", "mesh", "the name of the mesh that an operation is about"},

@@ -379,6 +379,20 @@ TEST_CASE("meshes in random scenes") {
   });
 }
 
+TEST_CASE("sueltas.def.1: the elements that are of no mesh") {
+  const Mallas s = with_square();
+  CHECK(sueltas(s).elementos == std::set{single_sphere});
+  CHECK(sueltas(s).tipos == std::set{Tipo::soy_esfera});
+  CHECK(sueltas(s).mi_vertices.empty());
+  property("they are a scene, which no operation on meshes changes", [] {
+    Mallas t = any_scene_with_meshes();
+    const Escena before = sueltas(t);
+    RC_ASSERT(broken(inv(before)).empty());
+    apply_total(t, *any_mesh_operation());
+    RC_ASSERT(sueltas(t) == before);
+  });
+}
+
 TEST_CASE("giro.def.1, cruce.def.1 and recta.def.1: numbers that one can see") {
   const Rayo up(Punto(0, 0, -5), Vector(0, 0, 1));
   CHECK(giro(up, Punto(1, 0, 0), Punto(1, 1, 0)) == Surd(1));

@@ -2,13 +2,13 @@
 /// spec/malla.tex: a mesh is points, each of which stands once, and faces; its faces are triangles of the scene. What
 /// is said here is said of a copy, in O(n), as in model/operaciones.hpp.
 
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <variant>
 #include <vector>
 
+#include "durero/model/cara.hpp"
 #include "durero/model/escena.hpp"
 #include "durero/model/operation.hpp"
 #include "durero/model/puntos.hpp"
@@ -24,16 +24,6 @@ inline constexpr clause Malla_inv_1{"Malla.inv.1", "∀ c : ran red.caras • te
 inline constexpr clause Mallas_inv_1{"Mallas.inv.1", "mallas ⊆ dom familia"};
 inline constexpr clause Mallas_inv_2{"Mallas.inv.2", "∀ m : dom mallas • familia(m, mallas(m)) ⊆ mi_vertices"};
 inline constexpr clause Init_Mallas_post_1{"Init_Mallas.post.1", "mallas' = ∅"};
-
-/// The number of a point or of a face (ℕ), from zero.
-using Ordinal = std::uint32_t;
-
-/// A face: the numbers of its three points (Cara).
-struct Cara {
-  Ordinal i, j, k;  ///< the numbers, in the order in which the points are gone round
-
-  bool operator==(const Cara&) const = default;
-};
 
 /// Points and faces, each numbered from zero without a gap (Red). Throws contract_violation Red.inv.1 or Red.inv.2
 /// otherwise. What the faces name need be no points of it.
@@ -111,6 +101,9 @@ Judgements inv(const Mallas& s);
 std::set<Elemento> suyos(const Mallas& s, const Elemento& m);
 std::set<Elemento> de_malla(const Mallas& s);
 /// @}
+
+/// The elements that are of no mesh, as a scene (sueltas.def.1).
+Escena sueltas(const Mallas& s);
 
 /// The empty scene without meshes (Init_Mallas). Its postcondition is checked.
 Mallas Init_Mallas();

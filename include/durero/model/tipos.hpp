@@ -154,8 +154,10 @@ class Elemento {
  public:
   /// Precondition: is_name(name); throws otherwise.
   explicit Elemento(std::string name);
-  /// The characters.
-  const std::string& name() const noexcept { return name_; }
+  /// @{ The characters.
+  const std::string& name() const& noexcept { return name_; }
+  std::string name() && noexcept { return std::move(name_); }
+  /// @}
   /// Whether the text can be a name.
   static bool is_name(std::string_view text) noexcept;
   auto operator<=>(const Elemento&) const = default;
