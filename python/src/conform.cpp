@@ -39,7 +39,7 @@ struct Claims {
       case model::Resultado::hit:
         claim.outcome = Claim::Outcome::hit;
         if (elements && elements->at(row) >= 0)
-          claim.element = numbering.elements()[static_cast<std::size_t>(elements->at(row))];
+          claim.element = numbering.element(static_cast<std::int32_t>(elements->at(row)));
         if (t) claim.t = t->at(row);
         if (points) claim.punto = glm::dvec3(points->at(row, 0), points->at(row, 1), points->at(row, 2));
         return claim;

@@ -125,7 +125,7 @@ void Origins::check(const char* name, std::int64_t least, std::int32_t elements)
 scene::ElementSet Origins::of(std::size_t ray, const Numbering& numbering) const {
   scene::ElementSet elements;
   const auto add = [&](std::int64_t number) {
-    elements.push_back(numbering.elements()[static_cast<std::size_t>(number)]);
+    elements.push_back(numbering.element(static_cast<std::int32_t>(number)));
   };
   if (!offsets_) {
     if (!numbers_.empty() && numbers_[ray] >= 0) add(numbers_[ray]);

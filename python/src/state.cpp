@@ -12,17 +12,18 @@
 
 namespace durero::python {
 
-Numbering::Numbering(const scene::Scene& scene) {
-  elements_.reserve(scene.size());
-  scene.for_each([&](scene::ElementRef element, const auto&) {
-    elements_.push_back(element);
+Numbering::Numbering(const scene::Scene& scene) : size_(static_cast<std::int32_t>(scene.size())) {
+  std::vector<std::pair<std::string, scene::ElementRef>> named;
+  scene.for_each_single([&](scene::ElementRef element, const auto&) {
+    named.emplace_back(scene.name(element).name(), element);
     numbers_[static_cast<std::size_t>(element.tipo)].push_back(0);
   });
-  std::ranges::sort(elements_, {},
-                    [&](scene::ElementRef element) -> std::string_view { return scene.name(element).name(); });
-  std::int32_t number = 0;
-  for (const scene::ElementRef element : elements_)
-    numbers_[static_cast<std::size_t>(element.tipo)][element.index] = number++;
+  std::ranges::sort(named);
+  singles_.reserve(named.size());
+  for (const auto& [name, element] : named) {
+    numbers_[static_cast<std::size_t>(element.tipo)][element.index] = static_cast<std::int32_t>(singles_.size());
+    singles_.push_back(element);
+  }
 }
 
 const Numbering& State::numbering() const {

@@ -15,20 +15,32 @@
 
 namespace durero::python {
 
-/// The elements of a scene, numbered from 0 in the order of their names: what an array knows them by.
+/// The elements of a scene, numbered from 0: those by themselves in the order of their names, then the faces of meshes,
+/// mesh by mesh in the order of their names. An array knows an element by its number.
 class Numbering {
  public:
   explicit Numbering(const scene::Scene& scene);
 
-  std::int32_t size() const noexcept { return static_cast<std::int32_t>(elements_.size()); }
-  const std::vector<scene::ElementRef>& elements() const noexcept { return elements_; }
+  std::int32_t size() const noexcept { return size_; }
+  /// Precondition: 0 ≤ number < size().
+  scene::ElementRef element(std::int32_t number) const noexcept {
+    const auto place = static_cast<std::size_t>(number);
+    if (place < singles_.size()) return singles_[place];
+    return {scene::Triangle::tipo, static_cast<std::uint32_t>(place - singles_.size() + triangles())};
+  }
   std::int32_t number(scene::ElementRef element) const noexcept {
-    return numbers_[static_cast<std::size_t>(element.tipo)][element.index];
+    const std::vector<std::int32_t>& of_type = numbers_[static_cast<std::size_t>(element.tipo)];
+    if (element.index < of_type.size()) return of_type[element.index];
+    return static_cast<std::int32_t>(element.index - triangles() + singles_.size());
   }
 
  private:
-  std::vector<scene::ElementRef> elements_;
-  std::array<std::vector<std::int32_t>, scene::shape_count> numbers_;
+  /// The triangles that are in no mesh.
+  std::size_t triangles() const noexcept { return numbers_[static_cast<std::size_t>(scene::Triangle::tipo)].size(); }
+
+  std::int32_t size_;
+  std::vector<scene::ElementRef> singles_;                             // the elements in no mesh, by number
+  std::array<std::vector<std::int32_t>, scene::shape_count> numbers_;  // of these
 };
 
 /// A scene, and what answers need beside it, which is made when it is first asked for. Any thread may ask.

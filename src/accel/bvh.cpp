@@ -36,7 +36,7 @@ std::vector<Hierarchy::Number> Bvh::take_elements() {
 Hierarchy::Number Bvh::join_groups(const scene::Groups& groups, std::span<const Number> leaves) {
   std::unordered_map<std::string_view, std::vector<Number>> within;  // elements outside all groups under the empty name
   for (const Number leaf : leaves) {
-    const std::string& name = scene_->name(tree_[leaf].element).name();
+    const std::string name = scene_->name(tree_[leaf].element).name();
     within[groups.of_element(name)].push_back(leaf);
   }
   const auto joined = [&](const std::vector<Number>& children) {

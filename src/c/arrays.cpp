@@ -156,8 +156,14 @@ durero_answer durero_occluded_segments(const durero_engine* engine, const durero
 }
 
 const char* durero_element_name(const durero_engine* engine, uint32_t element) {
-  const auto named = ElementNumbers(*engine->scene).element(element);
-  return named ? engine->scene->name(*named).name().c_str() : nullptr;
+  return guarded<const char*>(nullptr, [&]() -> const char* {
+    const auto named = ElementNumbers(*engine->scene).element(element);
+    if (!named) return nullptr;
+    const std::lock_guard lock(engine->names_in_use);
+    const auto [name, is_new] = engine->names.try_emplace(element);
+    if (is_new) name->second = engine->scene->name(*named).name();
+    return name->second.c_str();
+  });
 }
 
 uint32_t durero_element_number(const durero_engine* engine, const char* name) {

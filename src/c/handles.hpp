@@ -1,8 +1,11 @@
 #pragma once
 /// What the handles of durero.h own, and how a call ends.
 
+#include <cstdint>
 #include <exception>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "durero/c/durero.h"
@@ -21,6 +24,8 @@ struct durero_scene {
 struct durero_engine {
   const durero::scene::Scene* scene;
   std::shared_ptr<const durero::engine::Engine> value;
+  mutable std::mutex names_in_use{};
+  mutable std::map<std::uint32_t, std::string> names{};  // of elements, by number: those that were asked for
 };
 
 namespace durero::c {

@@ -37,7 +37,7 @@ std::vector<ScenePolygon> polygons_of(const scene::Scene& scene, Opacity opacity
       const scene::Material& look = material ? scene.stage().materials[*material] : plain;
       if (const std::string_view why = not_drawn(look, opacity); !why.empty())
         throw std::domain_error(fmt::format("element {} {}; expected looks that this technique draws", name, why));
-      if (scene.vertex_normals(element) != nullptr)
+      if (scene.vertex_normals(element))
         throw std::domain_error(
             fmt::format("element {} is shaded by normals of its own; expected flat triangles", name));
       polygons.push_back({element,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "clauses.hpp"
+#include "durero/model/malla_clauses.hpp"
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/addition.hpp"
 #include "durero/scene/retrieve.hpp"
@@ -37,6 +38,7 @@ class Editor {
   template <class Op>
   Respuesta apply(const Op& in) {
     const Key key = find(in.e);
+    if constexpr (!Addition<Op>) require_single(key.place);
     if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore) {
       const auto check = checker(now, in.e);
       preconditions(in, key.place, [&](const clause& what, const Refusal&, auto&& holds) { check(what, holds); });
@@ -51,6 +53,7 @@ class Editor {
 
   Respuesta apply(const model::Eliminar_Elemento& in) {
     const Key key = find(in.e);
+    require_single(key.place);
     checker(contract::semantic(cost::normal), in.e)(model::Eliminar_Elemento_pre_1,
                                                     [&] { return key.place.has_value(); });
     edit_general(in, key);
@@ -62,6 +65,8 @@ class Editor {
     if constexpr (Addition<Op>)
       if (in.t != ShapeAddedBy<Op>::tipo) return apply_total(hide_t(in));
     const Key key = find(in.e);
+    if constexpr (!Addition<Op>)
+      if (is_face(key.place)) return es_de_malla;
     if (const auto refusal = first_refusal(in, key.place)) return *refusal;
     return {edit(in, key)};
   }
@@ -73,6 +78,7 @@ class Editor {
 
   model::Answer apply_total(const model::Eliminar_Elemento& in) {
     const Key key = find(in.e);
+    if (is_face(key.place)) return es_de_malla;
     if (!key.place) return {Respuesta::elemento_no_existe, &model::Eliminar_Elemento_pre_1};
     edit_general(in, key);
     return {Respuesta::elemento_eliminado};
@@ -216,6 +222,12 @@ class Editor {
 
   /// A name without a row: nothing to remove, whatever the semantic of preconditions is.
   static void require_row(const Place& place) { contract::require(model::Eliminar_Elemento_pre_1, place.has_value()); }
+
+  /// @{ A face is removed with its mesh alone, whatever the semantic of preconditions is.
+  static constexpr model::Answer es_de_malla{Respuesta::es_de_malla, &model::Fuera_De_Malla_pre_1};
+  bool is_face(const Place& place) const { return place && scene_.is_face(*place); }
+  void require_single(const Place& place) const { contract::require(model::Fuera_De_Malla_pre_1, !is_face(place)); }
+  /// @}
 
   Sizes sizes() const {
     return Sizes([&]<class Shape>(std::type_identity<Shape>) -> std::size_t { return scene_.table<Shape>().size(); });

@@ -93,12 +93,19 @@ void Groups::dissolve(std::string_view g) {
   table_.erase(at);
 }
 
+Groups::Index::iterator Groups::leave(Index::iterator element) noexcept {
+  Names& elements = table_.find(element->second)->second.elementos;
+  elements.erase(elements.find(element->first));
+  return of_element_.erase(element);
+}
+
 void Groups::follow(const model::Operation& done) noexcept {
   const auto at = of_element_.find(name_of(done).name());
-  if (at == of_element_.end()) return;
-  Names& elements = table_.find(at->second)->second.elementos;
-  elements.erase(elements.find(at->first));
-  of_element_.erase(at);
+  if (at != of_element_.end()) leave(at);
+}
+
+void Groups::follow_meshes(const Scene& scene) noexcept {
+  for (auto at = of_element_.begin(); at != of_element_.end();) at = scene.find(at->first) ? std::next(at) : leave(at);
 }
 
 }  // namespace durero::scene

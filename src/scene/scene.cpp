@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "durero/model/malla.hpp"
 #include "durero/scene/addition.hpp"
 #include "durero/scene/body.hpp"
 #include "durero/scene/edit.hpp"
@@ -19,10 +20,23 @@ const Label& Scene::label(ElementRef element) const noexcept {
 
 Label& Scene::label(ElementRef element) noexcept { return const_cast<Label&>(std::as_const(*this).label(element)); }
 
-const model::Elemento& Scene::name(ElementRef element) const noexcept { return label(element).name; }
+std::optional<Meshes::Face> Scene::face(ElementRef element) const noexcept {
+  if (!is_face(element)) return std::nullopt;
+  return meshes_.face(element.index - table<Triangle>().size());
+}
+
+// A face of a mesh has a name: Mallas.inv.1.
+model::Elemento Scene::name(ElementRef element) const {
+  if (const auto of = face(element)) return model::nombre_cara(of->mesh.m, of->number).value();
+  return label(element).name;
+}
 
 std::optional<ElementRef> Scene::find(std::string_view text, NameIndex::hash_type hash) const noexcept {
-  return index_.find(hash, [&](ElementRef place) { return label(place).name.name() == text; });
+  if (const auto single = index_.find(hash, [&](ElementRef place) { return label(place).name.name() == text; }))
+    return single;
+  const auto number = meshes_.find_face(text);
+  if (!number) return std::nullopt;
+  return ElementRef{Triangle::tipo, table<Triangle>().size() + *number};
 }
 
 std::optional<ElementRef> Scene::find(std::string_view text) const noexcept {
@@ -30,18 +44,25 @@ std::optional<ElementRef> Scene::find(std::string_view text) const noexcept {
 }
 
 std::optional<std::uint32_t> Scene::material(ElementRef element) const noexcept {
-  const std::uint32_t material = label(element).material;
+  const auto of = face(element);
+  const std::uint32_t material = of ? of->mesh.material : label(element).material;
   if (material == no_material) return std::nullopt;
   return material;
 }
 
 void Scene::set_material(ElementRef element, std::optional<std::uint32_t> material) {
+  require_single(element);
   if (material && *material >= stage().materials.size()) throw std::out_of_range("no such material");
   label(element).material = material.value_or(no_material);
 }
 
+void Scene::require_single(ElementRef element) const {
+  if (is_face(element)) throw std::domain_error("a face has the looks of its mesh");
+}
+
 template <class Attribute>
 const Attribute* Scene::rare(ElementRef element, std::optional<Attribute> RareAttributes::*which) const noexcept {
+  if (is_face(element)) return nullptr;
   const auto& held = label(element).rare;
   return held && (*held).*which ? &*((*held).*which) : nullptr;
 }
@@ -49,21 +70,36 @@ const Attribute* Scene::rare(ElementRef element, std::optional<Attribute> RareAt
 template <class Attribute>
 void Scene::set_rare(ElementRef element, std::optional<Attribute> RareAttributes::*which,
                      const std::optional<Attribute>& value) {
+  require_single(element);
   const auto& held = label(element).rare;
   RareAttributes all = held ? *held : RareAttributes{};
   all.*which = value;
   label(element).rare = std::make_shared<const RareAttributes>(all);
 }
 
-const Wrap* Scene::wrap(ElementRef element) const noexcept { return rare(element, &RareAttributes::wrap); }
+std::optional<Wrap> Scene::wrap(ElementRef element) const {
+  if (const auto of = face(element)) {
+    if (of->mesh.uv.empty()) return std::nullopt;
+    const auto [i, j, k] = of->mesh.caras[of->number];
+    return Wrap{{of->mesh.uv[i], of->mesh.uv[j], of->mesh.uv[k]}};
+  }
+  const Wrap* const held = rare(element, &RareAttributes::wrap);
+  return held == nullptr ? std::nullopt : std::optional(*held);
+}
 
 void Scene::set_wrap(ElementRef element, const Wrap& wrap) {
   if (element.tipo != model::Tipo::soy_triangulo) throw std::domain_error("textures are laid on triangles alone");
   set_rare<Wrap>(element, &RareAttributes::wrap, wrap);
 }
 
-const VertexNormals* Scene::vertex_normals(ElementRef element) const noexcept {
-  return rare(element, &RareAttributes::normals);
+std::optional<VertexNormals> Scene::vertex_normals(ElementRef element) const noexcept {
+  if (const auto of = face(element)) {
+    if (of->mesh.normals.empty()) return std::nullopt;
+    const auto [i, j, k] = of->mesh.caras[of->number];
+    return VertexNormals{of->mesh.normals[i], of->mesh.normals[j], of->mesh.normals[k]};
+  }
+  const VertexNormals* const held = rare(element, &RareAttributes::normals);
+  return held == nullptr ? std::nullopt : std::optional(*held);
 }
 
 void Scene::set_vertex_normals(ElementRef element, const VertexNormals& normals) {

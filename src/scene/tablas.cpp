@@ -9,10 +9,10 @@ namespace durero::scene {
 Tablas tablas(const Scene& scene) {
   Tablas tables;
   for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    tables.cuantos.emplace(Shape::tipo, static_cast<std::uint32_t>(scene.shapes<Shape>().size()));
+    tables.cuantos.emplace(Shape::tipo, static_cast<std::uint32_t>(scene.singles<Shape>().size()));
   });
-  scene.for_each([&]<class Shape>(ElementRef place, const Shape& shape) {
-    const model::Elemento& e = scene.name(place);
+  scene.for_each_single([&]<class Shape>(ElementRef place, const Shape& shape) {
+    const model::Elemento e = scene.name(place);
     tables.nombres.emplace(place, e);
     if (const auto known = scene.find(e.name())) tables.lugar.emplace(e, *known);
     for_each_attribute<Shape, model::Escena>([&]<class TableRow>(const TableRow& attribute) {

@@ -30,7 +30,8 @@ struct CertifiedSteps {
     if (on(a) != on(b)) return on(a) <=> on(b);
     return scene.visit(a, [&]<class Shape>(const Shape& shape) {
       static_assert(sizeof(Shape) % sizeof(double) == 0, "its bytes are those of its numbers");
-      return std::memcmp(&shape, &scene.shapes<Shape>()[b.index], sizeof shape) <=> 0;
+      const Shape other = scene.shapes<Shape>()[b.index];
+      return std::memcmp(&shape, &other, sizeof shape) <=> 0;
     });
   }
   template <class Element>

@@ -106,7 +106,7 @@ TEST_CASE("no ray passes between triangles that share an edge, however near to t
   Random random(10);
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     const Case drawn = generate(*conform::find_family("edge"), seed, 1);
-    const std::optional<Fan> fan = closed_flat_fan(drawn.scene.shapes<scene::Triangle>());
+    const std::optional<Fan> fan = closed_flat_fan(drawn.scene.singles<scene::Triangle>());
     if (!fan) continue;
     ++fans;
     const trace::Tables tables(drawn.scene);

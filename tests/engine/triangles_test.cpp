@@ -1,8 +1,10 @@
 // Every engine has the bytes of `exact` on meshes: closed and open ones, rays at their edges and vertices, from inside
 // and from their faces, with vertices of binary32, which the fast engine keeps in blocks, and of binary64.
 #include <cmath>
+#include <map>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/mesh_edit.hpp"
 #include "engine/same_bytes.hpp"
 #include "support/sanitized.hpp"
 #include "support/scenes.hpp"
@@ -83,6 +85,38 @@ Queries rays_at(const Mesh& mesh, Random& random, std::size_t count) {
   return queries;
 }
 
+/// The triangles of a scene as two meshes, whose points stand once, and other elements beside them, some of which are
+/// triangles.
+scene::Scene two_meshes(const scene::Scene& of, Random& random) {
+  scene::Scene scene;
+  for (int i = 0; i < 20; ++i) scene.apply(random_addition(random, "other" + std::to_string(i)));
+  scene::Mesh meshes[] = {{model::Elemento("a")}, {model::Elemento("b")}};
+  std::map<std::array<double, 3>, model::Ordinal> numbers[2];
+  of.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
+    if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+      scene::Mesh& mesh = meshes[e.index % 2];
+      const auto number = [&](const glm::dvec3& p) {
+        const auto next = static_cast<model::Ordinal>(mesh.puntos.size());
+        const auto [at, is_new] = numbers[e.index % 2].try_emplace({p.x, p.y, p.z}, next);
+        if (is_new) mesh.puntos.push_back(p);
+        return at->second;
+      };
+      const auto& [a, b, c] = shape.vertices;
+      mesh.caras.push_back({number(a), number(b), number(c)});
+    }
+  });
+  for (scene::Mesh& mesh : meshes)
+    REQUIRE(scene.apply_total(scene::MeshEdit(scene::MeshAddition{std::move(mesh)})).ok());
+  return scene;
+}
+
+/// The same elements, none in a mesh, in the same rows.
+scene::Scene by_themselves(const scene::Scene& of) {
+  scene::Scene scene;
+  of.for_each([&](scene::ElementRef e, const auto& shape) { REQUIRE(scene.add(of.name(e), shape).ok()); });
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("on meshes of binary32 and of binary64") {
@@ -109,6 +143,21 @@ TEST_CASE("on a mesh of binary32 among other elements, some of them triangles of
     Mesh mesh = sheet(10, true);
     for (int i = 0; i < 40; ++i) mesh.scene.apply(random_addition(random, "other" + std::to_string(i)));
     check_same(mesh.scene, rays_at(mesh, random, fewer_when_sanitized(400)), "seed " + std::to_string(seed));
+  }
+}
+
+TEST_CASE("on a scene with meshes, as on the same triangles by themselves") {
+  for (const bool single : {true, false}) {
+    Random random(single);
+    const Mesh of = sheet(9, single);
+    const Mesh meshes{two_meshes(of.scene, random), of.vertices};
+    const scene::Scene flat = by_themselves(meshes.scene);
+    REQUIRE(flat.size() == meshes.scene.size());
+    const Queries queries = rays_at(meshes, random, fewer_when_sanitized(400));
+    check_same(meshes.scene, queries, single ? "binary32" : "binary64");
+    const auto analytic = engine::find("analytic")->prepare(meshes.scene);
+    const auto of_flat = engine::find("analytic")->prepare(flat);
+    CHECK(engine::first_hits(*analytic, queries) == engine::first_hits(*of_flat, queries));
   }
 }
 

@@ -26,15 +26,15 @@ TEST_CASE("a triangle keeps the normals of its vertices beside its texture, and 
   scene::Scene scene = two_triangles();
   const scene::Wrap wrap{{{{0, 1}, {2, 3}, {4, 5}}}};
   scene.set_vertex_normals(*scene.find("second"), normals);
-  CHECK(scene.wrap(*scene.find("second")) == nullptr);
+  CHECK_FALSE(scene.wrap(*scene.find("second")));
   scene.set_wrap(*scene.find("second"), wrap);
   scene.apply(model::Eliminar_Triangulo{model::Elemento("first")});
-  REQUIRE(scene.vertex_normals(*scene.find("second")) != nullptr);
+  REQUIRE(scene.vertex_normals(*scene.find("second")));
   CHECK(*scene.vertex_normals(*scene.find("second")) == normals);
   CHECK(*scene.wrap(*scene.find("second")) == wrap);
   scene.apply(model::Eliminar_Triangulo{model::Elemento("second")});
   scene.apply(model::Agregar_Triangulo{model::Elemento("second"), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
-  CHECK(scene.vertex_normals(*scene.find("second")) == nullptr);
+  CHECK_FALSE(scene.vertex_normals(*scene.find("second")));
 }
 
 TEST_CASE("no other shape has normals at vertices, and none of them is null or infinite") {
@@ -46,6 +46,6 @@ TEST_CASE("no other shape has normals at vertices, and none of them is null or i
     bad[2] = {0, wrong, 0};
     CHECK_FALSE(scene::have_directions(bad));
     CHECK_THROWS_AS(scene.set_vertex_normals(*scene.find("first"), bad), std::domain_error);
-    CHECK(scene.vertex_normals(*scene.find("first")) == nullptr);
+    CHECK_FALSE(scene.vertex_normals(*scene.find("first")));
   }
 }

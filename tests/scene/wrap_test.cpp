@@ -15,13 +15,13 @@ TEST_CASE("a triangle keeps how textures lie on it while others come and go, and
   add("second");
   const scene::Wrap wrap{{{{0, 1}, {2, 3}, {4, 5}}}};
   scene.set_wrap(*scene.find("second"), wrap);
-  CHECK(scene.wrap(*scene.find("first")) == nullptr);
+  CHECK_FALSE(scene.wrap(*scene.find("first")));
   scene.apply(model::Eliminar_Triangulo{model::Elemento("first")});
-  REQUIRE(scene.wrap(*scene.find("second")) != nullptr);
+  REQUIRE(scene.wrap(*scene.find("second")));
   CHECK(*scene.wrap(*scene.find("second")) == wrap);
   scene.apply(model::Eliminar_Triangulo{model::Elemento("second")});
   add("second");
-  CHECK(scene.wrap(*scene.find("second")) == nullptr);
+  CHECK_FALSE(scene.wrap(*scene.find("second")));
   scene.apply(model::Agregar_Esfera{model::Elemento("ball"), {0, 0, 0}, 1});
   CHECK_THROWS_AS(scene.set_wrap(*scene.find("ball"), wrap), std::domain_error);
 }

@@ -55,10 +55,11 @@ class Bvh {
   /// The hierarchy's size.
   Size size() const;
 
-  /// Inserts an element by the heuristic of Goldsmith and Salmon. Precondition: it was just added to the scene.
+  /// Inserts an element by the heuristic of Goldsmith and Salmon. Precondition: it was just added to the scene, which
+  /// has no mesh.
   void added(scene::ElementRef e);
-  /// Removes the element that e named. Precondition: it was just removed from the scene, where e now names the element
-  /// that was the last of its type.
+  /// Removes the element that e named. Precondition: it was just removed from the scene, which has no mesh, and where e
+  /// now names the element that was the last of its type.
   void removed(scene::ElementRef e);
 
   /// Candidates::any (trace/candidates.hpp), nearest boxes first; adds its work to `work`.

@@ -119,7 +119,7 @@ durero_answer durero_occluded_segments(const durero_engine *engine, const durero
                                        uint8_t *occluded);
 
 /** The name of an element by its number, 0 to durero_scene_size() − 1; NULL where it is none. It is valid as long as the
- * scene is not edited, and so is the number. */
+ * engine is and the scene is not edited, and so is the number. */
 const char *durero_element_name(const durero_engine *engine, uint32_t element);
 /** The number of the element of a name; DURERO_NO_ELEMENT where there is none. */
 uint32_t durero_element_number(const durero_engine *engine, const char *name);

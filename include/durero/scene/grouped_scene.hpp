@@ -14,6 +14,7 @@ struct GroupedScene {
   /// @{ The total edits: where a precondition does not hold they change nothing, and answer so. An element that is
   /// removed leaves its group.
   model::Answer apply_total(const Edit& edit);
+  model::Answer apply_total(MeshEdit edit);
   Outcome apply_total(const GroupEdit& edit) { return groups.apply_total(edit, scene); }
   /// @}
 };

@@ -84,12 +84,15 @@ class Groups {
   /// After an operation was carried out on the scene: an element that was removed leaves its group. One that was added
   /// is in none.
   void follow(const model::Operation& done) noexcept;
+  /// After a mesh was edited: each face that is no more leaves its group. O(members).
+  void follow_meshes(const Scene& scene) noexcept;
 
   bool operator==(const Groups& other) const { return table_ == other.table_; }  ///< in name and in what they hold
 
  private:
   using Index = std::map<std::string, std::string, std::less<>>;  // from a member to its group
 
+  Index::iterator leave(Index::iterator element) noexcept;
   void make(const Grouping& in);
   void dissolve(std::string_view g);
 

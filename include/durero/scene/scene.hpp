@@ -12,6 +12,7 @@
 #include "durero/model/operation.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/scene/held_stage.hpp"
+#include "durero/scene/mesh_edit.hpp"
 #include "durero/scene/name_index.hpp"
 #include "durero/scene/shapes.hpp"
 #include "durero/scene/table.hpp"
@@ -24,10 +25,19 @@ struct Edit;
 /// Elements, and the stage that a picture of them needs. Many threads may read it while none edits it.
 class Scene {
  public:
-  /// The dense table of one shape: the element {Shape::tipo, i} is its row i.
+  /// The elements of one shape by themselves, in no mesh: the element {Shape::tipo, i} is row i.
   template <class Shape>
-  std::span<const Shape> shapes() const noexcept {
+  std::span<const Shape> singles() const noexcept {
     return table<Shape>().shapes;
+  }
+  /// All elements of one shape: the element {Shape::tipo, i} is row i. The faces of meshes stand behind the triangles
+  /// by themselves, in the order of the meshes.
+  template <class Shape>
+  auto shapes() const noexcept {
+    if constexpr (std::is_same_v<Shape, Triangle>)
+      return Triangles(singles<Triangle>(), meshes_);
+    else
+      return singles<Shape>();
   }
 
   /// visit(shape) with the geometry of an element.
@@ -43,11 +53,20 @@ class Scene {
   bool any_of(Visit&& visit) const {
     bool answered = false;
     for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-      const std::span<const Shape> rows = shapes<Shape>();
+      const auto rows = shapes<Shape>();
       for (std::uint32_t i = 0; i < rows.size() && !answered; ++i)
         answered = visit(ElementRef{Shape::tipo, i}, rows[i]);
     });
     return answered;
+  }
+
+  /// visit(element, shape) for every element by itself, in no mesh, ascending.
+  template <class Visit>
+  void for_each_single(Visit&& visit) const {
+    for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      const std::span<const Shape> rows = singles<Shape>();
+      for (std::uint32_t i = 0; i < rows.size(); ++i) visit(ElementRef{Shape::tipo, i}, rows[i]);
+    });
   }
 
   /// visit(element, shape) for every element, ascending.
@@ -60,10 +79,10 @@ class Scene {
   }
 
   /// #elementos
-  std::size_t size() const noexcept { return index_.size(); }
+  std::size_t size() const noexcept { return index_.size() + meshes_.faces(); }
 
   /// Precondition of the members that take an ElementRef: it comes from this scene, since its last edit.
-  const model::Elemento& name(ElementRef element) const noexcept;
+  model::Elemento name(ElementRef element) const;
   /// The element of a name; nothing where it has none.
   std::optional<ElementRef> find(std::string_view name) const noexcept;
 
@@ -75,9 +94,19 @@ class Scene {
   /// The same of an edit: a new element gets the edit's material. Throws std::out_of_range, and changes nothing, where
   /// the edit's material is none of the stage's.
   model::Answer apply_total(const Edit& edit);
+  /// The total operation on meshes: it costs as much as the mesh is large. Throws, and changes nothing,
+  /// std::domain_error where a point is not finite, where normals or uv are not one for each point, or where a normal
+  /// has no direction, std::out_of_range where the material is none of the stage's, and std::length_error where the
+  /// triangles are more than places.
+  model::Answer apply_total(MeshEdit edit);
   /// The total addition of an element of that geometry, for whoever reads no operations. Of every shape.
   template <class Shape>
   model::Answer add(const model::Elemento& e, const Shape& shape, std::optional<std::uint32_t> material = {});
+
+  /// The meshes. Of a face, the name, the material and the looks are those of its mesh.
+  const Meshes& meshes() const noexcept { return meshes_; }
+  /// The face that an element is; nothing where it is none.
+  std::optional<Meshes::Face> face(ElementRef element) const noexcept;
 
   /// Puts the audits of edits off until audit(): for a reader, whose additions are audited together.
   void put_off_audits() noexcept { audits_are_put_off_ = true; }
@@ -92,22 +121,23 @@ class Scene {
 
   /// The material of an element, as an index into stage().materials.
   std::optional<std::uint32_t> material(ElementRef element) const noexcept;
-  /// Throws std::out_of_range where the index names no material.
+  /// Throws std::out_of_range where the index names no material, and std::domain_error where the element is a face.
   void set_material(ElementRef element, std::optional<std::uint32_t> material);
 
-  /// How textures lie on a triangle; null where they follow its own (u, v), as on every other shape.
-  const Wrap* wrap(ElementRef element) const noexcept;
-  /// Throws std::domain_error where the element is no triangle.
+  /// How textures lie on a triangle; nothing where they follow its own (u, v), as on every other shape.
+  std::optional<Wrap> wrap(ElementRef element) const;
+  /// Throws std::domain_error where the element is no triangle by itself.
   void set_wrap(ElementRef element, const Wrap& wrap);
 
-  /// The normals of the vertices of a triangle; null where it is shaded as it lies, as every other shape.
-  const VertexNormals* vertex_normals(ElementRef element) const noexcept;
-  /// Throws std::domain_error where the element is no triangle, or a normal is null or not finite.
+  /// The normals of the vertices of a triangle; nothing where it is shaded as it lies, as every other shape.
+  std::optional<VertexNormals> vertex_normals(ElementRef element) const noexcept;
+  /// Throws std::domain_error where the element is no triangle by itself, or a normal is null or not finite.
   void set_vertex_normals(ElementRef element, const VertexNormals& normals);
 
   /// The way of an element in a unit of time; null where it rests.
   const glm::dvec3* motion(ElementRef element) const noexcept;
-  /// Makes an element move evenly: at the time 0 it is where its attributes say.
+  /// Makes an element move evenly: at the time 0 it is where its attributes say. Throws std::domain_error where the
+  /// element is a face.
   void set_motion(ElementRef element, const glm::dvec3& motion);
   /// What an element is that no table holds; null of one that is the shape in its row.
   const Body* body(ElementRef element) const noexcept;
@@ -123,14 +153,22 @@ class Scene {
 
  private:
   friend class Editor;
+  friend class MeshEditor;
 
+  bool is_face(ElementRef element) const noexcept {
+    return element.tipo == Triangle::tipo && element.index >= table<Triangle>().size();
+  }
+  /// @{ Precondition: the element is no face.
   const Label& label(ElementRef element) const noexcept;
   Label& label(ElementRef element) noexcept;
+  /// @}
   template <class Attribute>
   const Attribute* rare(ElementRef element, std::optional<Attribute> RareAttributes::*which) const noexcept;
   template <class Attribute>
   void set_rare(ElementRef element, std::optional<Attribute> RareAttributes::*which,
                 const std::optional<Attribute>& value);
+  /// Throws std::domain_error where the element is a face.
+  void require_single(ElementRef element) const;
   std::optional<ElementRef> find(std::string_view name, NameIndex::hash_type hash) const noexcept;
 
   template <class Shape>
@@ -143,7 +181,8 @@ class Scene {
   }
 
   Tables<Shapes> tables_;
-  NameIndex index_;
+  NameIndex index_;  // of the elements by themselves
+  Meshes meshes_;
   HeldStage stage_;
   std::shared_ptr<const model::Escena> audited_;  // what the scene stands for, where its last edit was audited
   bool audits_are_put_off_ = false;

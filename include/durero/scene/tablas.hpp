@@ -60,8 +60,9 @@ constexpr void for_each_column(Visit&& visit) {
   std::apply([&](const auto&... column) { (visit(column), ...); }, columns);
 }
 
-/// What the tables hold, read from the rows; `lugar` is what the index answers for the name of each. A name that the
-/// index knows and no row has would stand nowhere here: scene.size() counts it. O(n log n).
+/// The tables of the elements by themselves, without meshes, read from the rows; `lugar` is what the index answers for
+/// the name of each. A name that the index knows and no row has would stand nowhere here: scene.size() counts it, and
+/// the faces of meshes. O(n log n).
 Tablas tablas(const Scene& scene);
 
 }  // namespace durero::scene

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,14 +12,12 @@
 #include <vector>
 
 #include "durero/model/tipos.hpp"
+#include "durero/scene/mesh.hpp"
 #include "durero/scene/name_index.hpp"
 #include "durero/scene/vertex_normals.hpp"
 #include "durero/scene/wrap.hpp"
 
 namespace durero::scene {
-
-/// Label::material of an element that has none.
-inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>::max();
 
 struct Body;
 

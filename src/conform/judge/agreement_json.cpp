@@ -20,7 +20,7 @@ std::string_view predicate(oracle::sampled::SampledVerdict verdict) {
 void write_elements(Writer& out, const AgreementCall& call, const scene::Hit& claimed) {
   out.key("elementos").begin_array();
   for (const scene::ElementRef element : claimed.elementos) {
-    const std::string_view name = call.scene.name(element).name();
+    const std::string name = call.scene.name(element).name();
     const auto [pointer, place] = io::element_place(call.file, name);
     out.begin_object().member("id", name).member("pointer", pointer);
     out.member("line", std::uint64_t{place.line}).member("column", std::uint64_t{place.column}).end_object();

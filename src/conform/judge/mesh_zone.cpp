@@ -77,7 +77,8 @@ Parameter leaving(Triangles triangles, const model::Rayo& rayo, const Dyadic& gr
 }  // namespace
 
 std::optional<Zone> zone_of_mesh(const scene::Scene& scene, const model::Rayo& rayo, const Precision& precision) {
-  const Triangles triangles = scene.shapes<scene::Triangle>();
+  const std::vector<scene::Triangle> held = scene.shapes<scene::Triangle>().copied();
+  const Triangles triangles = held;
   if (triangles.empty() || !is_closed(triangles)) return std::nullopt;
   const glm::dvec3& p = rayo.p().xyz();
   double longest = largest(p);

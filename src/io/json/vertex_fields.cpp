@@ -44,8 +44,8 @@ void write_wrap(json::Writer& out, const scene::Wrap& wrap) {
 }  // namespace
 
 void write_vertex_looks(json::Writer& out, const scene::Scene& scene, scene::ElementRef element) {
-  if (const scene::Wrap* const wrap = scene.wrap(element)) write_wrap(out, *wrap);
-  if (const scene::VertexNormals* const normals = scene.vertex_normals(element)) {
+  if (const auto wrap = scene.wrap(element)) write_wrap(out, *wrap);
+  if (const auto normals = scene.vertex_normals(element)) {
     out.key(vertex_keys[2]).begin_array();
     for (const glm::dvec3& normal : *normals) out.value(normal);
     out.end_array();

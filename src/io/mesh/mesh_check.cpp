@@ -162,7 +162,7 @@ void write_defect(json::Writer& out, const MeshDefect& defect) {
 SceneMesh mesh_of(const scene::Scene& scene) {
   SceneMesh mesh;
   Numbering<std::array<double, 3>> numbers;
-  const std::span<const scene::Triangle> triangles = scene.shapes<scene::Triangle>();
+  const scene::Triangles triangles = scene.shapes<scene::Triangle>();
   for (std::uint32_t n = 0; n < triangles.size(); ++n) {
     CornerNumbers face{};
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -30,11 +30,11 @@ Exported obj_text(const scene::Scene& scene, const scene::Groups& groups) {
   for (const WrittenTriangle& triangle : written_triangles(scene, groups)) {
     if (triangle.group != group) faces += fmt::format("g {}\n", group = triangle.group);
     faces += 'f';
-    const auto& corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
-    const scene::VertexNormals* const own = scene.vertex_normals(triangle.element);
+    const auto corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
+    const auto own = scene.vertex_normals(triangle.element);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       faces += fmt::format(" {}", written(out.text, "v", vertices, corners[i]));
-      if (own != nullptr) faces += fmt::format("//{}", written(out.text, "vn", normals, (*own)[i]));
+      if (own) faces += fmt::format("//{}", written(out.text, "vn", normals, (*own)[i]));
     }
     faces += '\n';
   }

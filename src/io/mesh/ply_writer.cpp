@@ -13,15 +13,15 @@ namespace durero::io {
 Exported ply_text(const scene::Scene& scene, const scene::Groups& groups) {
   const std::vector<WrittenTriangle> triangles = written_triangles(scene, {});
   const auto smooth = static_cast<std::size_t>(std::ranges::count_if(
-      triangles, [&](const WrittenTriangle& triangle) { return scene.vertex_normals(triangle.element) != nullptr; }));
+      triangles, [&](const WrittenTriangle& triangle) { return scene.vertex_normals(triangle.element).has_value(); }));
   const bool has_normals = smooth == triangles.size() && smooth > 0;
   Numbering<std::array<double, 6>> numbers;
   std::string vertices, faces;
   std::size_t count = 0;
   for (const WrittenTriangle& triangle : triangles) {
     faces += '3';
-    const auto& corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
-    const scene::VertexNormals* const normals = scene.vertex_normals(triangle.element);
+    const auto corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
+    const auto normals = scene.vertex_normals(triangle.element);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const glm::dvec3 &p = corners[i], n = has_normals ? (*normals)[i] : glm::dvec3(0);
       const auto [number, is_new] = numbers.number({p.x, p.y, p.z, n.x, n.y, n.z});

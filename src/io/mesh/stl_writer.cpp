@@ -30,14 +30,14 @@ Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
   const std::vector<WrittenTriangle> triangles = written_triangles(scene, groups);
   std::size_t smooth = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto& [element, group] = triangles[i];
+    const auto& [element, group, name] = triangles[i];
     if (i == 0 || triangles[i - 1].group != group) out.text += solid_line("solid", group);
-    const scene::Triangle& triangle = scene.shapes<scene::Triangle>()[element.index];
+    const scene::Triangle triangle = scene.shapes<scene::Triangle>()[element.index];
     out.text += fmt::format("facet normal {}\nouter loop\n", triple_text(facet_normal(triangle)));
     for (const glm::dvec3& vertex : triangle.vertices) out.text += fmt::format("vertex {}\n", triple_text(vertex));
     out.text += "endloop\nendfacet\n";
     if (i + 1 == triangles.size() || triangles[i + 1].group != group) out.text += solid_line("endsolid", group);
-    smooth += scene.vertex_normals(element) != nullptr;
+    smooth += scene.vertex_normals(element).has_value();
   }
   if (triangles.empty()) out.text = "solid\nendsolid\n";
   add_nesting_loss(out.lost, groups, "a solid of STL");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "durero/scene/stage.hpp"
 #include "io/blur_losses.hpp"
@@ -26,10 +27,12 @@ std::vector<WrittenTriangle> written_triangles(const scene::Scene& scene, const 
   std::vector<WrittenTriangle> triangles;
   for (std::uint32_t i = 0; i < scene.shapes<scene::Triangle>().size(); ++i) {
     const scene::ElementRef element{model::Tipo::soy_triangulo, i};
-    triangles.push_back({element, groups.of_element(scene.name(element).name())});
+    std::string name = scene.name(element).name();
+    const std::string_view group = groups.of_element(name);
+    triangles.push_back({element, group, std::move(name)});
   }
-  std::ranges::sort(triangles, {}, [&](const WrittenTriangle& triangle) {
-    return std::tuple(triangle.group, order_of(scene.name(triangle.element).name()));
+  std::ranges::sort(triangles, {}, [](const WrittenTriangle& triangle) {
+    return std::tuple(triangle.group, order_of(triangle.name));
   });
   return triangles;
 }
@@ -51,7 +54,7 @@ void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, 
   add_loss(lost, stage.materials.size(), "material", "materials", none);
   add_loss(lost, stage.textures.size(), "texture", "textures", none);
   std::size_t wrapped = 0;
-  scene.for_each([&](scene::ElementRef element, const auto&) { wrapped += scene.wrap(element) != nullptr; });
+  scene.for_each([&](scene::ElementRef element, const auto&) { wrapped += scene.wrap(element).has_value(); });
   add_loss(lost, wrapped, "uv of a triangle", "uv of triangles",
            fmt::format("left out: they are not written to {}", format));
   add_loss(lost, stage.lights.size() + stage.directional_lights.size(), "light", "lights", none);

@@ -1,6 +1,7 @@
 #pragma once
 /// The triangles of a scene in the order in which the formats of meshes write them, and what these do not keep.
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace durero::io {
 struct WrittenTriangle {
   scene::ElementRef element;
   std::string_view group;
+  std::string name;
 };
 
 /// The triangles by group, then by name; a number that ends a name counts as a number, so that `m:2` stands before

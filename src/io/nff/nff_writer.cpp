@@ -76,7 +76,7 @@ class NffWriter {
   }
 
   void write_element(ElementRef element) {
-    if (const scene::VertexNormals* const normals = scene_.vertex_normals(element))
+    if (const auto normals = scene_.vertex_normals(element))
       return write_patch(scene_.shapes<scene::Triangle>()[element.index], *normals);
     scene_.visit(element, [&](const auto& shape) { write_shape(shape); });
   }

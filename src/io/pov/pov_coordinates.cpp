@@ -143,8 +143,8 @@ PovCoordinates pov_coordinates(const scene::AnyShape& shape) {
 
 PovCoordinates pov_coordinates(const scene::Scene& scene, scene::ElementRef element) {
   const PovCoordinates own = scene.visit(element, [](const auto& shape) { return own_coordinates(shape); });
-  const scene::Wrap* const wrap = scene.wrap(element);
-  return wrap == nullptr ? own : wrapped(scene.shapes<scene::Triangle>()[element.index], own, *wrap);
+  const auto wrap = scene.wrap(element);
+  return !wrap ? own : wrapped(scene.shapes<scene::Triangle>()[element.index], own, *wrap);
 }
 
 }  // namespace durero::io

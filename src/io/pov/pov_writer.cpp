@@ -122,12 +122,11 @@ class PovWriter {
 
   /// A line, or two; empty where the element is left out.
   std::string object_text(scene::ElementRef element) {
-    const scene::VertexNormals* const normals = scene_.vertex_normals(element);
+    const auto normals = scene_.vertex_normals(element);
     const scene::Body* const body = scene_.body(element);
     const std::string shape = body != nullptr ? body_text(*body)
-                              : normals == nullptr
-                                  ? plain_text(element)
-                                  : smooth_text(scene_.shapes<scene::Triangle>()[element.index], *normals);
+                              : !normals      ? plain_text(element)
+                                              : smooth_text(scene_.shapes<scene::Triangle>()[element.index], *normals);
     if (shape.empty()) return "";
     const auto material = scene_.material(element);
     const bool is_glass = material && scene_.stage().materials[*material].k_t > 0;

@@ -25,8 +25,8 @@ constexpr std::size_t outcome_width = 10;  // of the longest, no_minimum
 constexpr std::size_t values_width = outcome_width + std::size_t{4} * 8;
 constexpr std::size_t least_width = 1;  // NumPy's, of the names
 
-std::vector<std::string_view> names(const scene::Hit& hit, const scene::Scene& scene) {
-  std::vector<std::string_view> all;
+std::vector<std::string> names(const scene::Hit& hit, const scene::Scene& scene) {
+  std::vector<std::string> all;
   for (const scene::ElementRef element : hit.elementos) all.push_back(scene.name(element).name());
   std::ranges::sort(all);
   return all;
@@ -34,7 +34,7 @@ std::vector<std::string_view> names(const scene::Hit& hit, const scene::Scene& s
 
 std::string joined_names(const scene::Hit& hit, const scene::Scene& scene) {
   std::string all;
-  for (const std::string_view name : names(hit, scene)) all.append(all.empty() ? "" : ",").append(name);
+  for (const std::string& name : names(hit, scene)) all.append(all.empty() ? "" : ",").append(name);
   return all;
 }
 
@@ -151,7 +151,7 @@ const std::string& with_ending(const std::string& path) {
 
 void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
   out.member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
-  for (const std::string_view name : names(hit, scene)) out.value(name);
+  for (const std::string& name : names(hit, scene)) out.value(name);
   out.end_array();
   if (hit.resultado == Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
 }

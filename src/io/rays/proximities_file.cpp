@@ -19,8 +19,8 @@ using scene::Proximity;
 
 constexpr std::size_t count_width = 4;  // of the longest word
 
-std::vector<std::string_view> names(const Proximity& proximity, const scene::Scene& scene) {
-  std::vector<std::string_view> all;
+std::vector<std::string> names(const Proximity& proximity, const scene::Scene& scene) {
+  std::vector<std::string> all;
   for (const scene::ElementRef element : proximity.elementos) all.push_back(scene.name(element).name());
   std::ranges::sort(all);
   return all;
@@ -45,7 +45,7 @@ std::string proximity_text(std::size_t point, const Proximity& proximity, const 
   std::string text;
   json::Writer out(text);
   out.begin_object().member("point", point).member("count", word(proximity.count)).key("elementos").begin_array();
-  for (const std::string_view name : names(proximity, scene)) out.value(name);
+  for (const std::string& name : names(proximity, scene)) out.value(name);
   out.end_array();
   if (proximity.count != NearestCount::none)
     out.member("distance", proximity.distance).member("nearest", proximity.point);

@@ -10,8 +10,8 @@ namespace durero::render {
 
 glm::dvec3 smooth_normal(const scene::Scene& scene, scene::ElementRef element, const glm::dvec3& point,
                          const glm::dvec3& n) {
-  const scene::VertexNormals* const normals = scene.vertex_normals(element);
-  if (normals == nullptr) return n;
+  const auto normals = scene.vertex_normals(element);
+  if (!normals) return n;
   const auto [u, v] = own_coordinates(scene, element, point);
   const auto& [a, b, c] = *normals;
   const glm::dvec3 between = unit((1 - u - v) * a + u * b + v * c);

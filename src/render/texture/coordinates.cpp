@@ -186,7 +186,7 @@ class Wrapped {
 /// Calls of_wrapped(wrapped, triangle) where the vertices have coordinates, else of_shape(shape).
 template <class OfWrapped, class OfShape>
 auto visit(const scene::Scene& scene, scene::ElementRef element, OfWrapped&& of_wrapped, OfShape&& of_shape) {
-  if (const scene::Wrap* const wrap = scene.wrap(element))
+  if (const auto wrap = scene.wrap(element))
     return of_wrapped(Wrapped(scene.shapes<Triangle>()[element.index], *wrap), scene.shapes<Triangle>()[element.index]);
   return scene.visit(element, of_shape);
 }

@@ -25,7 +25,7 @@ Numbers bits_of(const scene::Scene& scene, scene::ElementRef element, bool with_
     for (int i = 0; i < 3; ++i) bits.push_back(std::bit_cast<std::uint64_t>(x[i]));
   };
   for (const glm::dvec3& vertex : scene.shapes<scene::Triangle>()[element.index].vertices) add_bits(vertex);
-  if (const scene::VertexNormals* normals = scene.vertex_normals(element); normals != nullptr && with_normals)
+  if (const auto normals = scene.vertex_normals(element); normals && with_normals)
     for (const glm::dvec3& normal : *normals) add_bits(normal);
   return bits;
 }

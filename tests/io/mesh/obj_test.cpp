@@ -115,12 +115,12 @@ f 1//1 2//3 3//1
 )",
                                      "m");
   const auto normals = [&](const char* name) { return i.scene.vertex_normals(i.scene.find(name).value()); };
-  REQUIRE(normals("m:1") != nullptr);
+  REQUIRE(normals("m:1"));
   CHECK(*normals("m:1") == scene::VertexNormals{{{0, 0, 1}, {1, 0, 2}, {0, 0, 1}}});
   CHECK(*normals("m:2") == scene::VertexNormals{{{1, 0, 2}, {0, 0, 1}, {0, 0, 1}}});
   CHECK(*normals("m:3") == scene::VertexNormals{{{1, 0, 2}, {0, 0, 1}, {0, 0, 1}}});
-  CHECK(normals("m:4") == nullptr);
-  CHECK(normals("m:5") == nullptr);
+  CHECK_FALSE(normals("m:4"));
+  CHECK_FALSE(normals("m:5"));
   CHECK(i.lost == std::vector<std::string>{"1 triangle kept flat: a normal at a vertex has no direction"});
 }
 
@@ -192,15 +192,15 @@ vt 9 9
 )",
                                      "sheet.obj");
   const auto uv = [&](const char* name) {
-    const scene::Wrap* const wrap = i.scene.wrap(*i.scene.find(name));
-    return wrap == nullptr ? std::array<glm::dvec2, 3>() : wrap->uv;
+    const auto wrap = i.scene.wrap(*i.scene.find(name));
+    return wrap ? wrap->uv : std::array<glm::dvec2, 3>();
   };
   // Of a rectangle of half the height (u, v) of a point is half of x, and half of y, whichever way it is cut.
   for (const char* const name : {"sheet.obj:1", "sheet.obj:2", "sheet.obj:3"}) {
     const auto& vertices = i.scene.shapes<scene::Triangle>()[i.scene.find(name)->index].vertices;
     for (std::size_t k = 0; k < 3; ++k) CHECK(uv(name)[k] == glm::dvec2(vertices[k].x / 2, vertices[k].y / 2));
   }
-  CHECK(i.scene.wrap(*i.scene.find("sheet.obj:4")) == nullptr);
+  CHECK_FALSE(i.scene.wrap(*i.scene.find("sheet.obj:4")));
   CHECK(i.lost == std::vector<std::string>{"1 texture coordinate left out: no face has them at all of its corners"});
 }
 

@@ -98,11 +98,11 @@ TEST_CASE("The normals of the vertices make triangles smooth, whatever the order
            normal + "\n0 2 0 0 1 2\n0.5 0 2 0 0 1\n3 0 1 2\n";
   };
   const io::Imported i = import_text(mesh("0 0 0 0 0 3"));
-  REQUIRE(i.scene.vertex_normals(*i.scene.find("m.ply:1")) != nullptr);
+  REQUIRE(i.scene.vertex_normals(*i.scene.find("m.ply:1")));
   CHECK(*i.scene.vertex_normals(*i.scene.find("m.ply:1")) == scene::VertexNormals{{{0, 0, 3}, {0, 1, 2}, {0.5, 0, 1}}});
   CHECK(i.lost.empty());
   const io::Imported flat = import_text(mesh("0 0 0 0 0 0"));
-  CHECK(flat.scene.vertex_normals(*flat.scene.find("m.ply:1")) == nullptr);
+  CHECK_FALSE(flat.scene.vertex_normals(*flat.scene.find("m.ply:1")));
   CHECK(flat.lost == std::vector<std::string>{"1 triangle kept flat: a normal at a vertex has no direction"});
 }
 
