@@ -127,9 +127,9 @@ void add_edit(CLI::App& app, int& status) {
       "Without --script and --op, operations are read from the standard input. With --with, the types that the text\n"
       "declares have operations too: puntos_toro gives Agregar_Toro and Eliminar_Toro; what the text gives\n"
       "no points is refused with the predicate that does not hold.\n\n"
-      "An operation takes no longer in a large scene than in a small one. With --audit or --by-spec it does: each "
-      "then\n"
-      "looks at every element, before and after, so that time grows with the operations times the elements.\n\n" +
+      "An operation takes no longer in a large scene than in a small one; one on a mesh takes as long as the mesh is\n"
+      "large. With --audit or --by-spec each looks at every element, before and after, so that time grows with the\n"
+      "operations times the elements.\n\n" +
       exit_status("every operation was carried out", "one was refused",
                   "the call or a file is bad, and nothing is written") +
       examples({"edit demo/still-life.json --op \"Agregar_Esfera e?=moon centro?=(0,3,4) radio?=0.5\" -o "

@@ -73,6 +73,11 @@ io::EditAnswer Edited::apply_total(const scene::Copying& edit) {
   return EditedScene::apply_total(edit);
 }
 
+io::EditAnswer Edited::apply_total(scene::MeshEdit edit) {
+  if (text_) throw std::domain_error("a mesh is edited beside a Z text; expected types of the text alone");
+  return EditedScene::apply_total(std::move(edit));
+}
+
 io::EditAnswer Edited::apply_total(const scene::Joining& edit) {
   if (text_) throw std::domain_error(edit.e + " is a solid beside a Z text; expected types of the text alone");
   return EditedScene::apply_total(edit);

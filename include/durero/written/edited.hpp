@@ -33,6 +33,7 @@ class Edited final : public io::EditedScene {
   io::EditAnswer apply_total(const io::WrittenEdit& edit) override;
   io::EditAnswer apply_total(const scene::Copying& edit) override;
   io::EditAnswer apply_total(const scene::Joining& edit) override;
+  io::EditAnswer apply_total(scene::MeshEdit edit) override;
   /// @}
 
   /// The engine that answers rays by the text. It does not refer to this scene. Precondition: there is a text.

@@ -20,6 +20,7 @@ const std::string* element_of(const scene::Joining& edit) { return &edit.e; }
 const std::string* element_of(const scene::SolidRemoval& edit) { return &edit.e; }
 const std::string* element_of(const scene::GroupEdit&) { return nullptr; }
 const std::string* element_of(const scene::Closing&) { return nullptr; }
+const std::string* element_of(const scene::MeshEdit&) { return nullptr; }
 /// @}
 
 }  // namespace
@@ -54,6 +55,8 @@ EditAnswer EditedScene::apply_total(const scene::SolidRemoval& edit) {
   if (outcome.ok()) of_.groups.follow(model::Eliminar_Elemento{model::Elemento(edit.e)});
   return edit_answer(outcome);
 }
+
+EditAnswer EditedScene::apply_total(scene::MeshEdit edit) { return edit_answer(of_.apply_total(std::move(edit))); }
 
 EditAnswer EditedScene::apply_total(const WrittenEdit&) { contract::unreachable(); }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "durero/io/json/json.hpp"
 #include "durero/text/spanish.hpp"
 #include "io/cursor.hpp"
@@ -42,6 +44,24 @@ std::array<glm::dvec3, 3> read_three_points(WordCursor& in) {
   return points;
 }
 
+/// ((x,y,z),…), of which the first bracket has been read.
+std::vector<glm::dvec3> read_triples(WordCursor& in) {
+  constexpr std::string_view where = "in ((x,y,z),…)";
+  std::vector<glm::dvec3> triples;
+  in.skip_blanks();
+  if (in.take(')')) return triples;
+  do {
+    in.skip_blanks();
+    in.expect('(', where);
+    triples.push_back(read_triple(in));
+    in.skip_blanks();
+  } while (in.take(','));
+  in.expect(')', "after ((x,y,z),…");
+  return triples;
+}
+
+bool is_list(std::string_view input) { return std::ranges::find(mesh_lists, input) != mesh_lists.end(); }
+
 CallInput read_input(WordCursor& in) {
   CallInput input{{}, in.offset(), 0, {}};
   input.name = in.word("=?");
@@ -51,7 +71,9 @@ CallInput read_input(WordCursor& in) {
   input.value_offset = in.offset();
   if (in.take('(')) {
     in.skip_blanks();
-    if (in.at('(')) {
+    if (is_list(input.name)) {
+      input.value = read_triples(in);
+    } else if (in.at('(')) {
       input.value = read_three_points(in);
     } else {
       input.value = read_triple(in);
@@ -85,7 +107,11 @@ Call read_text_call(WordCursor& in) {
 
 void read_array(json::Reader& in, std::string_view what, CallInput& input) {
   const json::TokenKind first = in.kind_of_first_item();
-  if (first == json::TokenKind::array) {
+  if (is_list(input.name)) {
+    std::vector<glm::dvec3> triples;
+    in.array(what, [&] { triples.push_back(in.vec3(what)); });
+    input.value = std::move(triples);
+  } else if (first == json::TokenKind::array) {
     input.value = in.three_points(what);
   } else if (first == json::TokenKind::string || first == json::TokenKind::end_array) {
     std::vector<std::string> names;

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -18,12 +19,17 @@ struct Word {
   std::string text;
 };
 
+/// The inputs that are lists of triples, however many: the points and the faces of a mesh.
+inline constexpr std::array<std::string_view, 2> mesh_lists{"puntos", "caras"};
+
 struct CallInput {
   std::string name;  // without ?
   std::size_t name_offset;
   std::size_t value_offset;
-  // A string and a double are JSON's.
-  std::variant<Word, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>, std::vector<std::string>> value;
+  // A string and a double are JSON's. A list of triples is that of an input of mesh_lists.
+  std::variant<Word, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>, std::vector<std::string>,
+               std::vector<glm::dvec3>>
+      value;
 };
 
 struct Call {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <ranges>
 
+#include "durero/io/json/whole_number.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/scene/shapes.hpp"
 #include "durero/text/nearest.hpp"
@@ -121,6 +123,32 @@ void Inputs::read(std::string_view name, std::array<glm::dvec3, 3>& value) const
          "expected ((x,y,z),(x,y,z),(x,y,z)), or [[x,y,z],[x,y,z],[x,y,z]] in JSON");
   }
   value = *triples;
+}
+
+model::Ordinal Inputs::ordinal(std::string_view input, double value) const {
+  constexpr double most = std::numeric_limits<model::Ordinal>::max();
+  if (!is_whole(value, 0, most))
+    fail(input, fmt::format("{} in {}", value, input_named(input)), "expected the number of a point, from 0");
+  return static_cast<model::Ordinal>(value);
+}
+
+void Inputs::read(std::string_view name, model::Ordinal& value) const {
+  double number{};
+  read(name, number);
+  value = ordinal(name, number);
+}
+
+void Inputs::read(std::string_view name, std::vector<glm::dvec3>& value) const {
+  const auto* triples = std::get_if<std::vector<glm::dvec3>>(&find(name)->value);
+  if (triples == nullptr)
+    fail(name, input_named(name) + " is no list of triples", "expected ((x,y,z),…), or [[x,y,z],…] in JSON");
+  value = *triples;
+}
+
+void Inputs::read(std::string_view name, std::vector<model::Cara>& value) const {
+  std::vector<glm::dvec3> triples;
+  read(name, triples);
+  for (const glm::dvec3& c : triples) value.push_back({ordinal(name, c.x), ordinal(name, c.y), ordinal(name, c.z)});
 }
 
 const std::string& Inputs::word(std::string_view name) const {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/model/cara.hpp"
 #include "durero/model/tipos.hpp"
 #include "operation_call.hpp"
 
@@ -37,6 +38,9 @@ class Inputs {
   void read(std::string_view name, double& value) const;
   void read(std::string_view name, glm::dvec3& value) const;
   void read(std::string_view name, std::array<glm::dvec3, 3>& value) const;
+  void read(std::string_view name, model::Ordinal& value) const;
+  void read(std::string_view name, std::vector<glm::dvec3>& value) const;
+  void read(std::string_view name, std::vector<model::Cara>& value) const;
   const std::string& word(std::string_view name) const;
   /// A name as elements have it, and a list of such: with commas between them, or an array of JSON.
   const std::string& name(std::string_view input) const;
@@ -45,6 +49,7 @@ class Inputs {
   [[noreturn]] void fail(std::string_view name, const std::string& wrong, const std::string& expected) const;
 
  private:
+  model::Ordinal ordinal(std::string_view input, double value) const;
   const CallInput* find(std::string_view name) const;
   void check_name(std::string_view input, const std::string& name) const;
   void check_known(const CallInput& input, const Signature& signature) const;

@@ -138,6 +138,31 @@ AnyEdit read_joining(const Inputs& in, const scene::Stage& stage) {
 
 AnyEdit read_solid_removal(const Inputs& in, const scene::Stage&) { return scene::SolidRemoval{in.element().name()}; }
 
+scene::Mesh read_whole_mesh(const Inputs& in, const scene::Stage& stage) {
+  scene::Mesh mesh{model::Elemento(in.name("m"))};
+  in.read("puntos", mesh.puntos);
+  in.read("caras", mesh.caras);
+  mesh.material = read_material(in, stage).value_or(scene::no_material);
+  return mesh;
+}
+
+AnyEdit read_mesh_addition(const Inputs& in, const scene::Stage& stage) {
+  return scene::MeshEdit(scene::MeshAddition{read_whole_mesh(in, stage)});
+}
+AnyEdit read_mesh_replacement(const Inputs& in, const scene::Stage& stage) {
+  return scene::MeshEdit(scene::MeshReplacement{read_whole_mesh(in, stage)});
+}
+AnyEdit read_mesh_removal(const Inputs& in, const scene::Stage&) {
+  return scene::MeshEdit(scene::MeshRemoval{model::Elemento(in.name("m"))});
+}
+AnyEdit read_vertex_move(const Inputs& in, const scene::Stage&) {
+  model::Ordinal n{};
+  glm::dvec3 punto{};
+  in.read("n", n);
+  in.read("punto", punto);
+  return scene::MeshEdit(scene::VertexMove{model::Elemento(in.name("m")), n, model::Punto(punto)});
+}
+
 // The additions and removals of each shape, each followed by the general one, as the text has them.
 std::vector<OperationSchema> all_schemas() {
   std::vector<OperationSchema> all;
@@ -160,6 +185,10 @@ std::vector<OperationSchema> all_schemas() {
   all.push_back({{"Agregar_Interseccion", {"e", "de"}, {material_word}}, read_joining<intersected>});
   all.push_back({{"Agregar_Diferencia", {"e", "de"}, {material_word}}, read_joining<subtracted>});
   all.push_back({{"Eliminar_Solido", {"e"}, {}}, read_solid_removal});
+  all.push_back({{"Agregar_Malla", {"m", "puntos", "caras"}, {material_word}}, read_mesh_addition});
+  all.push_back({{"Eliminar_Malla", {"m"}, {}}, read_mesh_removal});
+  all.push_back({{"Reemplazar_Malla", {"m", "puntos", "caras"}, {material_word}}, read_mesh_replacement});
+  all.push_back({{"Mover_Vertice", {"m", "n", "punto"}, {}}, read_vertex_move});
   all.push_back({{"group", {"g"}, {"elementos", "groups"}}, read_grouping});
   all.push_back({{"ungroup", {"g"}, {}}, read_ungrouping});
   all.push_back({{"close", {"e"}, {"base", "top"}}, read_closing});

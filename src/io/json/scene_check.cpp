@@ -126,9 +126,9 @@ void judge_scene(const Source& file, SceneCheck& check) {
     check.findings = findings_of(file, check.errors);
     return;
   }
-  const model::Escena escena = scene::retrieve(check.scene);
-  check.invariants = model::inv(escena);
-  if (!model::all_hold(check.invariants)) check.findings = broken_invariants(file, escena);
+  const model::Mallas state = scene::retrieve_mallas(check.scene);
+  check.invariants = state.mallas.empty() ? model::inv(state.escena) : model::inv(state);
+  if (!model::all_hold(check.invariants)) check.findings = broken_invariants(file, state.escena);
   const model::Judgements of_stage = stage_invariants(check.scene.stage());
   model::check(of_stage, contract::cost::normal);  // the reader has refused what would break them
   check.invariants.insert(check.invariants.end(), of_stage.begin(), of_stage.end());

@@ -11,6 +11,7 @@
 #include "durero/text/shown.hpp"
 #include "element_reader.hpp"
 #include "groups_reader.hpp"
+#include "mesh_fields.hpp"
 #include "stage_reader.hpp"
 #include "texture_fields.hpp"
 
@@ -31,11 +32,12 @@ enum SceneKey : std::size_t {
   groups,
   textures,
   environment,
-  prototypes
+  prototypes,
+  mallas
 };
-constexpr std::string_view scene_keys[] = {"format",     "version",  "elementos",          "camera",    "resolution",
-                                           "background", "lights",   "directional_lights", "materials", "max_depth",
-                                           "groups",     "textures", "environment",        "prototypes"};
+constexpr std::string_view scene_keys[] = {"format",     "version",  "elementos",          "camera",     "resolution",
+                                           "background", "lights",   "directional_lights", "materials",  "max_depth",
+                                           "groups",     "textures", "environment",        "prototypes", "mallas"};
 constexpr std::size_t required_scene_keys = 3;
 
 class SceneReader {
@@ -63,6 +65,7 @@ class SceneReader {
       if (key == materials) materials_are_known_ = is_right;
       if (key == textures) textures_are_known_ = is_right;
     });
+    for (const json::Reader& mesh : meshes_) attempt([&] { read_mesh_at(mesh); });
     const auto make = [&](auto&& what) {
       if (!attempt(what)) elements_are_known_ = false;
     };
@@ -140,7 +143,12 @@ class SceneReader {
         stage.environment = read_environment(in);
         return;
       case prototypes:
-        body_reader_.keep_prototypes(in);
+        return body_reader_.keep_prototypes(in);
+      case mallas:
+        return in.array("mallas", [&] {
+          meshes_.push_back(in);
+          in.skip();
+        });
     }
   }
 
@@ -152,6 +160,14 @@ class SceneReader {
               "expected a shape of the program's own: what asks here knows no other");
     }
     body_reader_.keep_element(in);
+  }
+
+  /// A mesh is read when the materials are known.
+  void read_mesh_at(json::Reader in) {
+    const json::Reader at = in;
+    WrittenMesh read = read_mesh(in);
+    if (read.material && materials_are_known_) read.mesh.material = known_material(in, *read.material);
+    add_mesh(at, scene_, std::move(read.mesh));
   }
 
   /// The place of a material among the scene's.
@@ -187,10 +203,33 @@ class SceneReader {
   scene::Groups made_groups_;
   std::vector<MaterialUse> uses_;
   std::vector<WrittenGroup> groups_;
+  std::vector<json::Reader> meshes_;
   BodyReader body_reader_{scene_, uses_, groups_};
   bool materials_are_known_ = true, textures_are_known_ = true,
        elements_are_known_ = true;  // otherwise nothing is said of who names them
 };
+
+/// The place of a face in its mesh; an empty pointer where no mesh has one of that name.
+ElementPlace face_place(const Source& source, const json::Reader& document, std::string_view name) {
+  ElementPlace place{};
+  auto meshes = document.member("mallas");
+  if (!meshes) return place;
+  std::size_t mesh = 0;
+  meshes->array("mallas", [&] {
+    const auto face = scene::face_number(meshes->member("id").value().string("id"), name);
+    std::uint32_t number = 0;
+    json::Reader caras = meshes->member("caras").value();
+    if (face) {
+      caras.array("caras", [&] {
+        if (number++ == *face) place = {fmt::format("/mallas/{}/caras/{}", mesh, *face), source.place(caras.offset())};
+        caras.skip();
+      });
+    }
+    meshes->skip();
+    ++mesh;
+  });
+  return place;
+}
 
 }  // namespace
 
@@ -225,7 +264,7 @@ ElementPlace element_place(const Source& source, std::string_view name) {
     in.skip();
     ++number;
   });
-  return place;
+  return place.pointer.empty() ? face_place(source, json::Reader(document), name) : place;
 }
 
 }  // namespace durero::io

@@ -5,6 +5,7 @@
 #include "durero/scene/body.hpp"
 #include "durero/scene/stage.hpp"
 #include "map_fields.hpp"
+#include "mesh_fields.hpp"
 #include "scene_elements.hpp"
 #include "stage_fields.hpp"
 #include "vertex_fields.hpp"
@@ -139,6 +140,13 @@ void write_element(json::Writer& out, const scene::Scene& scene, const WrittenPa
   out.end_object();
 }
 
+void write_meshes(json::Writer& out, const scene::Scene& scene) {
+  if (scene.meshes().size() == 0) return;
+  out.new_line().key("mallas").begin_array();
+  for (std::size_t i = 0; i < scene.meshes().size(); ++i) write_mesh(out.new_line(), scene.meshes()[i], scene.stage());
+  out.new_line().end_array();
+}
+
 }  // namespace
 
 std::string scene_text(const scene::Scene& scene) { return scene_text(scene, {}); }
@@ -152,9 +160,12 @@ std::string scene_text(const scene::Scene& scene, const scene::Groups& groups, c
   write_stage(out, scene.stage());
   write_groups(out, groups);
   out.new_line().key("elementos").begin_array();
-  for (const ElementRef element : elements_by_name(scene)) write_element(out.new_line(), scene, written, element);
-  if (scene.size() > 0) out.new_line();
-  out.end_array().end_object();
+  const std::vector<ElementRef> singles = singles_by_name(scene);
+  for (const ElementRef element : singles) write_element(out.new_line(), scene, written, element);
+  if (!singles.empty()) out.new_line();
+  out.end_array();
+  write_meshes(out, scene);
+  out.end_object();
   return text + "\n";
 }
 

@@ -197,7 +197,8 @@ TEST_CASE("A malformed operation is an error with its place") {
       "one of Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Tronco, Agregar_Plano, Agregar_Disco, "
       "Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, Eliminar_Tronco, "
       "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, Agregar_Instancia, Eliminar_Instancia, "
-      "Agregar_Union, Agregar_Interseccion, Agregar_Diferencia, Eliminar_Solido, group, ungroup, close";
+      "Agregar_Union, Agregar_Interseccion, Agregar_Diferencia, Eliminar_Solido, "
+      "Agregar_Malla, Eliminar_Malla, Reemplazar_Malla, Mover_Vertice, group, ungroup, close";
   const Case cases[] = {
       {"\n ^Agregar e?=a", "unknown operation \"Agregar\"; expected " + operations},
       {"^Agregar_Sphere e?=a",

@@ -148,11 +148,11 @@ TEST_CASE("How textures lie on a triangle is read, written and kept by edits of 
 )";
   scene::Scene scene = io::read_scene(io::Source("scene.json", text));
   CHECK(io::scene_text(scene) == text);
-  CHECK(scene.wrap(*scene.find("a")) == nullptr);
-  REQUIRE(scene.wrap(*scene.find("b")) != nullptr);
+  CHECK_FALSE(scene.wrap(*scene.find("a")));
+  REQUIRE(scene.wrap(*scene.find("b")));
   CHECK(scene.wrap(*scene.find("b"))->uv[2] == glm::dvec2(0, 3));
   scene.apply(model::Eliminar_Triangulo{model::Elemento("a")});  // the last row comes into the gap
-  REQUIRE(scene.wrap(*scene.find("c")) != nullptr);
+  REQUIRE(scene.wrap(*scene.find("c")));
   CHECK(scene.wrap(*scene.find("c"))->tangents->at(2)[1] == glm::dvec3(0, 1, 3));
   CHECK_FALSE(scene.wrap(*scene.find("b"))->tangents.has_value());
   scene.apply(model::Agregar_Esfera{model::Elemento("s"), {0, 0, 0}, 1});
@@ -168,7 +168,7 @@ TEST_CASE("The normals of a triangle's vertices are read and written, with a tex
 )";
   const scene::Scene scene = io::read_scene(io::Source("scene.json", text));
   CHECK(io::scene_text(scene) == text);
-  REQUIRE(scene.vertex_normals(*scene.find("a")) != nullptr);
+  REQUIRE(scene.vertex_normals(*scene.find("a")));
   CHECK(scene.vertex_normals(*scene.find("a"))->at(2) == glm::dvec3(-1, 0.5, 0));
   CHECK(scene.wrap(*scene.find("b"))->uv[2] == glm::dvec2(0, 3));
 }
@@ -264,7 +264,8 @@ TEST_CASE("Errors of the other parts stand at their value or key") {
       {with_part(R"(^"elements":[])"), "unknown key \"elements\" in a scene; expected elementos (elements)"},
       {with_part(R"(^"layers":[])"),
        "unknown key \"layers\" in a scene; expected one of format, version, elementos (elements), camera, resolution, "
-       "background, lights, directional_lights, materials, max_depth, groups, textures, environment, prototypes"},
+       "background, lights, directional_lights, materials, max_depth, groups, textures, environment, prototypes, "
+       "mallas (meshes)"},
       {with_part(camera + "^180}"), "fov_y is 180; expected an angle in degrees, above 0 and below 180"},
       {with_part(camera + "^0}"), "fov_y is 0; expected an angle in degrees, above 0 and below 180"},
       {with_part(R"("camera":^{"eye":[0,0,0]})"), "key \"look_at\" is missing in camera; expected it"},

@@ -35,6 +35,8 @@ class EditedScene {
   /// Adds a solid; beside a Z text there is none, and it throws std::domain_error.
   virtual EditAnswer apply_total(const scene::Joining& edit);
   EditAnswer apply_total(const scene::SolidRemoval& edit);
+  /// Edits a mesh; beside a Z text there is none, and it throws std::domain_error.
+  virtual EditAnswer apply_total(scene::MeshEdit edit);
   /// Precondition: there are types.
   virtual EditAnswer apply_total(const WrittenEdit& edit);
   /// Applies a step; the answer tells of groups, too.

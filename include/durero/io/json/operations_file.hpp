@@ -12,6 +12,10 @@
 ///   Agregar_Instancia e?=pebble de?=ball centro?=(0,0,5) x?=(2,0,0) y?=(0,1,0) z?=(0,0,1)   where the map of an
 ///   instance Eliminar_Instancia e?=pebble                          puts the origin, and what it makes of the axes
 ///
+///   Agregar_Malla m?=tent puntos?=((0,0,0),(1,0,0),(0,1,0)) caras?=((0,1,2))   and Reemplazar_Malla likewise
+///   Eliminar_Malla m?=tent
+///   Mover_Vertice m?=tent n?=2 punto?=(0,2,0)
+///
 ///   Agregar_Toro e?=ring centro?=(0,0,0) mayor?=2 menor?=1   of a type that a Z text declares: its word with a capital
 ///   Eliminar_Toro e?=ring
 ///
@@ -31,6 +35,7 @@
 #include "durero/scene/edit.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/joining.hpp"
+#include "durero/scene/mesh_edit.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/scene/stage.hpp"
 
@@ -41,7 +46,7 @@ struct ScriptStep {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
   std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit, scene::Copying, scene::CopyRemoval,
-               scene::Joining, scene::SolidRemoval>
+               scene::Joining, scene::SolidRemoval, scene::MeshEdit>
       edit;
 };
 

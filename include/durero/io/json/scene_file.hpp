@@ -42,14 +42,15 @@ scene::Scene read_scene(const Source& source, std::span<const WrittenType> types
 
 /// Where an element stands in its file.
 struct ElementPlace {
-  std::string pointer;  ///< `/elementos/3`
-  TextPosition place;   ///< of its opening brace
+  std::string pointer;  ///< `/elementos/3`, or `/mallas/0/caras/17` of a face
+  TextPosition place;   ///< of its opening bracket
 };
 
 /// Precondition: the source is the text of a scene that has the element.
 ElementPlace element_place(const Source& source, std::string_view name);
 
-/// The canonical text of a scene: the same scene gives the same bytes. Elements stand one a line, ascending by name.
+/// The canonical text of a scene: the same scene gives the same bytes. Elements stand one a line, ascending by name,
+/// and so do meshes, each with a point and a face a line.
 std::string scene_text(const scene::Scene& scene);
 
 }  // namespace durero::io
