@@ -47,7 +47,7 @@ from .elements import Triangulo, Tronco, TruncatedCone, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
-from .scene import Answer, Group, HitsWithElements, Scene
+from .scene import Answer, Group, HitsWithElements, Mesh, Scene
 
 __version__ = _durero.version
 
@@ -97,6 +97,7 @@ __all__ = [
     "HIT",
     "HitsWithElements",
     "InputError",
+    "Mesh",
     "Outcome",
     "PROXIMITY",
     "Plane",

@@ -38,6 +38,27 @@ def occluded_segment(scene: Scene, rays: object, engine: str, en: object, hierar
 def exact_first_hit(
     scene: Scene, ray: object, en: list[str]
 ) -> tuple[int, list[str], Optional[_Surd], Optional[tuple[_Surd, _Surd, _Surd]]]: ...
+def add_mesh(
+    scene: Scene,
+    m: str,
+    vertices: object,
+    faces: object,
+    normals: object,
+    uv: object,
+    material: Optional[str],
+    replace: bool,
+) -> str: ...
+def meshes(scene: Scene) -> list[str]: ...
+def mesh(
+    scene: Scene, m: str
+) -> tuple[
+    npt.NDArray[np.float64],
+    npt.NDArray[np.uint32],
+    Optional[npt.NDArray[np.float64]],
+    Optional[npt.NDArray[np.float64]],
+    Optional[str],
+]: ...
+def faces(scene: Scene) -> npt.NDArray[np.int32]: ...
 def rounded(x: _Fraction, y: _Fraction, delta: _Fraction) -> float: ...
 def spanish_names() -> tuple[tuple[str, str, str], ...]: ...
 def evaluate(typed: str, scene: Optional[Scene]) -> tuple[str, bool]: ...

@@ -63,6 +63,29 @@ class Answer(str):
         return self
 
 
+class Mesh(NamedTuple):
+    """A mesh: its vertices, and its faces by the places of their corners."""
+
+    vertices: npt.NDArray[np.float64]
+    faces: npt.NDArray[np.uint32]
+    normals: Optional[npt.NDArray[np.float64]]
+    uv: Optional[npt.NDArray[np.float64]]
+    material: Optional[str]
+
+
+def _mesh_arrays(vertices: object, faces: object) -> Tuple[object, object]:
+    """The arrays of vertices and faces, or those of a mesh of trimesh (faces) or Open3D (triangles)."""
+    if faces is not None:
+        return vertices, faces
+    of = vertices
+    corners = getattr(of, "faces", None)
+    if corners is None:
+        corners = getattr(of, "triangles", None)
+    if corners is None or not hasattr(of, "vertices"):
+        raise TypeError(f"vertices is a {type(of).__name__} without faces; expected arrays, or a mesh that has both")
+    return np.array(of.vertices), np.array(corners)
+
+
 class Scene(Mapping[str, Element]):
     """A scene of the specification: a mapping from names to elements, which operations edit.
 
@@ -187,13 +210,72 @@ class Scene(Mapping[str, Element]):
         names = {"base": base, "top": top}
         return self._operate({"op": "close", "e": e, **{k: name for k, name in names.items() if name is not None}})
 
+    def add_mesh(
+        self,
+        m: str,
+        vertices: object,
+        faces: object = None,
+        *,
+        normals: Optional[npt.NDArray[np.floating]] = None,
+        uv: Optional[npt.NDArray[np.floating]] = None,
+        material: Optional[str] = None,
+    ) -> Answer:
+        """Adds a mesh, whose face n is the triangle m:n, all or none, and answers its r!. Raises Refused.
+
+        Vertices are numbers of shape (n, 3), float64 or float32, and faces whole numbers of shape (k, 3), each the
+        place of a vertex. A mesh of trimesh or Open3D may stand for both. Normals, of shape (n, 3), and uv, of shape
+        (n, 2), are those of the vertices; no intersection depends on them.
+
+        >>> import numpy as np
+        >>> scene = Scene()
+        >>> square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+        >>> scene.add_mesh("square", square, np.array([[0, 1, 2], [0, 2, 3]])), scene.names
+        ('malla_agregada', ('square:0', 'square:1'))
+        """
+        points, corners = _mesh_arrays(vertices, faces)
+        return Answer(_durero.add_mesh(self._scene, m, points, corners, normals, uv, material, False))
+
+    def replace_mesh(
+        self,
+        m: str,
+        vertices: object,
+        faces: object = None,
+        *,
+        normals: Optional[npt.NDArray[np.floating]] = None,
+        uv: Optional[npt.NDArray[np.floating]] = None,
+        material: Optional[str] = None,
+    ) -> Answer:
+        """Puts another mesh in the place of one, under its name, and answers its r!. Raises Refused. See add_mesh."""
+        points, corners = _mesh_arrays(vertices, faces)
+        return Answer(_durero.add_mesh(self._scene, m, points, corners, normals, uv, material, True))
+
+    def remove_mesh(self, m: str) -> Answer:
+        """Removes a mesh with its triangles, and answers its r!. Raises Refused."""
+        return self._operate({"op": "Eliminar_Malla", "m": m})
+
+    @takes_english
+    def move_vertex(self, m: str, n: int, punto: Sequence[float]) -> Answer:
+        """Moves a vertex of a mesh, the corner of every face that has it, and answers its r!. Raises Refused."""
+        return self._operate({"op": "Mover_Vertice", "m": m, "n": int(n), "punto": [float(x) for x in punto]})
+
+    @property
+    def meshes(self) -> dict[str, Mesh]:
+        """The meshes by their names, ascending: copies of their arrays."""
+        return {m: Mesh(*_durero.mesh(self._scene, m)) for m in _durero.meshes(self._scene)}
+
+    @property
+    def faces(self) -> npt.NDArray[np.int32]:
+        """For each element, by its place in names: the place of its mesh among meshes, and the number of its face; −1
+        and −1 where it is in no mesh. Of shape (n, 2)."""
+        return _durero.faces(self._scene)
+
     @property
     def groups(self) -> dict[str, Group]:
         """The groups by their names: no answer depends on them, and what is in no group is just that."""
         return {name: Group(tuple(elementos), tuple(groups)) for name, (elementos, groups) in self._scene.groups().items()}
 
     def _operate(self, operation: dict[str, object]) -> Answer:
-        named = "e" if "e" in operation else "g"
+        named = next(key for key in ("e", "g", "m") if key in operation)
         if not isinstance(operation[named], str):
             raise TypeError(f"{named} is {operation[named]!r}; expected a name")
         return Answer(*self._scene.apply(json.dumps(operation), "operation")[0])
@@ -215,7 +297,8 @@ class Scene(Mapping[str, Element]):
 
     @property
     def names(self) -> Tuple[str, ...]:
-        """The names of the elements, ascending: what arrays know an element by is its place here."""
+        """The names of the elements: those by themselves, ascending, then the faces of the meshes, mesh by mesh. Arrays
+        know an element by its place here."""
         return tuple(self._scene.names())
 
     @property

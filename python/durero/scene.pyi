@@ -34,6 +34,13 @@ class Answer(str):
 
     def __new__(cls, r: str, left_group: str=...) -> Answer: ...
 
+class Mesh(NamedTuple):
+    vertices: npt.NDArray[np.float64]
+    faces: npt.NDArray[np.uint32]
+    normals: Optional[npt.NDArray[np.float64]]
+    uv: Optional[npt.NDArray[np.float64]]
+    material: Optional[str]
+
 class Scene(Mapping[str, Element]):
     _scene: _durero.Scene
     __hash__ = None  # type: ignore[assignment]
@@ -73,6 +80,24 @@ class Scene(Mapping[str, Element]):
     def ungroup(self, g: str) -> Answer: ...
 
     def close(self, e: str, base: str | None=..., top: str | None=...) -> Answer: ...
+
+    def add_mesh(self, m: str, vertices: object, faces: object=..., *, normals: Optional[npt.NDArray[np.floating]]=..., uv: Optional[npt.NDArray[np.floating]]=..., material: Optional[str]=...) -> Answer: ...
+
+    def replace_mesh(self, m: str, vertices: object, faces: object=..., *, normals: Optional[npt.NDArray[np.floating]]=..., uv: Optional[npt.NDArray[np.floating]]=..., material: Optional[str]=...) -> Answer: ...
+
+    def remove_mesh(self, m: str) -> Answer: ...
+
+    @overload
+    def move_vertex(self, m: str, n: int, punto: Sequence[float]) -> Answer: ...
+
+    @overload
+    def move_vertex(self, m: str, n: int, *, point: Sequence[float]) -> Answer: ...
+
+    @property
+    def meshes(self) -> dict[str, Mesh]: ...
+
+    @property
+    def faces(self) -> npt.NDArray[np.int32]: ...
 
     @property
     def groups(self) -> dict[str, Group]: ...

@@ -14,6 +14,7 @@ void add_distance(py::module_& module);
 void add_exact(py::module_& module);
 void add_spec(py::module_& module);
 void add_conform(py::module_& module);
+void add_meshes(py::module_& module);
 void add_names(py::module_& module);
 
 }  // namespace durero::python

@@ -11,5 +11,6 @@ PYBIND11_MODULE(_durero, module) {
   add_exact(module);
   add_spec(module);
   add_conform(module);
+  add_meshes(module);
   add_names(module);
 }

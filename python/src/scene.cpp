@@ -120,6 +120,27 @@ Asked asked(const scene::Joining& in, const written::Edited&) {
   return {io::addition_name(scene::word_of(joined)), inputs};
 }
 
+Asked asked(const scene::MeshEdit& edit, const written::Edited&) {
+  py::dict inputs;
+  const auto name = [&](const model::Elemento& m) { inputs["m"] = m.name(); };
+  return std::visit(
+      [&]<class In>(const In& in) -> Asked {
+        if constexpr (std::is_same_v<In, scene::VertexMove>) {
+          name(in.m);
+          inputs["n"] = in.n;
+          inputs["punto"] = as_python(in.punto.xyz());
+          return {"Mover_Vertice", inputs};
+        } else if constexpr (std::is_same_v<In, scene::MeshRemoval>) {
+          name(in.m);
+          return {"Eliminar_Malla", inputs};
+        } else {
+          name(in.mesh.m);
+          return {std::is_same_v<In, scene::MeshAddition> ? "Agregar_Malla" : "Reemplazar_Malla", inputs};
+        }
+      },
+      edit);
+}
+
 Asked asked(const scene::SolidRemoval& in, const written::Edited&) {
   py::dict inputs;
   inputs["e"] = in.e;
@@ -195,8 +216,8 @@ std::map<std::string, std::pair<std::vector<std::string>, std::vector<std::strin
 std::vector<std::string> names(const Scene& scene) {
   const auto state = scene.state();
   std::vector<std::string> names;
-  for (const scene::ElementRef element : state->numbering().elements())
-    names.push_back(state->scene().name(element).name());
+  for (std::int32_t i = 0; i < state->numbering().size(); ++i)
+    names.push_back(state->scene().name(state->numbering().element(i)).name());
   return names;
 }
 

@@ -1,0 +1,169 @@
+// Meshes: added, replaced and read as arrays of NumPy.
+#include <fmt/format.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "bindings.hpp"
+#include "durero/scene/mesh_edit.hpp"
+#include "durero/scene/stage.hpp"
+#include "errors.hpp"
+#include "state.hpp"
+
+namespace durero::python {
+namespace {
+
+/// The shape that messages name: (n, 3).
+std::string shape_text(py::ssize_t columns) { return fmt::format("(n, {})", columns); }
+
+/// An array of two dimensions, with so many columns. Throws py::type_error and py::value_error.
+py::array checked_table(const py::object& given, const char* name, py::ssize_t columns, const char* kinds,
+                        const char* numbers) {
+  const std::string expected = fmt::format("expected a numpy.ndarray of {}, shape {}", numbers, shape_text(columns));
+  if (!py::isinstance<py::array>(given)) throw py::type_error(fmt::format("{} is no array; {}", name, expected));
+  auto array = py::reinterpret_borrow<py::array>(given);
+  const bool is_swapped = array.dtype().byteorder() == '>';
+  if (std::strchr(kinds, array.dtype().kind()) == nullptr || is_swapped)
+    throw py::type_error(fmt::format("{} has another dtype; {}", name, expected));
+  if (array.ndim() != 2 || array.shape(1) != columns)
+    throw py::value_error(fmt::format("{} has another shape; {}", name, expected));
+  return array;
+}
+
+/// Rows of so many finite numbers, of float64 or float32.
+template <class Row>
+std::vector<Row> rows_of(const py::object& given, const char* name) {
+  constexpr py::ssize_t columns = Row::length();
+  const py::array array = checked_table(given, name, columns, "f", "float64 or float32, finite");
+  if (array.itemsize() != 8 && array.itemsize() != 4)
+    throw py::type_error(fmt::format("{} has another dtype; expected float64 or float32", name));
+  const auto numbers = py::array_t<double, py::array::c_style | py::array::forcecast>(array);  // each as it is
+  std::vector<Row> rows(static_cast<std::size_t>(array.shape(0)));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (py::ssize_t j = 0; j < columns; ++j) {
+      const double x = numbers.data()[static_cast<py::ssize_t>(i) * columns + j];
+      if (!std::isfinite(x))
+        throw py::value_error(fmt::format("{}[{}, {}] is {}; expected a finite number", name, i, j, x));
+      rows[i][static_cast<int>(j)] = x;
+    }
+  return rows;
+}
+
+std::vector<model::Cara> faces_of(const py::object& given) {
+  const py::array array = checked_table(given, "faces", 3, "iu", "whole numbers");
+  std::vector<model::Cara> faces(static_cast<std::size_t>(array.shape(0)));
+  const auto numbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>(array);
+  const std::int64_t* const first = numbers.data();
+  const auto ordinal = [&](std::size_t at) {
+    const std::int64_t number = first[at];
+    if (number < 0 || number > std::numeric_limits<model::Ordinal>::max())
+      throw py::value_error(
+          fmt::format("faces[{}, {}] is {}; expected the number of a vertex, from 0", at / 3, at % 3, number));
+    return static_cast<model::Ordinal>(number);
+  };
+  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = {ordinal(3 * i), ordinal(3 * i + 1), ordinal(3 * i + 2)};
+  return faces;
+}
+
+model::Elemento name_of(const std::string& m) {
+  if (!model::Elemento::is_name(m))
+    throw py::value_error(fmt::format("{} is no name; expected 1 to 128 of A-Z a-z 0-9 _ . : -", m));
+  return model::Elemento(m);
+}
+
+std::uint32_t material_of(const Scene& scene, const std::optional<std::string>& name) {
+  if (!name) return scene::no_material;
+  const auto& all = scene.value().stage().materials;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == *name) return static_cast<std::uint32_t>(i);
+  throw py::value_error(fmt::format("no material {}; expected one of the scene's", *name));
+}
+
+scene::Mesh mesh_of(const Scene& scene, const std::string& m, const py::object& vertices, const py::object& faces,
+                    const py::object& normals, const py::object& uv, const std::optional<std::string>& material) {
+  scene::Mesh mesh{name_of(m)};
+  mesh.puntos = rows_of<glm::dvec3>(vertices, "vertices");
+  mesh.caras = faces_of(faces);
+  mesh.material = material_of(scene, material);
+  if (!normals.is_none()) mesh.normals = rows_of<glm::dvec3>(normals, "normals");
+  if (!uv.is_none()) mesh.uv = rows_of<glm::dvec2>(uv, "uv");
+  return mesh;
+}
+
+/// r!; raises Refused.
+template <class Edit>
+std::string done(Scene& scene, Edit edit, std::string_view operation, const std::string& m) {
+  const io::EditAnswer answer = scene.edited().apply_total(scene::MeshEdit(std::move(edit)));
+  if (answer.ok()) return answer.r;
+  py::dict inputs;
+  inputs["m"] = m;
+  raise("Refused", answer.violated, answer.predicate, answer.r, std::string(operation), inputs, 1);
+}
+
+std::string add_mesh(Scene& scene, const std::string& m, const py::object& vertices, const py::object& faces,
+                     const py::object& normals, const py::object& uv, const std::optional<std::string>& material,
+                     bool replace) {
+  scene::Mesh mesh = mesh_of(scene, m, vertices, faces, normals, uv, material);
+  if (replace) return done(scene, scene::MeshReplacement{std::move(mesh)}, "Reemplazar_Malla", m);
+  return done(scene, scene::MeshAddition{std::move(mesh)}, "Agregar_Malla", m);
+}
+
+std::vector<std::string> meshes(const Scene& scene) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < scene.value().meshes().size(); ++i) names.push_back(scene.value().meshes()[i].m.name());
+  return names;
+}
+
+/// A copy of rows of numbers.
+template <class Number, class Row>
+py::array table_of(const std::vector<Row>& rows, py::ssize_t columns) {
+  static_assert(sizeof(Row) % sizeof(Number) == 0);
+  py::array_t<Number> table({static_cast<py::ssize_t>(rows.size()), columns});
+  if (!rows.empty()) std::memcpy(table.mutable_data(), rows.data(), rows.size() * sizeof(Row));
+  return std::move(table);
+}
+
+/// Its vertices, faces, normals, uv and material.
+py::tuple mesh(const Scene& scene, const std::string& m) {
+  const auto place = scene.value().meshes().find(m);
+  if (!place) throw py::key_error(m);
+  const scene::Mesh& found = scene.value().meshes()[*place];
+  const auto optional = [](bool is_there, auto&& make) { return is_there ? py::object(make()) : py::none(); };
+  return py::make_tuple(table_of<double>(found.puntos, 3), table_of<std::uint32_t>(found.caras, 3),
+                        optional(!found.normals.empty(), [&] { return table_of<double>(found.normals, 3); }),
+                        optional(!found.uv.empty(), [&] { return table_of<double>(found.uv, 2); }),
+                        optional(found.material != scene::no_material,
+                                 [&] { return py::str(scene.value().stage().materials[found.material].name); }));
+}
+
+/// For each element, by number: the place of its mesh and the number of its face, −1 where it is in none.
+py::array faces(const Scene& scene) {
+  const auto state = scene.state();
+  const Numbering& numbering = state->numbering();
+  py::array_t<std::int32_t> table({static_cast<py::ssize_t>(numbering.size()), py::ssize_t{2}});
+  std::int32_t* row = table.mutable_data();
+  const scene::Meshes& all = state->scene().meshes();
+  std::size_t place = 0;
+  for (std::int32_t i = 0; i < numbering.size(); ++i) {
+    const auto face = state->scene().face(numbering.element(i));
+    if (face)
+      while (&all[place] != &face->mesh) ++place;  // faces stand in the order of the meshes
+    *row++ = face ? static_cast<std::int32_t>(place) : -1;
+    *row++ = face ? static_cast<std::int32_t>(face->number) : -1;
+  }
+  return std::move(table);
+}
+
+}  // namespace
+
+void add_meshes(py::module_& module) {
+  module.def("add_mesh", add_mesh);
+  module.def("meshes", meshes);
+  module.def("mesh", mesh);
+  module.def("faces", faces);
+}
+
+}  // namespace durero::python
