@@ -13,6 +13,7 @@
 
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
+#include "io/byte_order.hpp"
 
 namespace durero::io {
 namespace {
@@ -197,13 +198,8 @@ class PlyDataReader {
   double stored(const PlyType& type) {
     const std::string_view bytes = source_.text().substr(next_, type.size);
     if (bytes.size() < type.size) fail_here(element_->at, "the data end");
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < type.size; ++i) {
-      const std::size_t place = header_.is_little ? type.size - 1 - i : i;
-      value = value << 8U | static_cast<unsigned char>(bytes[place]);
-    }
     next_ += type.size;
-    return type.value(value);
+    return type.value(header_.is_little ? little_endian(bytes) : big_endian(bytes));
   }
 
   [[noreturn]] void fail_here(std::size_t at, const std::string& wrong) const {

@@ -8,6 +8,7 @@
 #include "durero/io/mesh/stl.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
+#include "io/byte_order.hpp"
 #include "io/cursor.hpp"
 #include "io/losses.hpp"
 #include "mesh_scene.hpp"
@@ -64,11 +65,9 @@ class StlBytes {
   static constexpr std::size_t title = 80, head = title + 4, facet_size = 50;
 
   std::size_t count() const { return number(title, 4); }
-  /// A whole number of some bytes, the least first.
+  /// A whole number of four bytes at most.
   std::uint32_t number(std::size_t at, std::size_t size) const {
-    std::uint32_t number = 0;
-    for (std::size_t i = size; i-- > 0;) number = number << 8 | static_cast<std::uint8_t>(bytes_[at + i]);
-    return number;
+    return static_cast<std::uint32_t>(little_endian(bytes_.substr(at, size)));
   }
   glm::dvec3 vector(std::size_t at, std::size_t facet) const {
     glm::dvec3 vector;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "durero/text/shown.hpp"
+#include "io/byte_order.hpp"
 
 namespace durero::io {
 namespace {
@@ -20,18 +21,6 @@ constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t longest_dictionary = std::size_t{1} << 20U;
 
 constexpr std::size_t rows_at_once = std::size_t{1} << 14U;
-
-std::uint64_t little_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = bytes.size(); i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes[i]);
-  return value;
-}
-
-std::uint64_t big_endian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (const char c : bytes) value = value << 8U | static_cast<unsigned char>(c);
-  return value;
-}
 
 double binary64(std::string_view bytes, bool is_big_endian) {
   return std::bit_cast<double>(is_big_endian ? big_endian(bytes) : little_endian(bytes));
