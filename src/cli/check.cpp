@@ -81,7 +81,7 @@ void add_check(CLI::App& app, int& status) {
       command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO");
   command
       ->add_flag("--mesh", options->mesh,
-                 "Audit the triangles of a scene, or of an OBJ, a PLY or an STL file, as one mesh")
+                 "Audit the triangles of a scene, or of a glTF, an OBJ, a PLY or an STL file, as one mesh")
       ->excludes(with);
   add_quiet(*command, options->quiet);
   command->footer(

@@ -6,6 +6,7 @@
 #include "durero/io/file_name.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
+#include "durero/io/mesh/gltf.hpp"
 #include "durero/io/mesh/obj.hpp"
 #include "durero/io/mesh/ply.hpp"
 #include "durero/io/mesh/stl.hpp"
@@ -21,7 +22,9 @@ Imported import_json(const Source& source) {
 }
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
-constexpr Format all[] = {{".json", import_json, write_json, false, true},
+constexpr Format all[] = {{".glb", read_gltf},
+                          {".gltf", read_gltf},
+                          {".json", import_json, write_json, false, true},
                           {".nff", read_nff, nff_text, true},
                           {".obj", read_obj, obj_text, true},
                           {".ply", read_ply, ply_text},

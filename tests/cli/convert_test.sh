@@ -115,6 +115,27 @@ printf 'solid' >bad.ply
 refused 'bad.ply:1:1: "solid" stands here; expected ply: no PLY file begins otherwise' import bad.ply -o bad.json
 absent bad.json
 
+# glTF: a square in a buffer of its own, beside the file and not where the command runs.
+mkdir -p scans
+printf '\0\0\0\0\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0\0\0\0\0' >scans/square.bin # 0 0 0, 1 0 0
+printf '\0\0\200\077\0\0\200\077\0\0\0\0\0\0\0\0\0\0\200\077\0\0\0\0' >>scans/square.bin # 1 1 0, 0 1 0
+cat >scans/square.gltf <<'TEXT'
+{"asset":{"version":"2.0"},"nodes":[{"name":"lid","mesh":0,"scale":[1,1,-1],"translation":[0,0,0.5]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":6,"material":0}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4}],
+"bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{"byteLength":48,"uri":"square.bin"}]}
+TEXT
+run 0 import scans/square.gltf -o square.json
+is err 'durero: scans/square.gltf: 1 use of a material left out: a scene has none of this kind'
+has square.json '"vertices":[[1,0,0.5],[0,0,0.5],[1,1,0.5]]'
+has square.json '"lid":{"elementos":["square.gltf:1","square.gltf:2"]}'
+run 1 check --mesh scans/square.gltf
+has out 'square.gltf:1'
+rm scans/square.bin
+refused 'scans/square.gltf:4:80: uri is "square.bin": No such file or directory; expected a readable file' \
+  import scans/square.gltf -o bad.json
+absent bad.json
+
 # POV-Ray: a union is a group, there and back, and a hierarchy beside the automatic one.
 cat >table.pov <<'TEXT'
 #version 3.7;

@@ -15,8 +15,10 @@ TEST_CASE("A file's name tells its format") {
   CHECK(io::format_to_write("a.nff").ending == ".nff");
   CHECK(io::format_to_read("a.ply").ending == ".ply");
   CHECK_THROWS_WITH(io::format_to_read("a.nff.step"),
-                    "a.nff.step: a format that is not known by this name; expected one that ends in .json or .nff or "
-                    ".obj or .ply or .pov or .stl");
+                    "a.nff.step: a format that is not known by this name; expected one that ends in .glb or .gltf or "
+                    ".json or .nff or .obj or .ply or .pov or .stl");
+  CHECK(io::format_to_read("A.GLB").ending == ".glb");
+  CHECK_THROWS_AS(io::format_to_write("a.gltf"), io::FileError);
   CHECK_THROWS_AS(io::format_to_read("json"), io::FileError);
   CHECK(io::format_to_read("a.pov").ending == ".pov");
   CHECK(io::format_to_read("folder/A.POV").ending == ".pov");

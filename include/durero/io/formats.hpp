@@ -16,7 +16,7 @@ namespace durero::io {
 struct Imported {
   scene::Scene scene;             ///< what could be kept
   std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
-  scene::Groups groups = {};      ///< of its elements; JSON, OBJ and POV-Ray have some
+  scene::Groups groups = {};      ///< of its elements; JSON, glTF, OBJ, STL and POV-Ray have some
 };
 
 /// A text in a format, and one line for each kind of thing of the scene that it does not keep.
