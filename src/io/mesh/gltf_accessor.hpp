@@ -59,7 +59,7 @@ class GltfAccessor {
   };
   struct Sparse {
     std::size_t at = 0, count = 0;
-    Slice indices, values;
+    Slice indices{}, values{};
     const GltfComponent* index = nullptr;
   };
 
