@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
@@ -9,14 +10,16 @@
 namespace durero::io {
 namespace {
 
+using Pair = std::array<double, 2>;
 using Triple = std::array<double, 3>;
 
 Triple triple(const glm::dvec3& x) { return {x.x, x.y, x.z}; }
 
 /// The number of a vector from 1, behind its line where it is new.
-std::size_t written(std::string& text, std::string_view statement, Numbering<Triple>& numbers, const glm::dvec3& x) {
-  const auto [number, is_new] = numbers.number(triple(x));
-  if (is_new) text += fmt::format("{} {} {} {}\n", statement, x.x, x.y, x.z);
+template <class Vector>
+std::size_t written(std::string& text, std::string_view statement, Numbering<Vector>& numbers, const Vector& x) {
+  const auto [number, is_new] = numbers.number(x);
+  if (is_new) text += fmt::format("{} {}\n", statement, fmt::join(x, " "));
   return number + 1;
 }
 
@@ -26,21 +29,25 @@ Exported obj_text(const scene::Scene& scene, const scene::Groups& groups) {
   Exported out;
   std::string faces;
   Numbering<Triple> vertices, normals;
+  Numbering<Pair> textures;
   std::string_view group;
   for (const WrittenTriangle& triangle : written_triangles(scene, groups)) {
     if (triangle.group != group) faces += fmt::format("g {}\n", group = triangle.group);
     faces += 'f';
     const auto corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
     const auto own = scene.vertex_normals(triangle.element);
+    const auto wrap = scene.wrap(triangle.element);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      faces += fmt::format(" {}", written(out.text, "v", vertices, corners[i]));
-      if (own) faces += fmt::format("//{}", written(out.text, "vn", normals, (*own)[i]));
+      faces += fmt::format(" {}", written(out.text, "v", vertices, triple(corners[i])));
+      if (wrap) faces += fmt::format("/{}", written(out.text, "vt", textures, Pair{wrap->uv[i].x, wrap->uv[i].y}));
+      if (!own) continue;
+      faces += fmt::format("{}/{}", wrap ? "" : "/", written(out.text, "vn", normals, triple((*own)[i])));
     }
     faces += '\n';
   }
   out.text += faces;
   add_nesting_loss(out.lost, groups, "a group of OBJ");
-  add_mesh_losses(out.lost, scene, "OBJ");
+  add_mesh_losses(out.lost, scene, "OBJ", true);
   return out;
 }
 

@@ -44,7 +44,8 @@ void add_nesting_loss(std::vector<std::string>& lost, const scene::Groups& group
            fmt::format("left out: {} is in none", one));
 }
 
-void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format) {
+void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format,
+                     bool keeps_uv) {
   const scene::Stage& stage = scene.stage();
   const std::string none = fmt::format("left out: {} has none", format);
   const std::size_t triangles = scene.shapes<scene::Triangle>().size();
@@ -53,10 +54,16 @@ void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, 
   add_loss(lost, triangles, "name of an element", "names of elements", none);
   add_loss(lost, stage.materials.size(), "material", "materials", none);
   add_loss(lost, stage.textures.size(), "texture", "textures", none);
-  std::size_t wrapped = 0;
-  scene.for_each([&](scene::ElementRef element, const auto&) { wrapped += scene.wrap(element).has_value(); });
-  add_loss(lost, wrapped, "uv of a triangle", "uv of triangles",
-           fmt::format("left out: they are not written to {}", format));
+  std::size_t wrapped = 0, with_tangents = 0;
+  scene.for_each([&](scene::ElementRef element, const auto&) {
+    const auto wrap = scene.wrap(element);
+    wrapped += wrap.has_value();
+    with_tangents += wrap && wrap->tangents;
+  });
+  if (!keeps_uv)
+    add_loss(lost, wrapped, "uv of a triangle", "uv of triangles",
+             fmt::format("left out: they are not written to {}", format));
+  add_loss(lost, with_tangents, "triangle with tangents", "triangles with tangents", "written without them");
   add_loss(lost, stage.lights.size() + stage.directional_lights.size(), "light", "lights", none);
   add_loss(lost, stage.camera.has_value(), "camera", "cameras", none);
   add_loss(lost, stage.resolution.has_value(), "resolution", "resolutions", none);

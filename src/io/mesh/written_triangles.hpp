@@ -23,7 +23,9 @@ std::vector<WrittenTriangle> written_triangles(const scene::Scene& scene, const 
 /// Adds a line for the groups that lie in others, which `one`, as the format has it, does not.
 void add_nesting_loss(std::vector<std::string>& lost, const scene::Groups& groups, std::string_view one);
 
-/// Adds a line for each kind of thing but triangles, their normals and groups: a format of meshes has none of them.
-void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format);
+/// Adds a line for each kind of thing but triangles, their normals and groups, and their uv where it keeps them: a
+/// format of meshes has none of the others.
+void add_mesh_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format,
+                     bool keeps_uv = false);
 
 }  // namespace durero::io
