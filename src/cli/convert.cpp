@@ -23,7 +23,7 @@ namespace {
 
 struct ConvertOptions {
   std::string from, to;
-  bool quiet = false, mesh = false;
+  bool quiet = false, mesh = false, binary = false;
 };
 
 int import_scene(const ConvertOptions& options) {
@@ -42,13 +42,13 @@ int import_scene(const ConvertOptions& options) {
 }
 
 int export_scene(const ConvertOptions& options) {
-  const io::Format& format = io::format_to_write(options.to);
+  const io::Format& format = options.binary ? io::format_to_write_bytes(options.to) : io::format_to_write(options.to);
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "export");
   auto [scene, groups] =
       io::read_grouped_scene(io::read_source(options.from), format.has_bodies ? io::Bodies::read : io::Bodies::refused);
   io::rename_pictures(scene.stage(), options.from, options.to);
-  const io::Exported exported = format.write(scene, groups);
+  const io::Exported exported = (options.binary ? format.write_bytes : format.write)(scene, groups);
   out.write(exported.text);
   out.commit();
   progress.reset();
@@ -77,10 +77,12 @@ void add_export(CLI::App& app, int& status) {
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("SCENE", options->from, "Scene file (JSON)")->required();
   command->add_option("-o,--output", options->to, "File to write; its name tells the format")->required();
+  command->add_flag("--binary", options->binary,
+                    "Write bytes and not a text: a .ply of binary64, without rounding, or a .stl of binary32");
   add_quiet(*command, options->quiet);
   command->footer(
       exit_status("it is written; what is left out is named on the standard error", "the call or the scene is bad") +
-      examples({"export demo/still-life.json -o still-life.nff"}));
+      examples({"export demo/still-life.json -o still-life.nff", "export bunny.json -o bunny.ply --binary"}));
   command->callback([options, &status] { status = export_scene(*options); });
 }
 

@@ -27,12 +27,13 @@ constexpr Format all[] = {{".glb", read_gltf},
                           {".json", import_json, write_json, false, true},
                           {".nff", read_nff, nff_text, true},
                           {".obj", read_obj, obj_text, true},
-                          {".ply", read_ply, ply_text},
+                          {".ply", read_ply, ply_text, false, false, ply_bytes},
                           {".pov", read_pov, pov_text, false, true},
-                          {".stl", read_stl, stl_text}};
+                          {".stl", read_stl, stl_text, false, false, stl_bytes}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }
+bool has_bytes(const Format& format) { return format.write_bytes != nullptr; }
 
 std::string endings(bool (*is_meant)(const Format&)) {
   std::vector<std::string_view> endings;
@@ -41,11 +42,11 @@ std::string endings(bool (*is_meant)(const Format&)) {
   return fmt::format("{}", fmt::join(endings, " or "));
 }
 
-const Format& format_of(const std::string& path, bool (*is_meant)(const Format&)) {
+const Format& format_of(const std::string& path, bool (*is_meant)(const Format&),
+                        const char* none = "a format that is not known by this name") {
   for (const Format& format : all)
     if (is_meant(format) && ends_in(path, format.ending)) return format;
-  throw FileError(path, "a format that is not known by this name",
-                  fmt::format("expected one that ends in {}", endings(is_meant)));
+  throw FileError(path, none, fmt::format("expected one that ends in {}", endings(is_meant)));
 }
 
 }  // namespace
@@ -54,6 +55,9 @@ std::span<const Format> formats() { return all; }
 
 const Format& format_to_read(const std::string& path) { return format_of(path, is_read); }
 const Format& format_to_write(const std::string& path) { return format_of(path, is_written); }
+const Format& format_to_write_bytes(const std::string& path) {
+  return format_of(path, has_bytes, "no format with a binary form by this name");
+}
 
 Imported read_any_format(const std::string& path) {
   const Format& format = format_to_read(path);

@@ -108,6 +108,20 @@ for to in obj ply stl; do
   run 0 export back.json -o again.obj
   same again.obj written.obj
 done
+run 0 export solid.json -o bytes.ply --binary
+is err 'durero: bytes.ply: 4 names of elements left out: PLY has none'
+run 0 import bytes.ply -o back.json
+run 0 export back.json -o again.obj
+same again.obj written.obj
+run 0 export solid.json -o bytes.stl --binary
+has err 'durero: bytes.stl: 9 coordinates rounded: binary STL has binary32'
+[ "$(wc -c <bytes.stl)" -eq 284 ] || fail "bytes.stl has $(wc -c <bytes.stl) bytes, expected 84 and 50 for each facet"
+run 0 import bytes.stl -o back.json
+run 0 export back.json -o again.stl --binary
+same again.stl bytes.stl
+refused 'bytes.obj: no format with a binary form by this name; expected one that ends in .ply or .stl' \
+  export solid.json -o bytes.obj --binary
+absent bytes.obj
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 3\n' >bad.obj
 refused 'bad.obj:3:7: "3" names no vertex; expected 1 to 2, or a distance back to one above' import bad.obj -o bad.json
 absent bad.json

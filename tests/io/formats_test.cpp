@@ -18,6 +18,9 @@ TEST_CASE("A file's name tells its format") {
                     "a.nff.step: a format that is not known by this name; expected one that ends in .glb or .gltf or "
                     ".json or .nff or .obj or .ply or .pov or .stl");
   CHECK(io::format_to_read("A.GLB").ending == ".glb");
+  CHECK(io::format_to_write_bytes("a.Stl").ending == ".stl");
+  CHECK_THROWS_WITH(io::format_to_write_bytes("a.obj"),
+                    "a.obj: no format with a binary form by this name; expected one that ends in .ply or .stl");
   CHECK_THROWS_AS(io::format_to_write("a.gltf"), io::FileError);
   CHECK_THROWS_AS(io::format_to_read("json"), io::FileError);
   CHECK(io::format_to_read("a.pov").ending == ".pov");

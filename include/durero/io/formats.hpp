@@ -19,7 +19,7 @@ struct Imported {
   scene::Groups groups = {};      ///< of its elements; JSON, glTF, OBJ, STL and POV-Ray have some
 };
 
-/// A text in a format, and one line for each kind of thing of the scene that it does not keep.
+/// A text in a format, or its bytes, and one line for each kind of thing of the scene that it does not keep.
 struct Exported {
   std::string text;               ///< of the whole file
   std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
@@ -36,6 +36,8 @@ struct Format {
   bool has_lines = false;
   /// Whether it has elements with bodies, such as instances.
   bool has_bodies = false;
+  /// Writes them as bytes and not as a text. Null where the format has no such form.
+  Exported (*write_bytes)(const scene::Scene&, const scene::Groups&){};
 };
 
 /// The table, which lives as long as the program.
@@ -45,6 +47,8 @@ std::span<const Format> formats();
 const Format& format_to_read(const std::string& path);
 const Format& format_to_write(const std::string& path);
 /// @}
+/// The format of a file that is to be written as bytes. Throws FileError where none has that ending and such a form.
+const Format& format_to_write_bytes(const std::string& path);
 
 /// Reads a file in the format that its name tells. Throws FileError and InputError.
 Imported read_any_format(const std::string& path);

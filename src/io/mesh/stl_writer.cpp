@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "durero/io/mesh/stl.hpp"
+#include "io/byte_order.hpp"
 #include "io/losses.hpp"
 #include "written_triangles.hpp"
 
@@ -23,12 +26,34 @@ std::string solid_line(std::string_view word, std::string_view name) {
   return name.empty() ? fmt::format("{}\n", word) : fmt::format("{} {}\n", word, name);
 }
 
+/// Whether each coordinate rounds to a finite binary32: those from half a step beyond the greatest on do not.
+bool is_within_binary32(const glm::dvec3& x) {
+  return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}) < 0x1.ffffffp127;
+}
+
+/// Appends the nearest binary32 of each coordinate; how many are another number.
+std::size_t append_triple(std::string& out, const glm::dvec3& x) {
+  std::size_t rounded = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto nearest = static_cast<float>(x[i]);
+    append_little_endian(out, std::bit_cast<std::uint32_t>(nearest), 4);
+    rounded += static_cast<double>(nearest) != x[i];
+  }
+  return rounded;
+}
+
+void add_smoothness_loss(std::vector<std::string>& lost, const scene::Scene& scene) {
+  std::size_t smooth = 0;
+  for (std::uint32_t i = 0; i < scene.shapes<scene::Triangle>().size(); ++i)
+    smooth += scene.vertex_normals({model::Tipo::soy_triangulo, i}) != nullptr;
+  add_loss(lost, smooth, "smooth triangle", "smooth triangles", "written flat: STL has no normals of vertices");
+}
+
 }  // namespace
 
 Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
   Exported out;
   const std::vector<WrittenTriangle> triangles = written_triangles(scene, groups);
-  std::size_t smooth = 0;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [element, group, name] = triangles[i];
     if (i == 0 || triangles[i - 1].group != group) out.text += solid_line("solid", group);
@@ -37,11 +62,36 @@ Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
     for (const glm::dvec3& vertex : triangle.vertices) out.text += fmt::format("vertex {}\n", triple_text(vertex));
     out.text += "endloop\nendfacet\n";
     if (i + 1 == triangles.size() || triangles[i + 1].group != group) out.text += solid_line("endsolid", group);
-    smooth += scene.vertex_normals(element).has_value();
   }
   if (triangles.empty()) out.text = "solid\nendsolid\n";
   add_nesting_loss(out.lost, groups, "a solid of STL");
-  add_loss(out.lost, smooth, "smooth triangle", "smooth triangles", "written flat: STL has no normals of vertices");
+  add_smoothness_loss(out.lost, scene);
+  add_mesh_losses(out.lost, scene, "STL");
+  return out;
+}
+
+Exported stl_bytes(const scene::Scene& scene, const scene::Groups& groups) {
+  Exported out;
+  std::string facets;
+  std::size_t count = 0, rounded = 0, beyond = 0;
+  for (const WrittenTriangle& triangle : written_triangles(scene, {})) {
+    const scene::Triangle& shape = scene.shapes<scene::Triangle>()[triangle.element.index];
+    if (!std::ranges::all_of(shape.vertices, is_within_binary32)) {
+      ++beyond;
+      continue;
+    }
+    ++count;
+    append_triple(facets, facet_normal(shape));
+    for (const glm::dvec3& vertex : shape.vertices) rounded += append_triple(facets, vertex);
+    append_little_endian(facets, 0, 2);  // the attribute
+  }
+  out.text = fmt::format("{:80}", "binary STL");
+  append_little_endian(out.text, count, 4);
+  out.text += facets;
+  add_loss(out.lost, beyond, "triangle", "triangles", "left out: a coordinate is beyond binary32");
+  add_loss(out.lost, rounded, "coordinate", "coordinates", "rounded: binary STL has binary32");
+  add_loss(out.lost, groups.table().size(), "group", "groups", "left out: binary STL has none");
+  add_smoothness_loss(out.lost, scene);
   add_mesh_losses(out.lost, scene, "STL");
   return out;
 }
