@@ -34,6 +34,13 @@ class AffineMap {
   /// −1 where it turns right into left, 1 where it does not, 0 where it flattens space.
   int orientation() const { return sign(determinant()); }
 
+  /// @{ A number of the map is a numerator over the divisor, which is above 0; column 3 is that of the shift.
+  const number::Dyadic& numerator(std::size_t row, std::size_t column) const {
+    return column < 3 ? linear_[row][column] : shift_[row];
+  }
+  const number::Dyadic& divisor() const { return divisor_; }
+  /// @}
+
  private:
   using Row = std::array<number::Dyadic, 3>;
 

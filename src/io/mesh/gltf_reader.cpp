@@ -96,7 +96,13 @@ class GltfReader {
     counts_.inner_nodes += depth > 1;
     counts_.skins += node.is_skinned;
     const auto own = group_of(node.name);
-    if (node.mesh) show(*node.mesh, {reference.number, node.at, map, own.value_or(group)}, own.has_value());
+    if (node.mesh) {
+      const auto normals = map.normals();
+      show(*node.mesh,
+           {reference.number, node.at, RoundedMap(map), normals ? std::optional<RoundedMap>(*normals) : std::nullopt,
+            map.orientation() < 0, own.value_or(group)},
+           own.has_value());
+    }
     for (const GltfReference& child : node.children) show(child, map, own.value_or(group), depth + 1);
   }
 

@@ -35,7 +35,7 @@ bool is_finite(const glm::dvec3& x) { return std::isfinite(x.x) && std::isfinite
 class GltfTriangles::Corners {
  public:
   Corners(GltfTriangles& to, const GltfPrimitive& primitive, const GltfPlace& place)
-      : to_(to), place_(place), positions_(accessor(*primitive.positions)), normal_map_(place.map.normals()) {
+      : to_(to), place_(place), positions_(accessor(*primitive.positions)) {
     positions_.require_vectors("VEC3");
     if (primitive.compressed_at && !positions_.has_bytes())
       to_.source_.fail(*primitive.compressed_at, "a primitive that is compressed", "expected one that is not");
@@ -80,7 +80,7 @@ class GltfTriangles::Corners {
   }
 
   void place(std::size_t number) {
-    const glm::dvec3 point = place_.map.point(triple_of(positions_.finite_element(number)), positions_.divisor());
+    const glm::dvec3 point = place_.points.point(triple_of(positions_.finite_element(number)), positions_.divisor());
     if (!is_finite(point))
       to_.source_.fail(place_.at, fmt::format("node {} places a vertex beyond binary64", place_.node),
                        "expected finite coordinates");
@@ -91,9 +91,9 @@ class GltfTriangles::Corners {
 
   /// Null where it has no direction.
   glm::dvec3 normal(std::size_t number) const {
-    if (!normals_ || !normal_map_) return glm::dvec3(0);
+    if (!normals_ || !place_.normals) return glm::dvec3(0);
     const glm::dvec3 own = triple_of(normals_->element(number));
-    return is_finite(own) ? normal_map_->point(own, normals_->divisor()) : glm::dvec3(0);
+    return is_finite(own) ? place_.normals->point(own, normals_->divisor()) : glm::dvec3(0);
   }
 
   /// A texture of glTF grows downwards from its first row. Both numbers are rounded once.
@@ -107,7 +107,6 @@ class GltfTriangles::Corners {
   const GltfPlace& place_;
   GltfAccessor positions_;
   std::optional<GltfAccessor> normals_{}, uv_{}, indices_{};
-  std::optional<AffineMap> normal_map_;
   std::unordered_map<std::size_t, std::int64_t> known_{};
 };
 
@@ -120,11 +119,10 @@ void GltfTriangles::add(const GltfPrimitive& primitive, const GltfPlace& place) 
   const std::size_t triangles = triangles_of(primitive.mode, count);
   if (triangles > most_triangles - soup_.faces.size())
     source_.fail(place.at, fmt::format("more than {} triangles", most_triangles), "expected fewer");
-  const bool mirrors = place.map.orientation() < 0;
   for (std::size_t i = 0; i < triangles; ++i) {
     Face& face = soup_.faces.emplace_back();
     for (const std::size_t corner : corners_of(primitive.mode, i)) face.push_back(corners.vertex(corner));
-    if (mirrors) std::swap(face[1], face[2]);
+    if (place.mirrors) std::swap(face[1], face[2]);
     static const Face none;
     looks_.normals.of_face.push_back(corners.have_normals() ? face : none);
     looks_.textures.of_face.push_back(corners.have_uv() ? face : none);

@@ -4,19 +4,21 @@
 #include <cstddef>
 #include <optional>
 
-#include "affine_map.hpp"
 #include "face_corners.hpp"
 #include "face_groups.hpp"
 #include "gltf_buffers.hpp"
 #include "gltf_primitive.hpp"
 #include "polygon_soup.hpp"
+#include "rounded_map.hpp"
 
 namespace durero::io {
 
 /// A node as it places a mesh in the scene.
 struct GltfPlace {
   std::size_t node, at;  ///< its number and its place in the file
-  AffineMap map;
+  RoundedMap points;
+  std::optional<RoundedMap> normals;  ///< nothing where it flattens space
+  bool mirrors;                       ///< whether it turns right into left
   FaceGroups::Number group = FaceGroups::none;
 };
 
