@@ -52,7 +52,7 @@ class GltfReader {
  private:
   /// How many things there are that no scene keeps.
   struct Counts {
-    std::size_t names = 0, mesh_names = 0, inner_nodes = 0, skins = 0, cameras = 0;
+    std::size_t names = 0, mesh_names = 0, other_places = 0, skins = 0, cameras = 0;
     std::size_t without_triangles = 0, without_positions = 0, attributes = 0, materials = 0, targets = 0;
   };
 
@@ -93,9 +93,8 @@ class GltfReader {
     has_node_[reference.number] = true;
     const GltfNode node = read_gltf_node(file_, reference.number);
     const AffineMap map = node.map ? above.after(*node.map) : above;
-    counts_.inner_nodes += depth > 1;
     counts_.skins += node.is_skinned;
-    const auto own = group_of(node.name);
+    const auto own = group_of(node.name, group);
     if (node.mesh) {
       const auto normals = map.normals();
       show(*node.mesh,
@@ -111,7 +110,7 @@ class GltfReader {
     if (has_name)
       counts_.mesh_names += !mesh.name.empty();
     else
-      place.group = group_of(mesh.name).value_or(place.group);
+      place.group = group_of(mesh.name, place.group).value_or(place.group);
     const bool is_first = !has_mesh_[reference.number];
     has_mesh_[reference.number] = true;
     for (const GltfPrimitive& primitive : mesh.primitives) {
@@ -128,11 +127,16 @@ class GltfReader {
     counts_.targets += primitive.targets;
   }
 
-  /// The group of that name; nothing where there is none, or none that a group can have, which is counted.
-  std::optional<FaceGroups::Number> group_of(std::string_view name) {
-    if (model::Elemento::is_name(std::string(name))) return triangles_.groups().group(name);
-    counts_.names += !name.empty();
-    return std::nullopt;
+  /// The group of that name, within the one of what is above; nothing where there is no name, or none that a group can
+  /// have, which is counted. What has a name a second time is in the same group, and its own place is counted.
+  std::optional<FaceGroups::Number> group_of(std::string_view name, FaceGroups::Number above) {
+    if (!model::Elemento::is_name(std::string(name))) {
+      counts_.names += !name.empty();
+      return std::nullopt;
+    }
+    const FaceGroups::Number number = triangles_.groups().group(name, above);
+    counts_.other_places += number != above && triangles_.groups().within[number] != above;
+    return number;
   }
 
   /// How many of the things at hand have a mark of false.
@@ -161,7 +165,7 @@ class GltfReader {
     add(counts_.names, "name of a node or a mesh", "names of nodes or meshes",
         "expected 1 to 128 of A-Z a-z 0-9 _ . : -");
     add(counts_.mesh_names, "name of a mesh", "names of meshes", "the triangles are in the group of its node");
-    add(counts_.inner_nodes, "place of a node in another", "places of nodes in others", "groups are in none");
+    add(counts_.other_places, "place of a node", "places of nodes", "another of the same name is elsewhere");
     std::vector<std::string> extensions;
     for_each_name(file_, "extensionsUsed", [&](std::string_view name, std::size_t) {
       if (name != quantization) extensions.push_back(text::shown(name));

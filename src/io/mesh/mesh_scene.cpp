@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <ranges>
+
 #include "io/losses.hpp"
 #include "polygons.hpp"
 
@@ -33,21 +35,32 @@ class GroupMembers {
         elementos_[groups_.of_face[face]].insert(std::move(name));
   }
 
-  /// Each triangle is in one of them at most, and each has its own name, so that none is refused.
+  /// Each triangle and each group is in one of them at most, each has its own name, and those within a group are made
+  /// before it, so that none is refused.
   scene::Groups made(std::vector<std::string>& lost) {
     scene::Groups made;
+    std::vector<scene::Names> inner(groups_.numbers.size());
     std::size_t empty = 0;
-    for (const auto& [name, number] : groups_.numbers) {
-      if (elementos_[number].empty())
+    for (const std::string& name : by_number() | std::views::reverse) {
+      const FaceGroups::Number number = groups_.numbers.at(name), outer = groups_.within[number];
+      if (elementos_[number].empty() && inner[number].empty()) {
         ++empty;
-      else
-        made.apply_total(scene::Grouping{name, {std::move(elementos_[number]), {}}}, scene_);
+        continue;
+      }
+      made.apply_total(scene::Grouping{name, {std::move(elementos_[number]), std::move(inner[number])}}, scene_);
+      if (outer != FaceGroups::none) inner[outer].insert(name);
     }
     add_loss(lost, empty, "group", "groups", "left out: no triangle is in it");
     return made;
   }
 
  private:
+  std::vector<std::string> by_number() const {
+    std::vector<std::string> names(groups_.numbers.size());
+    for (const auto& [name, number] : groups_.numbers) names[number] = name;
+    return names;
+  }
+
   const FaceGroups& groups_;
   const scene::Scene& scene_;
   std::vector<scene::Names> elementos_;

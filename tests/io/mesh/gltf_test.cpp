@@ -195,8 +195,7 @@ TEST_CASE("nodes place meshes, and a place that turns right into left turns the 
   wanted.insert(wanted.end(), mirrored.begin(), mirrored.end());
   wanted.insert(wanted.end(), moved.begin(), moved.end());
   CHECK(triangles(read) == wanted);
-  CHECK(read.lost == std::vector<std::string>{"1 use of a material left out: a scene has none of this kind",
-                                              "3 places of nodes in others left out: groups are in none"});
+  CHECK(read.lost == std::vector<std::string>{"1 use of a material left out: a scene has none of this kind"});
 }
 
 TEST_CASE("triangles have their normals, by the transposed inverse, and their uv, in which v grows upwards") {
@@ -233,15 +232,32 @@ TEST_CASE("a triangle is in the group of its node, of its mesh, or of the neares
   CHECK(read.groups.of_element("m.gltf:3") == "root");
   CHECK(read.groups.of_element("m.gltf:6") == "own");
   CHECK(read.groups.table().size() == 3);
+  CHECK(read.groups.of_group("root").empty());
+  CHECK(read.groups.of_group("leaf") == "root");
+  CHECK(read.groups.of_group("own") == "root");
   CHECK(read.lost ==
-        std::vector<std::string>{"1 name of a node or a mesh left out: expected 1 to 128 of A-Z a-z 0-9 _ . : -",
-                                 "3 places of nodes in others left out: groups are in none"});
+        std::vector<std::string>{"1 name of a node or a mesh left out: expected 1 to 128 of A-Z a-z 0-9 _ . : -"});
   file.nodes = R"({"name":"root","children":[1,2]},{"name":"empty"},{"mesh":1,"name":"n"})";
-  CHECK(import_text(file.text()).lost ==
-        std::vector<std::string>{"1 mesh left out: no node of the scene shows it",
-                                 "1 name of a mesh left out: the triangles are in the group of its node",
-                                 "2 places of nodes in others left out: groups are in none",
-                                 "2 groups left out: no triangle is in it"});
+  const io::Imported other = import_text(file.text());
+  CHECK(other.groups.of_group("n") == "root");
+  CHECK(other.lost == std::vector<std::string>{"1 mesh left out: no node of the scene shows it",
+                                               "1 name of a mesh left out: the triangles are in the group of its node",
+                                               "1 group left out: no triangle is in it"});
+}
+
+TEST_CASE("nodes of one name are one group, where the first of them is") {
+  File file = sample();
+  file.nodes = R"({"name":"a","children":[1,2]},{"name":"b","children":[3]},{"name":"c","children":[4,5]},
+{"mesh":0,"name":"n"},{"mesh":0,"name":"n"},{"mesh":0,"name":"c","children":[6]},{"mesh":0,"name":"a"})";
+  const io::Imported read = import_text(file.text());
+  CHECK(read.groups.of_group("n") == "b");
+  CHECK(read.groups.of_group("b") == "a");
+  CHECK(read.groups.of_group("c") == "a");
+  CHECK(read.groups.of_element("m.gltf:1") == "n");
+  CHECK(read.groups.of_element("m.gltf:3") == "n");
+  CHECK(read.groups.of_element("m.gltf:5") == "c");
+  CHECK(read.groups.of_element("m.gltf:7") == "a");
+  CHECK(read.lost == std::vector<std::string>{"2 places of nodes left out: another of the same name is elsewhere"});
 }
 
 TEST_CASE("what no scene keeps of a glTF is counted") {

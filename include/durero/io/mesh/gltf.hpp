@@ -10,9 +10,9 @@ namespace durero::io {
 /// numbers that stand there (binary32, or the quotient that a normalized integer is), rounded once to binary64; numbers
 /// of the JSON are the nearest binary64. Names and losses are those of read_obj, and so is the direction in which v
 /// grows. A triangle is in the group of its node's name, else of its mesh's, else of the nearest node above that has
-/// one. Buffers are in `data:` URIs, behind the JSON of a GLB file, or in files in the folder of the source's name or
-/// beneath it. Throws InputError: what is wrong in a buffer has the place of its accessor, and what is wrong in the
-/// chunks of a GLB file the beginning.
+/// one; groups lie in each other as the nodes do. Buffers are in `data:` URIs, behind the JSON of a GLB file, or in
+/// files in the folder of the source's name or beneath it. Throws InputError: what is wrong in a buffer has the place
+/// of its accessor, and what is wrong in the chunks of a GLB file the beginning.
 Imported read_gltf(const Source& source);
 
 }  // namespace durero::io
