@@ -9,24 +9,24 @@ namespace {
 
 using number::Dyadic;
 
-struct Sum {
+struct TwoTerms {
   double value, error;
 };
 
 /// a + b = value + error, where nothing overflows (Knuth).
-Sum exact_sum(double a, double b) {
+TwoTerms exact_sum(double a, double b) {
   const double value = a + b, of_b = value - a;
   return {value, (a - (value - of_b)) + (b - of_b)};
 }
 
 /// The leading 26 bits of a number, and the rest (Veltkamp).
-Sum halves(double a) {
+TwoTerms halves(double a) {
   const double spread = (0x1p27 + 1) * a, leading = spread - (spread - a);
   return {leading, a - leading};
 }
 
 /// a · b = value + error, where nothing overflows and but for 2⁻¹⁰⁷² where something underflows (Dekker).
-Sum exact_product(double a, double b) {
+TwoTerms exact_product(double a, double b) {
   const auto [a1, a2] = halves(a);
   const auto [b1, b2] = halves(b);
   const double value = a * b;
@@ -74,14 +74,14 @@ std::optional<double> RoundedMap::certain(const Row& row, const glm::dvec3& p) {
     if (m.high == 0 || p[j] == 0) continue;
     if (!(std::abs(p[j]) < 0x1p400)) return std::nullopt;
     is_null = false;
-    const Sum product = exact_product(m.high, p[j]), sum = exact_sum(high, product.value);
+    const TwoTerms product = exact_product(m.high, p[j]), sum = exact_sum(high, product.value);
     high = sum.value;
     low += sum.error;
     low += product.error + m.low * p[j];
     magnitude += std::abs(product.value);
   }
   if (is_null) return 0.0;
-  const Sum all = exact_sum(high, low);
+  const TwoTerms all = exact_sum(high, low);
   const double bound = magnitude * 0x1p-97 + 0x1p-800;
   // Twice the bound, and the last term, pay for the roundings of these two sums. Rounding ascends: where both ends of
   // what the image may be round to one number, so does the image.
