@@ -89,8 +89,8 @@ model::Cara read_face(json::Reader& in, std::string_view what) {
   return {ordinal(0), ordinal(1), ordinal(2)};
 }
 
-WrittenMesh read_mesh(json::Reader& in) {
-  WrittenMesh read{scene::Mesh{model::Elemento("-")}};
+FileMesh read_mesh(json::Reader& in) {
+  FileMesh read{scene::Mesh{model::Elemento("-")}};
   std::optional<Placed<std::vector<glm::dvec3>>> of_normals;
   std::optional<Placed<std::vector<glm::dvec2>>> of_uv;
   scene::Mesh& mesh = read.mesh;

@@ -12,13 +12,13 @@
 namespace durero::io {
 
 /// A mesh as it stands in a file, without its material.
-struct WrittenMesh {
+struct FileMesh {
   scene::Mesh mesh;
   std::optional<Placed<std::string_view>> material{};
 };
 
 /// Reads a mesh. Whether it can be added is for add_mesh() to say.
-WrittenMesh read_mesh(json::Reader& in);
+FileMesh read_mesh(json::Reader& in);
 
 /// Adds a mesh by its operation. `at` stands on it: where it is refused, the error is at the face, or at the name.
 void add_mesh(json::Reader at, scene::Scene& scene, scene::Mesh mesh);

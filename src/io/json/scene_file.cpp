@@ -165,7 +165,7 @@ class SceneReader {
   /// A mesh is read when the materials are known.
   void read_mesh_at(json::Reader in) {
     const json::Reader at = in;
-    WrittenMesh read = read_mesh(in);
+    FileMesh read = read_mesh(in);
     if (read.material && materials_are_known_) read.mesh.material = known_material(in, *read.material);
     add_mesh(at, scene_, std::move(read.mesh));
   }

@@ -45,7 +45,7 @@ std::size_t append_triple(std::string& out, const glm::dvec3& x) {
 void add_smoothness_loss(std::vector<std::string>& lost, const scene::Scene& scene) {
   std::size_t smooth = 0;
   for (std::uint32_t i = 0; i < scene.shapes<scene::Triangle>().size(); ++i)
-    smooth += scene.vertex_normals({model::Tipo::soy_triangulo, i}) != nullptr;
+    smooth += scene.vertex_normals({model::Tipo::soy_triangulo, i}).has_value();
   add_loss(lost, smooth, "smooth triangle", "smooth triangles", "written flat: STL has no normals of vertices");
 }
 

@@ -207,12 +207,12 @@ TEST_CASE("triangles have their normals, by the transposed inverse, and their uv
   file.add(whole({0, 255, 51, 0, 1, 1, 2, 2}, 1), 5121, "VEC2", 4, R"(,"normalized":true)");
   const io::Imported read = import_text(file.text());
   REQUIRE(read.scene.size() == 4);
-  const scene::VertexNormals* normals = read.scene.vertex_normals(*read.scene.find("m.gltf:1"));
+  const auto normals = read.scene.vertex_normals(*read.scene.find("m.gltf:1"));
   REQUIRE(normals != nullptr);
   CHECK(*normals == scene::VertexNormals{{{0, 0.5, 0}, {-3, 0, 0}, {0, 0, 0.25}}});
   CHECK(read.scene.vertex_normals(*read.scene.find("m.gltf:2")) == nullptr);
   CHECK(read.scene.vertex_normals(*read.scene.find("m.gltf:3")) == nullptr);
-  const scene::Wrap* wrap = read.scene.wrap(*read.scene.find("m.gltf:1"));
+  const auto wrap = read.scene.wrap(*read.scene.find("m.gltf:1"));
   REQUIRE(wrap != nullptr);
   CHECK(wrap->uv == std::array<glm::dvec2, 3>{{{0, 0}, {51 / 255.0, 1}, {1 / 255.0, 254 / 255.0}}});
   CHECK(read.scene.wrap(*read.scene.find("m.gltf:3")) == nullptr);
