@@ -450,6 +450,16 @@ Theorem a_face_turned_over_is_audited_as_such :
        /\ Auditoria.determinante (mk_Terna b a c) = - Auditoria.determinante (mk_Terna a b c)).
 Proof. exact (conj Auditoria.turned_over_walks_back Auditoria.determinant_alternates). Qed.
 
+(** Two faces do not cross where a plane has one of them on the one side and the other on the other, and no corner of the first
+    lies on it but those that both have. *)
+Theorem faces_that_a_plane_parts_do_not_cross r m n a b d level :
+  (m, a) ∈ Malla.numbered (Malla.caras r) -> (n, b) ∈ Malla.numbered (Malla.caras r) ->
+  (forall i p, i ∈ Auditoria.esquinas a -> (i, p) ∈ Malla.numbered (Malla.puntos r) ->
+    Auditoria.along d p <= level /\ (i ∉ Auditoria.esquinas b -> Auditoria.along d p < level)) ->
+  (forall i p, i ∈ Auditoria.esquinas b -> (i, p) ∈ Malla.numbered (Malla.puntos r) -> level <= Auditoria.along d p) ->
+  (m, n) ∉ Auditoria.cruzadas r.
+Proof. exact (Auditoria.faces_that_a_plane_parts_do_not_cross r m n a b d level). Qed.
+
 (** * Copies and solids *)
 
 (** Of affine maps: the point that is put at a point is found by Cramer's rule, and a copy has the points whose originals are

@@ -4,13 +4,12 @@
 #include <ranges>
 
 #include "durero/model/proyeccion.hpp"
+#include "means.hpp"
 
 namespace durero::model {
 namespace {
 
 using number::Rational;
-
-std::set<Ordinal> numbers(const Cara& c) { return {c.i, c.j, c.k}; }
 
 /// The edges of all faces, the lesser number first; an edge from a point to itself is none.
 std::set<Arista> undirected(const Red& red) {
@@ -45,8 +44,21 @@ std::size_t count_walks(const Red& red, const Arista& edge) {
 const Punto& point(const Red& red, Ordinal n) { return red.puntos().at(n); }
 
 bool have_common(const Cara& a, const Cara& b) {
-  const std::set<Ordinal> of_b = numbers(b);
-  return std::ranges::any_of(numbers(a), [&](Ordinal n) { return of_b.contains(n); });
+  const std::set<Ordinal> of_b = esquinas(b);
+  return std::ranges::any_of(esquinas(a), [&](Ordinal n) { return of_b.contains(n); });
+}
+
+std::vector<Punto> points(const Red& red, const std::set<Ordinal>& numbers) {
+  std::vector<Punto> all;
+  for (const Ordinal n : numbers) all.push_back(point(red, n));
+  return all;
+}
+
+/// Whether two faces have more points in common than the corners that both have, or what is between these.
+bool cross(const Red& red, const std::set<Ordinal>& a, const std::set<Ordinal>& b) {
+  std::set<Ordinal> common;
+  std::ranges::set_intersection(a, b, std::inserter(common, common.end()));
+  return common.size() < 3 && have_mean_outside(points(red, a), points(red, b), points(red, common));
 }
 
 /// The least closed set that has a face: what touches it, and what touches that.
@@ -88,7 +100,7 @@ std::set<Arista> discordes(const Red& red) {
 std::set<Ordinal> repetidas(const Red& red) {
   return faces_where(red, [&](Ordinal n, const Cara& c) {
     return std::ranges::any_of(
-        red.caras(), [&](const auto& other) { return other.first < n && numbers(other.second) == numbers(c); });
+        red.caras(), [&](const auto& other) { return other.first < n && esquinas(other.second) == esquinas(c); });
   });
 }
 
@@ -98,11 +110,23 @@ std::set<Ordinal> degeneradas(const Red& red) {
 
 std::set<std::array<Ordinal, 3>> uniones_en_t(const Red& red) {
   std::set<Ordinal> used;
-  for (const Cara& c : red.caras() | std::views::values) used.merge(numbers(c));
+  for (const Cara& c : red.caras() | std::views::values) used.merge(esquinas(c));
   std::set<std::array<Ordinal, 3>> found;
   for (const Ordinal v : used)
     for (const auto& [i, j] : undirected(red))
       if (point(red, i) != point(red, j) && entre(point(red, i), point(red, j), point(red, v))) found.insert({v, i, j});
+  return found;
+}
+
+std::set<Ordinal> esquinas(const Cara& c) { return {c.i, c.j, c.k}; }
+
+bool is_in_envolvente(const Red& red, const std::set<Ordinal>& s, const Punto& w) { return is_mean(points(red, s), w); }
+
+std::set<std::pair<Ordinal, Ordinal>> cruzadas(const Red& red) {
+  std::set<std::pair<Ordinal, Ordinal>> found;
+  for (const auto& [m, a] : red.caras())
+    for (const auto& [n, b] : red.caras())
+      if (m < n && cross(red, esquinas(a), esquinas(b))) found.insert({m, n});
   return found;
 }
 

@@ -48,6 +48,32 @@ TEST_CASE("each fault of a mesh is seen where it is") {
         std::set<std::array<Ordinal, 3>>{{4, 0, 1}});  // uniones_en_t.def.1
 }
 
+TEST_CASE("a face has the means of its corners, and crosses another by more than what they share") {
+  const Red red =
+      Red::of({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {0, 0, 2}, {2, 2, 0}, {1, 1, -1}, {3, 3, 3}, {2, 2, -5}},
+              {{0, 1, 2}, {0, 0, 1}, {0, 6, 8}, {1, 5, 2}, {3, 2, 1}, {1, 2, 0}, {4, 6, 7}, {6, 7, 5}, {0, 4, 7}});
+  CHECK(esquinas({0, 2, 0}) == Numbers{0, 2});           // esquinas.def.1
+  CHECK(is_in_envolvente(red, {0, 1, 2}, {1, 0.5, 0}));  // envolvente.def.1
+  CHECK(is_in_envolvente(red, {0, 1, 2}, {1, 1, 0}));
+  CHECK_FALSE(is_in_envolvente(red, {0, 1, 2}, {1, 1 + 0x1p-52, 0}));
+  CHECK_FALSE(is_in_envolvente(red, {0, 1, 2}, {0.5, 0.5, 0x1p-1074}));
+  CHECK(is_in_envolvente(red, {0, 5}, {1, 1, 0}));
+  CHECK_FALSE(is_in_envolvente(red, {0, 5}, {1, 1, 1}));
+  CHECK(is_in_envolvente(red, {3}, {1, 0, 0}));
+  CHECK_FALSE(is_in_envolvente(red, {}, {1, 0, 0}));
+  const std::set<Arista> found = cruzadas(red);  // cruzadas.def.1
+  const auto cross = [&](Ordinal m, Ordinal n) { return found.contains({m, n}); };
+  CHECK_FALSE(cross(0, 1));  // one on one line is an edge of the other
+  CHECK_FALSE(cross(0, 3));  // a common edge
+  CHECK_FALSE(cross(0, 5));  // the same corners
+  CHECK_FALSE(cross(0, 2));  // a common corner, below which the face lies
+  CHECK(cross(0, 4));        // within the other, at a common edge
+  CHECK(cross(0, 6));        // across an edge
+  CHECK(cross(6, 8));        // in one plane, on one side of a common edge
+  CHECK_FALSE(cross(6, 7));  // in one plane, on both sides of it
+  CHECK(cross(1, 4));        // a face on one line, with a corner of the other
+}
+
 TEST_CASE("an edge whose ends are one point has no point between them") {
   const Red red = Red::of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}});
   CHECK(uniones_en_t(red).empty());

@@ -38,6 +38,17 @@ std::set<Ordinal> degeneradas(const Red& red);
 /// first (uniones_en_t.def.1). Precondition: is_complete(red).
 std::set<std::array<Ordinal, 3>> uniones_en_t(const Red& red);
 
+/// The numbers of the corners of a face (esquinas.def.1).
+std::set<Ordinal> esquinas(const Cara& c);
+
+/// w ∈ envolvente(red, s): whether a point is a mean of some points, at most three, by weights that are not negative
+/// (envolvente.def.1). Precondition: s ⊆ dom red.puntos.
+bool is_in_envolvente(const Red& red, const std::set<Ordinal>& s, const Punto& w);
+
+/// The pairs of faces, the lesser number first, that have more points in common than the corners that they share, or
+/// the edge between these (cruzadas.def.1). Precondition: is_complete(red).
+std::set<std::pair<Ordinal, Ordinal>> cruzadas(const Red& red);
+
 /// s ∈ cerradas(red): some faces, and no face outside has a point of one inside (cerradas.def.1).
 bool is_closed(const Red& red, const std::set<Ordinal>& s);
 

@@ -1,0 +1,16 @@
+#pragma once
+/// Means of a few points by weights that are not negative and sum to one, exactly.
+
+#include <vector>
+
+#include "durero/model/tipos.hpp"
+
+namespace durero::model {
+
+/// Whether w is a mean of the corners. Of none there is no mean.
+bool is_mean(const std::vector<Punto>& corners, const Punto& w);
+
+/// Whether some mean of a and of b is no mean of `common`. Precondition: `common` has two points at most.
+bool have_mean_outside(const std::vector<Punto>& a, const std::vector<Punto>& b, const std::vector<Punto>& common);
+
+}  // namespace durero::model
