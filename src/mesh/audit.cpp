@@ -6,6 +6,7 @@
 #include <ranges>
 #include <stdexcept>
 
+#include "crossings.hpp"
 #include "orientation.hpp"
 #include "vertex_tree.hpp"
 
@@ -163,6 +164,7 @@ MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const CornerNu
   number::Dyadic sum;
   for (std::uint32_t n = 0; n < faces.size(); ++n) judge_face(vertices, faces, n, audit, sum);
   audit.t_junctions = t_junctions(vertices, faces, walks);
+  audit.crossings = crossings(vertices, faces);
   audit.piece_of = pieces(vertices.size(), faces);
   audit.volume = sum.rational() / 6;
   return audit;

@@ -29,6 +29,12 @@ std::set<std::array<model::Ordinal, 3>> as_set(const std::vector<TJunction>& jun
   return all;
 }
 
+std::set<std::pair<model::Ordinal, model::Ordinal>> as_set(const std::vector<CrossingFaces>& crossings) {
+  std::set<std::pair<model::Ordinal, model::Ordinal>> all;
+  for (const CrossingFaces& each : crossings) all.emplace(each.faces[0], each.faces[1]);
+  return all;
+}
+
 std::set<std::set<model::Ordinal>> as_pieces(const std::vector<std::uint32_t>& piece_of) {
   std::map<std::uint32_t, std::set<model::Ordinal>> pieces;
   for (std::uint32_t n = 0; n < piece_of.size(); ++n) pieces[piece_of[n]].insert(n);
@@ -57,6 +63,68 @@ model::Red crowded() {
   return model::Red::of(points, faces);
 }
 
+/// Four faces of seven points.
+model::Red four_faces(const std::vector<model::Punto>& points) {
+  const auto number = rc::gen::element<model::Ordinal>(0, 1, 2, 3, 4, 5, 6);
+  std::vector<model::Cara> faces(4);
+  for (model::Cara& face : faces) {
+    face.i = *number;
+    face.j = *number;
+    face.k = *number;
+  }
+  return model::Red::of(points, faces);
+}
+
+/// Points whose coordinates are of these few numbers.
+std::vector<model::Punto> points_of(const std::vector<double>& coordinates) {
+  const auto coordinate = rc::gen::elementOf(coordinates);
+  std::vector<model::Punto> points;
+  for (int n = 0; n < 7; ++n) {
+    const double x = *coordinate, y = *coordinate, z = *coordinate;
+    points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
+/// An integer of so many bits, as many for a small test as for a large one.
+double any_integer(int bits) {
+  return static_cast<double>(
+      *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << bits)));
+}
+
+/// Faces in one upright plane, which have one edge in common, of points whose differences have more bits than a
+/// binary64.
+model::Red upright_faces() {
+  const double x = 0x1p+47 + any_integer(47), y = 0x1p+47 + any_integer(47);
+  std::vector<model::Punto> points;
+  for (int n = 0; n < 7; ++n) {
+    const int times = *rc::gen::element(-31, -30, -29, -28, 28, 29, 30, 31);
+    points.emplace_back(times * x, times * y, any_integer(53));
+  }
+  return model::Red::of(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {5, 0, 1}, {1, 6, 0}});
+}
+
+/// A face whose first corner is in the midst of an edge of another, or of its area. The products have more bits than a
+/// binary64.
+model::Red touching_faces() {
+  std::vector<model::Punto> points;
+  for (int n = 0; n < 5; ++n) {
+    const double x = 4 * any_integer(50), y = 4 * any_integer(50), z = 4 * any_integer(50);
+    points.emplace_back(x, y, z);
+  }
+  const double third = *rc::gen::element(0.0, 0.5);
+  const auto mean = [&](double (model::Punto::*of)() const) {
+    return ((points[0].*of)() / 2 + (points[1].*of)() / 2) * (1 - third) + (points[2].*of)() * third;
+  };
+  points.emplace_back(mean(&model::Punto::x), mean(&model::Punto::y), mean(&model::Punto::z));
+  return model::Red::of(points, {{0, 1, 2}, {5, 3, 4}});
+}
+
+std::vector<CrossingFaces> crossings_of(const std::vector<glm::dvec3>& vertices,
+                                        const std::vector<CornerNumbers>& faces) {
+  return mesh::audited(vertices, faces).crossings;
+}
+
 }  // namespace
 
 TEST_CASE("the audit of any mesh is that of the text") {
@@ -71,11 +139,64 @@ TEST_CASE("the audit of any mesh is that of the text") {
     RC_ASSERT(as_set(audit.repeated) == model::repetidas(red));
     RC_ASSERT(as_set(audit.degenerate) == model::degeneradas(red));
     RC_ASSERT(as_set(audit.t_junctions) == model::uniones_en_t(red));
+    RC_CLASSIFY(!audit.crossings.empty(), "with crossings");
+    RC_ASSERT(as_set(audit.crossings) == model::cruzadas(red));
+    RC_ASSERT(std::ranges::is_sorted(audit.crossings, {}, &CrossingFaces::faces));
     RC_ASSERT(as_pieces(audit.piece_of) == model::piezas(red));
     RC_ASSERT(audit.volume == model::volumen(red));
     RC_ASSERT(std::ranges::is_sorted(audit.open) && std::ranges::is_sorted(audit.discordant));
     RC_ASSERT(std::ranges::is_sorted(audit.t_junctions));
   });
+}
+
+TEST_CASE("the faces that cross are those of the text") {
+  const auto holds = [](const model::Red& red) {
+    const auto found = as_set(audited(red).crossings);
+    RC_CLASSIFY(!found.empty(), "some cross");
+    RC_ASSERT(found == model::cruzadas(red));
+  };
+  const std::vector<double> grid{0, 1, 2, 3}, nearly{0, 0.1, 0.2, 0.3, 0.1 + 0.2, 0.4, 0.5};
+  const std::vector<double> far{0, 0x1p-1074, 0x1p-300, 1, 3, 0x1p+1000};
+  test::property("on a grid", [&] { holds(four_faces(points_of(grid))); });
+  test::property("nearly on a grid", [&] { holds(four_faces(points_of(nearly))); });
+  test::property("of far and of small coordinates", [&] { holds(four_faces(points_of(far))); });
+  test::property("in an upright plane", [&] { holds(upright_faces()); });
+  test::property("that touch", [&] { holds(touching_faces()); });
+}
+
+TEST_CASE("faces cross where they cut, touch or overlap, and the place of it is told") {
+  const std::vector<glm::dvec3> vertices{{0, 0, 0}, {3, 0, 0}, {0, 3, 0},  {1, 1, -1}, {1, 1, 2},
+                                         {9, 9, 1}, {1, 1, 0}, {1, 1, -9}, {-1, 5, 0}, {-1, -1, 0}};
+  const CornerNumbers face{0, 1, 2};
+  const auto place = [&](const CornerNumbers& other) {
+    const std::vector<CrossingFaces> found = crossings_of(vertices, {face, other});
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].faces == std::array<std::uint32_t, 2>{0, 1});
+    return found[0].place;
+  };
+  CHECK(place({3, 4, 5}) == glm::dvec3(1, 1, 0));  // cuts
+  CHECK(place({6, 4, 5}) == glm::dvec3(1, 1, 0));  // touches
+  CHECK(place({6, 7, 4}) == glm::dvec3(1, 1, 0));  // is on one line
+  CHECK(place({0, 4, 7}) == glm::dvec3(1, 1, 0));  // at a common corner
+  CHECK(place({1, 2, 9}) == glm::dvec3(0, 0, 0));  // on one side of a common edge
+  CHECK(place({1, 2, 6}) == glm::dvec3(1, 1, 0));  // within
+  CHECK(crossings_of(vertices, {face, {1, 2, 5}}).empty());
+  CHECK(crossings_of(vertices, {face, {2, 0, 8}}).empty());
+  CHECK(crossings_of(vertices, {face, {0, 9, 7}}).empty());
+  CHECK(crossings_of(vertices, {face, {2, 1, 0}}).empty());  // the same corners are those of a repeated face
+}
+
+TEST_CASE("faces that one unit in the last place parts do not cross, and their place is rounded once") {
+  const std::vector<CornerNumbers> faces{{0, 1, 2}, {3, 4, 5}};
+  const auto found = [&](double z) {
+    return crossings_of({{0, 0, 0}, {1, 0, 3}, {0, 1, 3}, {1.0 / 3, 1.0 / 3, z}, {0.3, 0.3, 5}, {0.4, 0.3, 5}}, faces);
+  };
+  CHECK(found(2.0).empty());
+  CHECK(found(2 - 0x1p-52).size() == 1);
+  const std::vector<CrossingFaces> third =
+      crossings_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 1, 2}, {9, 8, 2}}, faces);
+  REQUIRE(third.size() == 1);
+  CHECK(third[0].place == glm::dvec3(1.0 / 3, 1.0 / 3, 0));
 }
 
 TEST_CASE("a vertex beside an edge by one unit in the last place is no T-junction") {

@@ -1,6 +1,7 @@
 #pragma once
 /// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n), but for
-/// vertices within edges: an edge asks all vertices in its box, which are many where a long edge lies askew. No
+/// vertices within edges and for crossings: an edge asks all vertices in its box, which are many where a long edge lies
+/// askew, and a face all faces whose boxes meet its own. No
 /// tolerance decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or
 /// not at all.
 
@@ -26,6 +27,14 @@ struct TJunction {
   auto operator<=>(const TJunction&) const = default;
 };
 
+/// Two faces that have more points in common than the corners that they share, or the edge between these.
+struct CrossingFaces {
+  std::array<std::uint32_t, 2> faces;  ///< the lesser number first
+  /// Of the corners of what they have in common, without what they share, the first by x, y and z; each coordinate is
+  /// rounded to the nearest binary64.
+  glm::dvec3 place;
+};
+
 /// The findings, each list in ascending order. The names of the text are those of model/auditoria.hpp.
 struct MeshAudit {
   std::vector<EdgeEnds> open;             ///< edges of one face, the lesser number first (abiertas)
@@ -34,6 +43,7 @@ struct MeshAudit {
   std::vector<std::uint32_t> repeated;    ///< faces that have the vertices of one before (repetidas)
   std::vector<std::uint32_t> degenerate;  ///< faces whose points lie on one line (degeneradas)
   std::vector<TJunction> t_junctions;     ///< vertices between the ends of an edge (uniones_en_t)
+  std::vector<CrossingFaces> crossings;   ///< faces that cut through each other, touch or overlap (cruzadas)
   /// For each face the least face that is joined to it by shared vertices: one number a piece (piezas).
   std::vector<std::uint32_t> piece_of;
   number::Rational volume;  ///< exact; what the faces enclose where they are closed (volumen)
