@@ -45,6 +45,7 @@ class MeshFindings {
     for (const EdgeEnds& edge : audit.discordant) add_discordant(edge);
     for (const std::uint32_t face : audit.repeated) add_repeated(face);
     for (const mesh::TJunction& junction : audit.t_junctions) add_junction(junction);
+    for (const mesh::CrossingFaces& crossing : audit.crossings) add_crossing(crossing);
   }
 
  private:
@@ -108,6 +109,14 @@ class MeshFindings {
       defect.mended.push_back(addition(unused_name(mesh_.names[n]), second));
     }
     out_.push_back(std::move(defect));
+  }
+
+  void add_crossing(const mesh::CrossingFaces& crossing) {
+    out_.push_back({"cruzadas",
+                    names({crossing.faces.begin(), crossing.faces.end()}),
+                    {crossing.place},
+                    "these faces meet in more than the corners that they share",
+                    {}});
   }
 
   std::string unused_name(const std::string& name) {

@@ -26,7 +26,8 @@ std::vector<std::string> kinds(const std::vector<scene::Triangle>& triangles) {
   return all;
 }
 
-const scene::Triangle base{{o, y, x}}, front{{o, x, z}}, slope{{x, y, z}}, side{{o, z, y}};
+const scene::Triangle base{{o, y, x}}, front{{o, x, z}}, slope{{x, y, z}}, side{{o, z, y}},
+    across{{glm::dvec3(-1, 1, -1), {1, 1, 1}, {2, 0, 3}}};
 
 }  // namespace
 
@@ -61,6 +62,9 @@ TEST_CASE("each planted fault is found, with its faces and what mends it") {
   CHECK(twice.faces == std::vector<std::string>{"e"});
   CHECK(twice.mended == std::vector<std::string>{"Eliminar_Triangulo e?=e"});
   CHECK(of({base, front, slope, side, {{z, y, o}}}, "multiples").faces == std::vector<std::string>{"a", "d", "e"});
+  const MeshDefect crossing = of({base, across}, "cruzadas");
+  CHECK(crossing.faces == std::vector<std::string>{"a", "b"});
+  CHECK(crossing.places == std::vector<glm::dvec3>{{0, 1, 0}});
   const MeshDefect junction = of({base, {{o, half, z}}, {{half, x, z}}, slope, side}, "uniones_en_t");
   CHECK(junction.faces == std::vector<std::string>{"a"});
   CHECK(junction.places == std::vector<glm::dvec3>{half, o, x});

@@ -26,9 +26,10 @@ SceneMesh mesh_of(const scene::Scene& scene);
 
 /// Something wrong with a mesh.
 struct MeshDefect {
-  std::string kind;                 ///< the name of the text: `abiertas`, …
-  std::vector<std::string> faces;   ///< the triangles that have it
-  std::vector<glm::dvec3> places;   ///< the points of it: a vertex, the ends of an edge, the corners of a face
+  std::string kind;                ///< the name of the text: `abiertas`, …
+  std::vector<std::string> faces;  ///< the triangles that have it
+  std::vector<glm::dvec3>
+      places;  ///< the points of it: a vertex, the ends of an edge, the corners of a face; or a crossing's, rounded
   std::string message;              ///< what is wrong, in words
   std::vector<std::string> mended;  ///< operations that mend it; none where none is known
 };
