@@ -1,7 +1,6 @@
 #include "durero/mesh/audit.hpp"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <numeric>
 #include <ranges>
 #include <stdexcept>
@@ -107,7 +106,7 @@ std::vector<TJunction> t_junctions(Vertices vertices, Faces faces, const std::ve
   std::vector<TJunction> found;
   for (const EdgeWalk& edge : edges) {
     const glm::dvec3 &a = vertices[edge.ends[0]], &b = vertices[edge.ends[1]];
-    tree.in_box(glm::min(a, b), glm::max(a, b), [&](std::uint32_t v) {
+    tree.along(a, b, [&](std::uint32_t v) {
       if (v != edge.ends[0] && v != edge.ends[1] && lies_between(vertices[v], a, b)) found.push_back({v, edge.ends});
     });
   }

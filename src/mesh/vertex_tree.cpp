@@ -1,6 +1,7 @@
 #include "vertex_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace durero::mesh {
 namespace {
@@ -10,7 +11,52 @@ std::uint8_t longest(const glm::dvec3& sides) {
   return sides.y >= sides.z ? 1 : 2;
 }
 
+/// A number, and what it may be off by.
+struct Crossed {
+  double value, off;
+};
+
+/// The coordinate along an axis at which a segment has one along another. The parameter has three roundings, two
+/// differences and a quotient; the difference that it multiplies, the product and the sum are three more, so that it is
+/// off by less than 8 · 2⁻⁵³ times the magnitudes of the ends; twice that has room for the sums with it. What is
+/// subnormal is off by 2⁻¹⁰⁷⁴ at most. Where the difference overflows that is multiplied, the bound is infinite too.
+Crossed crossed_at(const SegmentPart& part, int axis, double coordinate, int other) {
+  const double a = part.from[other], b = part.to[other];
+  const double parameter = (coordinate - part.from[axis]) / (part.to[axis] - part.from[axis]);
+  return {a + parameter * (b - a), 0x1p-49 * (std::abs(a) + std::abs(b)) + 0x1p-1073};
+}
+
+/// Draws the box of a part in, where it is cut at a coordinate that is within it. Along another axis, the crossing
+/// bounds it on that side where the kept end of the segment is not, unless the bound is infinite.
+void draw_in(SegmentPart& part, int axis, double coordinate, bool is_low_kept) {
+  if (!std::isfinite(part.to[axis] - part.from[axis])) return;
+  const bool is_rising = part.to[axis] > part.from[axis];
+  for (int other = 0; other < 3; ++other) {
+    if (other == axis) continue;
+    const Crossed crossed = crossed_at(part, axis, coordinate, other);
+    const bool is_rising_too = (part.to[other] > part.from[other]) == is_rising;
+    if (is_rising_too == is_low_kept)
+      part.greatest[other] = std::min(part.greatest[other], crossed.value + crossed.off);
+    else
+      part.least[other] = std::max(part.least[other], crossed.value - crossed.off);
+  }
+}
+
 }  // namespace
+
+SegmentPart SegmentPart::below(int axis, double coordinate) const {
+  SegmentPart part = *this;
+  part.greatest[axis] = coordinate;
+  if (coordinate > least[axis]) draw_in(part, axis, coordinate, true);
+  return part;
+}
+
+SegmentPart SegmentPart::above(int axis, double coordinate) const {
+  SegmentPart part = *this;
+  part.least[axis] = coordinate;
+  if (coordinate < greatest[axis]) draw_in(part, axis, coordinate, false);
+  return part;
+}
 
 VertexTree::VertexTree(std::span<const glm::dvec3> vertices, std::vector<std::uint32_t> numbers)
     : vertices_(vertices), numbers_(std::move(numbers)), axes_(numbers_.size()) {

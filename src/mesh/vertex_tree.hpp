@@ -1,5 +1,5 @@
 #pragma once
-/// A balanced tree of points, halved across the longest side, to find those in a box.
+/// A balanced tree of points, halved across the longest side, to find those near a segment.
 
 #include <cstdint>
 #include <glm/common.hpp>
@@ -9,31 +9,52 @@
 
 namespace durero::mesh {
 
-/// The points that are in no part of a box are passed over without a look at each.
+/// A segment, and a box that has a part of it.
+struct SegmentPart {
+  glm::dvec3 from, to;
+  glm::dvec3 least, greatest;  ///< of the part, whose ends are rounded outwards
+
+  /// The whole of a segment.
+  SegmentPart(const glm::dvec3& a, const glm::dvec3& b)
+      : from(a), to(b), least(glm::min(a, b)), greatest(glm::max(a, b)) {}
+
+  /// What of the part is not above a coordinate, which is below its greatest.
+  SegmentPart below(int axis, double coordinate) const;
+  /// What of the part is not below a coordinate, which is above its least.
+  SegmentPart above(int axis, double coordinate) const;
+};
+
+/// Points that stand far from a segment are passed over without a look at each.
 class VertexTree {
  public:
   /// Of the vertices of these numbers. The vertices must outlive the tree.
   VertexTree(std::span<const glm::dvec3> vertices, std::vector<std::uint32_t> numbers);
 
-  /// Calls visit(number) for each vertex in the box, sides included.
+  /// Calls visit(number) for each vertex on a segment, ends included, and for some others.
   template <class Visit>
-  void in_box(const glm::dvec3& least, const glm::dvec3& greatest, const Visit& visit) const {
-    descend(0, numbers_.size(), least, greatest, visit);
+  void along(const glm::dvec3& a, const glm::dvec3& b, const Visit& visit) const {
+    descend(0, numbers_.size(), SegmentPart(a, b), visit);
   }
 
  private:
   void halve(std::size_t begin, std::size_t end);
 
   template <class Visit>
-  void descend(std::size_t begin, std::size_t end, const glm::dvec3& least, const glm::dvec3& greatest,
-               const Visit& visit) const {
+  void descend(std::size_t begin, std::size_t end, const SegmentPart& part, const Visit& visit) const {
     if (begin == end) return;
     const std::size_t middle = begin + (end - begin) / 2;
     const glm::dvec3& p = vertices_[numbers_[middle]];
-    if (glm::clamp(p, least, greatest) == p) visit(numbers_[middle]);
+    if (glm::clamp(p, part.least, part.greatest) == p) visit(numbers_[middle]);
     const int axis = axes_[middle];
-    if (p[axis] >= least[axis]) descend(begin, middle, least, greatest, visit);
-    if (p[axis] <= greatest[axis]) descend(middle + 1, end, least, greatest, visit);
+    const double border = p[axis];
+    if (border >= part.greatest[axis])
+      descend(begin, middle, part, visit);
+    else if (border >= part.least[axis])
+      descend(begin, middle, part.below(axis, border), visit);
+    if (border <= part.least[axis])
+      descend(middle + 1, end, part, visit);
+    else if (border <= part.greatest[axis])
+      descend(middle + 1, end, part.above(axis, border), visit);
   }
 
   std::span<const glm::dvec3> vertices_;

@@ -222,6 +222,51 @@ TEST_CASE("every vertex on an edge is found, where many have one coordinate") {
   CHECK(mesh::audited(vertices, faces).t_junctions == expected);
 }
 
+TEST_CASE("every vertex on an edge is found, where many stand above one another") {
+  std::vector<glm::dvec3> vertices{{0, 0, 0}};
+  std::vector<CornerNumbers> faces;
+  std::vector<TJunction> expected;
+  for (std::uint32_t n = 1; n < 60; n += 2) {
+    vertices.emplace_back(1000, n, 0);
+    vertices.emplace_back(2000, 2.0 * n, 0);
+    faces.push_back({0, n, n + 1});
+    expected.push_back({n, {0, n + 1}});
+  }
+  CHECK(mesh::audited(vertices, faces).t_junctions == expected);
+}
+
+TEST_CASE("every vertex on an edge is found whose ends are farther apart than any number") {
+  const double far = 0x1.8p+1023;
+  std::vector<glm::dvec3> vertices{{-1, -far, 0}, {1, far, 0}, {-1, far, 0}, {1, -far, 0}, {0, 0, 9}};
+  std::vector<CornerNumbers> faces{{0, 1, 4}, {2, 3, 4}};
+  for (std::uint32_t n = 5; n < 36; ++n) {
+    for (const double y : {-far / 2, 0.0, far / 2}) vertices.emplace_back((n - 20.0) / 16, y, 0);
+    faces.push_back({3 * n - 10, 3 * n - 9, 3 * n - 8});
+  }
+  const std::vector<TJunction> found = mesh::audited(vertices, faces).t_junctions;
+  for (const TJunction& each :
+       {TJunction{26, {0, 1}}, {51, {0, 1}}, {76, {0, 1}}, {28, {2, 3}}, {51, {2, 3}}, {74, {2, 3}}})
+    CHECK(std::ranges::count(found, each) == 1);
+}
+
+TEST_CASE("every vertex on a long edge is found, however it lies") {
+  test::property("of edges with 16 vertices side by side, among others", [] {
+    const double scale = *rc::gen::element(1.0, 0x1p-1074, 0x1p+970);
+    const auto step = [] { return *rc::gen::element(-7.0, -3.0, -1.0, 0.0, 1.0, 2.0, 5.0); };
+    const double x = step(), y = step(), before = any_integer(50);
+    const glm::dvec3 from(any_integer(9), any_integer(9), any_integer(9)), way(x, y, 1 + any_integer(2));
+    std::vector<glm::dvec3> vertices{from * scale, (from + 0x1p+50 * way) * scale, {0, 0, 0}};
+    std::vector<CornerNumbers> faces{{0, 1, 2}};
+    for (std::uint32_t n = 3; n < 35; n += 2) {
+      vertices.push_back((from + (before + n) * way) * scale);
+      vertices.push_back((from + (before + n + 1) * way + glm::dvec3(any_integer(3), 0, 1)) * scale);
+      faces.push_back({n, n + 1, 2});
+    }
+    const std::vector<TJunction> found = mesh::audited(vertices, faces).t_junctions;
+    for (std::uint32_t n = 3; n < 35; n += 2) RC_ASSERT(std::ranges::count(found, TJunction{n, {0, 1}}) == 1);
+  });
+}
+
 TEST_CASE("what is far or small is audited as the rest") {
   for (const double scale : {0x1p-1000, 0x1p+1000}) {
     const std::vector<glm::dvec3> vertices{{0, 0, 0}, {2 * scale, 0, 0}, {0, scale, 0}, {scale, 0, 0}, {0, 0, scale}};

@@ -1,9 +1,7 @@
 #pragma once
-/// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n), but for
-/// vertices within edges and for crossings: an edge asks all vertices in its box, which are many where a long edge lies
-/// askew, and a face all faces whose boxes meet its own. No
-/// tolerance decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or
-/// not at all.
+/// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n) for faces of one
+/// size, more or less: an edge asks the vertices near it, and a face the faces whose boxes meet its own. No tolerance
+/// decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or not at all.
 
 #include <array>
 #include <cstdint>
