@@ -43,6 +43,12 @@ std::size_t count_walks(const Red& red, const Arista& edge) {
 /// The point of a number, which a complete mesh has.
 const Punto& point(const Red& red, Ordinal n) { return red.puntos().at(n); }
 
+std::size_t count_common(const Red& red, Ordinal n, Ordinal m) {
+  const std::set<Ordinal> of_m = esquinas(red.caras().at(m));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(esquinas(red.caras().at(n)), [&](Ordinal each) { return of_m.contains(each); }));
+}
+
 bool have_common(const Cara& a, const Cara& b) {
   const std::set<Ordinal> of_b = esquinas(b);
   return std::ranges::any_of(esquinas(a), [&](Ordinal n) { return of_b.contains(n); });
@@ -59,6 +65,20 @@ bool cross(const Red& red, const std::set<Ordinal>& a, const std::set<Ordinal>& 
   std::set<Ordinal> common;
   std::ranges::set_intersection(a, b, std::inserter(common, common.end()));
   return common.size() < 3 && have_mean_outside(points(red, a), points(red, b), points(red, common));
+}
+
+/// Whether some of the faces of a point share that point alone with the others: those that are reached from the first
+/// by two common points, where these are not all.
+bool fall_apart(const Red& red, const std::set<Ordinal>& faces) {
+  std::set<Ordinal> part, next{*faces.begin()};
+  while (!next.empty()) {
+    part.merge(next);
+    next.clear();
+    for (const Ordinal n : faces)
+      if (!part.contains(n) && std::ranges::any_of(part, [&](Ordinal m) { return count_common(red, n, m) > 1; }))
+        next.insert(n);
+  }
+  return part != faces;
 }
 
 /// The least closed set that has a face: what touches it, and what touches that.
@@ -127,6 +147,18 @@ std::set<std::pair<Ordinal, Ordinal>> cruzadas(const Red& red) {
   for (const auto& [m, a] : red.caras())
     for (const auto& [n, b] : red.caras())
       if (m < n && cross(red, esquinas(a), esquinas(b))) found.insert({m, n});
+  return found;
+}
+
+std::set<Ordinal> de_punto(const Red& red, Ordinal v) {
+  return faces_where(red, [&](Ordinal, const Cara& c) { return esquinas(c).contains(v); });
+}
+
+std::set<Ordinal> singulares(const Red& red) {
+  std::set<Ordinal> found;
+  for (const Cara& c : red.caras() | std::views::values)
+    for (const Ordinal v : esquinas(c))
+      if (fall_apart(red, de_punto(red, v))) found.insert(v);
   return found;
 }
 

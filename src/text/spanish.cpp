@@ -499,6 +499,8 @@ constexpr SpanishName names[] = {
     {"esquinas", "corners", "the numbers of the corners of a face"},
     {"envolvente", "hull", "the points of up to three corners: the triangle, segment or point that they make"},
     {"cruzadas", "crossing", "the pairs of faces that have more points in common than the corners that they share"},
+    {"de_punto", "of_point", "the faces that have a point"},
+    {"singulares", "singular", "the points whose faces fall into two parts that share that point alone"},
     {"cerradas", "closed", "sets of faces that share no point with the faces outside"},
     {"piezas", "pieces", "the least closed sets of faces"},
     {"determinante", "determinant", "six times the volume between the origin and three points"},

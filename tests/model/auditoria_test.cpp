@@ -74,6 +74,40 @@ TEST_CASE("a face has the means of its corners, and crosses another by more than
   CHECK(cross(1, 4));        // a face on one line, with a corner of the other
 }
 
+TEST_CASE("a point is singular where fans touch in it alone") {
+  const Red red =
+      Red::of(std::vector<Punto>(7, Punto(0, 0, 0)), {{0, 1, 2}, {2, 3, 0}, {0, 4, 5}, {5, 6, 6}, {4, 0, 0}});
+  CHECK(de_punto(red, 0) == Numbers{0, 1, 2, 4});  // de_punto.def.1
+  CHECK(de_punto(red, 7).empty());
+  CHECK(singulares(red) == Numbers{0, 5});  // singulares.def.1
+  CHECK(singulares(Red::of(corners, closed)).empty());
+  CHECK(singulares(with(closed, {0, 4, 5})) == Numbers{0});
+}
+
+TEST_CASE("singulares.def.1: some choice of the faces of a singular point shares that point alone with the others") {
+  test::property("singular points of any mesh", [] {
+    const Red red = *test::any_red();
+    Numbers expected;
+    for (Ordinal v = 0; v < 5; ++v) {
+      const Numbers all = de_punto(red, v);
+      const std::vector<Ordinal> faces(all.begin(), all.end());
+      const auto is_apart = [&](unsigned choice) {
+        for (std::size_t a = 0; a < faces.size(); ++a)
+          for (std::size_t b = 0; b < faces.size(); ++b)
+            for (const Ordinal w : esquinas(red.caras().at(faces[a])))
+              if (((choice >> a) & 1) != 0 && ((choice >> b) & 1) == 0 && w != v &&
+                  esquinas(red.caras().at(faces[b])).contains(w))
+                return false;
+        return true;
+      };
+      for (unsigned choice = 1; choice + 1 < 1U << faces.size(); ++choice)
+        if (is_apart(choice)) expected.insert(v);
+    }
+    RC_CLASSIFY(!expected.empty(), "with singular points");
+    RC_ASSERT(singulares(red) == expected);
+  });
+}
+
 TEST_CASE("an edge whose ends are one point has no point between them") {
   const Red red = Red::of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}}, {{0, 1, 2}});
   CHECK(uniones_en_t(red).empty());

@@ -49,6 +49,12 @@ bool is_in_envolvente(const Red& red, const std::set<Ordinal>& s, const Punto& w
 /// the edge between these (cruzadas.def.1). Precondition: is_complete(red).
 std::set<std::pair<Ordinal, Ordinal>> cruzadas(const Red& red);
 
+/// The faces that have a point (de_punto.def.1).
+std::set<Ordinal> de_punto(const Red& red, Ordinal v);
+
+/// The points whose faces fall into two parts that share that point alone (singulares.def.1).
+std::set<Ordinal> singulares(const Red& red);
+
 /// s ∈ cerradas(red): some faces, and no face outside has a point of one inside (cerradas.def.1).
 bool is_closed(const Red& red, const std::set<Ordinal>& s);
 
