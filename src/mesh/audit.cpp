@@ -1,11 +1,12 @@
 #include "durero/mesh/audit.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <ranges>
 #include <stdexcept>
 
 #include "crossings.hpp"
+#include "fans.hpp"
+#include "joined_sets.hpp"
 #include "orientation.hpp"
 #include "vertex_tree.hpp"
 
@@ -114,24 +115,6 @@ std::vector<TJunction> t_junctions(Vertices vertices, Faces faces, const std::ve
   return found;
 }
 
-/// Sets that are joined two at a time, each known by its least member.
-class JoinedSets {
- public:
-  explicit JoinedSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
-
-  std::uint32_t least(std::uint32_t n) {
-    while (parents_[n] != n) n = parents_[n] = parents_[parents_[n]];
-    return n;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = least(a), b = least(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
-
 std::vector<std::uint32_t> pieces(std::size_t vertex_count, Faces faces) {
   constexpr std::uint32_t none = ~0U;
   std::vector<std::uint32_t> first(vertex_count, none);  // the first face of each vertex
@@ -164,6 +147,7 @@ MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const CornerNu
   for (std::uint32_t n = 0; n < faces.size(); ++n) judge_face(vertices, faces, n, audit, sum);
   audit.t_junctions = t_junctions(vertices, faces, walks);
   audit.crossings = crossings(vertices, faces);
+  audit.singular = singular_vertices(vertices.size(), faces);
   audit.piece_of = pieces(vertices.size(), faces);
   audit.volume = sum.rational() / 6;
   return audit;

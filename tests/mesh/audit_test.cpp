@@ -142,6 +142,11 @@ TEST_CASE("the audit of any mesh is that of the text") {
     RC_CLASSIFY(!audit.crossings.empty(), "with crossings");
     RC_ASSERT(as_set(audit.crossings) == model::cruzadas(red));
     RC_ASSERT(std::ranges::is_sorted(audit.crossings, {}, &CrossingFaces::faces));
+    std::vector<std::uint32_t> singular;
+    for (const SingularVertex& each : audit.singular) singular.push_back(each.vertex);
+    RC_CLASSIFY(!singular.empty(), "with singular vertices");
+    RC_ASSERT(as_set(singular) == model::singulares(red));
+    RC_ASSERT(std::ranges::is_sorted(singular));
     RC_ASSERT(as_pieces(audit.piece_of) == model::piezas(red));
     RC_ASSERT(audit.volume == model::volumen(red));
     RC_ASSERT(std::ranges::is_sorted(audit.open) && std::ranges::is_sorted(audit.discordant));
@@ -220,6 +225,17 @@ TEST_CASE("every vertex on an edge is found, where many have one coordinate") {
     expected.push_back({n, {0, 1}});
   }
   CHECK(mesh::audited(vertices, faces).t_junctions == expected);
+}
+
+TEST_CASE("a singular vertex is told with the least face of each fan") {
+  const std::vector<glm::dvec3> vertices(8);
+  const std::vector<CornerNumbers> faces{{0, 1, 2}, {3, 4, 0}, {5, 0, 6}, {2, 3, 0}, {6, 0, 7}, {7, 7, 7}};
+  const std::vector<SingularVertex> found = mesh::audited(vertices, faces).singular;
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].vertex == 0);
+  CHECK(found[0].fans == std::vector<std::uint32_t>{0, 2});
+  CHECK(found[1].vertex == 7);
+  CHECK(found[1].fans == std::vector<std::uint32_t>{4, 5});
 }
 
 TEST_CASE("every vertex on an edge is found, where many stand above one another") {

@@ -1,7 +1,8 @@
 #pragma once
 /// The audit of a mesh: what spec/auditoria.tex says may be wrong with points and faces, in O(n log n) for faces of one
 /// size, more or less: an edge asks the vertices near it, and a face the faces whose boxes meet its own. No tolerance
-/// decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or not at all.
+/// decides anything: points are the same where their coordinates are, and a point lies on an edge exactly or not at
+/// all.
 
 #include <array>
 #include <cstdint>
@@ -33,6 +34,12 @@ struct CrossingFaces {
   glm::dvec3 place;
 };
 
+/// A vertex whose faces fall into fans that share it alone.
+struct SingularVertex {
+  std::uint32_t vertex;             ///< its number
+  std::vector<std::uint32_t> fans;  ///< the least face of each, in ascending order; two or more
+};
+
 /// The findings, each list in ascending order. The names of the text are those of model/auditoria.hpp.
 struct MeshAudit {
   std::vector<EdgeEnds> open;             ///< edges of one face, the lesser number first (abiertas)
@@ -42,6 +49,7 @@ struct MeshAudit {
   std::vector<std::uint32_t> degenerate;  ///< faces whose points lie on one line (degeneradas)
   std::vector<TJunction> t_junctions;     ///< vertices between the ends of an edge (uniones_en_t)
   std::vector<CrossingFaces> crossings;   ///< faces that cut through each other, touch or overlap (cruzadas)
+  std::vector<SingularVertex> singular;   ///< vertices where fans touch (singulares)
   /// For each face the least face that is joined to it by shared vertices: one number a piece (piezas).
   std::vector<std::uint32_t> piece_of;
   number::Rational volume;  ///< exact; what the faces enclose where they are closed (volumen)
