@@ -46,6 +46,7 @@ class MeshFindings {
     for (const std::uint32_t face : audit.repeated) add_repeated(face);
     for (const mesh::TJunction& junction : audit.t_junctions) add_junction(junction);
     for (const mesh::CrossingFaces& crossing : audit.crossings) add_crossing(crossing);
+    for (const mesh::SingularVertex& singular : audit.singular) add_singular(singular);
   }
 
  private:
@@ -116,6 +117,14 @@ class MeshFindings {
                     names({crossing.faces.begin(), crossing.faces.end()}),
                     {crossing.place},
                     "these faces meet in more than the corners that they share",
+                    {}});
+  }
+
+  void add_singular(const mesh::SingularVertex& singular) {
+    out_.push_back({"singulares",
+                    names(singular.fans),
+                    {mesh_.vertices[singular.vertex]},
+                    "the fans of these faces touch in this vertex alone",
                     {}});
   }
 

@@ -65,6 +65,9 @@ TEST_CASE("each planted fault is found, with its faces and what mends it") {
   const MeshDefect crossing = of({base, across}, "cruzadas");
   CHECK(crossing.faces == std::vector<std::string>{"a", "b"});
   CHECK(crossing.places == std::vector<glm::dvec3>{{0, 1, 0}});
+  const MeshDefect singular = of({base, {{o, -x, -y}}}, "singulares");
+  CHECK(singular.faces == std::vector<std::string>{"a", "b"});
+  CHECK(singular.places == std::vector<glm::dvec3>{o});
   const MeshDefect junction = of({base, {{o, half, z}}, {{half, x, z}}, slope, side}, "uniones_en_t");
   CHECK(junction.faces == std::vector<std::string>{"a"});
   CHECK(junction.places == std::vector<glm::dvec3>{half, o, x});
