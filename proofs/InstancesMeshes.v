@@ -6,7 +6,7 @@
     two_faces           == the mesh of the unit square, cut along a diagonal *)
 From Coq Require Import Reals List Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Malla.
-From Durero Require Meshes MeshClaims MainModels.
+From Durero Require Auditoria Meshes MeshClaims MainModels.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -59,3 +59,21 @@ Qed.
 
 Definition instance_of_the_conjectures_of_meshes_hold :=
   conj two_faces_are_added (MainModels.the_conjectures_of_meshes_hold (list nat) names names_are_of_one_face).
+
+(** The plane x = y has the one triangle on the one side, and the other on the other; their common edge lies on it. *)
+Lemma the_first_lies_before i p : i ∈ Auditoria.esquinas (mk_Cara 0 1 2) -> (i, p) ∈ numbered (puntos two_faces) ->
+  Auditoria.along (mk_Punto (-1) 1 0) p <= 0 /\
+  (i ∉ Auditoria.esquinas (mk_Cara 0 2 3) -> Auditoria.along (mk_Punto (-1) 1 0) p < 0).
+Proof.
+  intros [[-> | ->] | ->] H; injection H as <-; unfold Auditoria.along; cbn; (split; [lra |]); intros N.
+  - destruct N. now left; left.
+  - lra.
+  - destruct N. now left; right.
+Qed.
+Lemma the_second_lies_behind i p : i ∈ Auditoria.esquinas (mk_Cara 0 2 3) -> (i, p) ∈ numbered (puntos two_faces) ->
+  0 <= Auditoria.along (mk_Punto (-1) 1 0) p.
+Proof. intros [[-> | ->] | ->] H; injection H as <-; unfold Auditoria.along; cbn; lra. Qed.
+
+Definition instance_of_faces_that_a_plane_parts_do_not_cross :=
+  MainModels.faces_that_a_plane_parts_do_not_cross two_faces 0 1 (mk_Cara 0 1 2) (mk_Cara 0 2 3) (mk_Punto (-1) 1 0) 0
+    eq_refl eq_refl the_first_lies_before the_second_lies_behind.
