@@ -81,6 +81,19 @@ bool fall_apart(const Red& red, const std::set<Ordinal>& faces) {
   return part != faces;
 }
 
+/// The ray from a point towards (1, k, k²).
+struct CurveRay {
+  Punto from;
+  std::array<int, 3> direction;
+  bool meets(const Red& red, const std::set<Ordinal>& corners) const {
+    return meets_mean(from, direction, points(red, corners));
+  }
+};
+
+bool meets_edge(const Red& red, const CurveRay& ray) {
+  return std::ranges::any_of(undirected(red), [&](const Arista& e) { return ray.meets(red, {e.first, e.second}); });
+}
+
 /// The least closed set that has a face: what touches it, and what touches that.
 std::set<Ordinal> closure(const Red& red, Ordinal from) {
   std::set<Ordinal> reached{from};
@@ -186,6 +199,26 @@ Rational volumen(const Red& red) {
   Rational sum = 0;
   for (const Cara& c : red.caras() | std::views::values) sum += determinante(terna(red, c).value());
   return sum / 6;
+}
+
+bool is_even(const Red& red) {
+  return Malla::contains(red) && std::ranges::all_of(undirected(red), [&](const Arista& e) {
+           return de_arista(red, e.first, e.second).size() % 2 == 0;
+         });
+}
+
+bool is_in_piel(const Red& red, const Punto& w) {
+  return std::ranges::any_of(red.caras() | std::views::values,
+                             [&](const Cara& c) { return is_in_envolvente(red, esquinas(c), w); });
+}
+
+/// The plane of a point and an edge has two of the directions at most, since no three of them lie in one plane: the
+/// search for a ray that meets no edge ends.
+bool is_enclosed(const Red& red, const Punto& w) {
+  if (!is_even(red) || is_in_piel(red, w)) return false;
+  CurveRay ray{w, {1, 1, 1}};
+  for (int k = 2; meets_edge(red, ray); ++k) ray.direction = {1, k, k * k};
+  return faces_where(red, [&](Ordinal, const Cara& c) { return ray.meets(red, esquinas(c)); }).size() % 2 == 1;
 }
 
 }  // namespace durero::model

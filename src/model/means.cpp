@@ -95,6 +95,20 @@ bool is_mean(const std::vector<Punto>& corners, const Punto& w) {
   return have_solution(std::move(conditions));
 }
 
+bool meets_mean(const Punto& from, const std::array<int, 3>& direction, const std::vector<Punto>& corners) {
+  std::vector<LinearCondition> conditions;
+  const std::size_t length = corners.size() + 2;  // the parameter of the ray stands first
+  WeightedPoint difference = step_from(from, mean_of(corners, 1, length, conditions));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    difference[axis].front() = -direction[axis];
+    conditions.push_back({difference[axis], Standing::zero});
+  }
+  Weighted parameter = constant(length, 0);
+  parameter.front() = 1;
+  conditions.push_back({parameter, Standing::above_zero});
+  return have_solution(std::move(conditions));
+}
+
 bool have_mean_outside(const std::vector<Punto>& a, const std::vector<Punto>& b, const std::vector<Punto>& common) {
   std::vector<LinearCondition> conditions;
   const std::size_t length = a.size() + b.size() + 1;

@@ -505,6 +505,9 @@ constexpr SpanishName names[] = {
     {"piezas", "pieces", "the least closed sets of faces"},
     {"determinante", "determinant", "six times the volume between the origin and three points"},
     {"volumen", "volume", "the volume that faces enclose"},
+    {"pares", "even", "the meshes each edge of which has an even number of faces"},
+    {"piel", "skin", "all the points of faces"},
+    {"encerrados", "enclosed", "the points from which a ray meets an odd number of faces, and no edge"},
 };
 
 }  // namespace

@@ -138,3 +138,17 @@ TEST_CASE("determinante.def.1: a face that is turned over counts against") {
   CHECK(determinante({v.b, v.c, v.a}) == 1);
   CHECK(determinante({v.b, v.a, v.c}) == -1);
 }
+
+TEST_CASE("a point is enclosed where a ray from it meets an odd number of faces") {
+  const Red red = Red::of(corners, closed);
+  CHECK(is_even(red));  // pares.def.1
+  CHECK_FALSE(is_even(Red::of(corners, {{0, 2, 1}})));
+  CHECK_FALSE(is_even(Red::of(corners, {{0, 4, 5}, {0, 4, 5}})));
+  CHECK(is_in_piel(red, {0.25, 0.25, 0}));  // piel.def.1
+  CHECK_FALSE(is_in_piel(red, {0.25, 0.25, 0.25}));
+  CHECK(is_enclosed(red, {0.25, 0.25, 0.25}));  // encerrados.def.1
+  CHECK_FALSE(is_enclosed(red, {0.25, 0.25, 0}));
+  CHECK_FALSE(is_enclosed(red, {-0.25, -0.25, -0.25}));
+  CHECK_FALSE(is_enclosed(red, {1, 1, 1}));
+  CHECK_FALSE(is_enclosed(Red::of(corners, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}), {0.25, 0.25, 0.25}));
+}

@@ -68,4 +68,13 @@ number::Rational determinante(const Terna& v);
 /// is_complete(red).
 number::Rational volumen(const Red& red);
 
+/// red ∈ pares: each edge has an even number of faces, and each face is a triangle (pares.def.1).
+bool is_even(const Red& red);
+
+/// w ∈ piel(red): whether a point is one of some face (piel.def.1). Precondition: is_complete(red).
+bool is_in_piel(const Red& red, const Punto& w);
+
+/// (red, w) ∈ encerrados: whether a ray from a point meets no edge, and an odd number of faces (encerrados.def.1).
+bool is_enclosed(const Red& red, const Punto& w);
+
 }  // namespace durero::model
