@@ -16,6 +16,11 @@ namespace durero::mesh {
 struct RatioPoint {
   number::Dyadic x, y, z, w;
 
+  RatioPoint(number::Dyadic x0, number::Dyadic y0, number::Dyadic z0, number::Dyadic w0)
+      : x(std::move(x0)), y(std::move(y0)), z(std::move(z0)), w(std::move(w0)) {}
+  /// A point of binary64.
+  RatioPoint(const glm::dvec3& p) : x(p.x), y(p.y), z(p.z), w(1) {}
+
   /// Whether it stands before another by x, then y, then z.
   bool is_before(const RatioPoint& other) const;
   /// Each coordinate rounded to the nearest binary64.
