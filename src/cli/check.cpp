@@ -1,5 +1,5 @@
 // durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it
-// stands for. durero check --mesh FILE: audits the triangles of a file as one mesh.
+// stands for. durero check --mesh FILE [--point X,Y,Z]: audits the triangles of a file as one mesh.
 #include <unistd.h>
 
 #include <memory>
@@ -24,7 +24,7 @@ namespace durero::cli {
 namespace {
 
 struct CheckOptions {
-  std::string scene, with, format = "text";
+  std::string scene, with, point, format = "text";
   bool mesh = false, quiet = false;
 };
 
@@ -39,7 +39,7 @@ int run_mesh(const CheckOptions& options) {
   if (options.format == "sarif") throw CLI::ValidationError("--format", "--mesh is printed as text or json");
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
   const io::Imported found = imported(options.scene);
-  const io::MeshCheck check = io::check_mesh(options.scene, found.scene);
+  const io::MeshCheck check = io::check_mesh(options.scene, found.scene, point_in(options.point));
   progress.reset();
   io::print(options.format == "json" ? mesh_check_json(check) : mesh_check_text(check));
   name_losses(options.scene, found.lost);
@@ -79,16 +79,21 @@ void add_check(CLI::App& app, int& status) {
       ->capture_default_str();
   auto* const with =
       command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO");
-  command
-      ->add_flag("--mesh", options->mesh,
-                 "Audit the triangles of a scene, or of a glTF, an OBJ, a PLY or an STL file, as one mesh")
-      ->excludes(with);
+  auto* const mesh =
+      command
+          ->add_flag("--mesh", options->mesh,
+                     "Audit the triangles of a scene, or of a glTF, an OBJ, a PLY or an STL file, as one mesh")
+          ->excludes(with);
+  command->add_option("--point", options->point, "With --mesh: a point, X,Y,Z, of which the side is told")
+      ->needs(mesh)
+      ->check(CLI::Validator(check_point, ""));
   add_quiet(*command, options->quiet);
   command->footer(
       "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"
       "place; the first is the error on stderr. --with asks the text besides what the points of each element are.\n\n" +
       exit_status("every invariant holds, or the mesh has no fault", "otherwise", "the call or the file is bad") +
-      examples({"check demo/still-life.json", "check demo/still-life.json --format json", "check --mesh bunny.ply"}));
+      examples({"check demo/still-life.json", "check demo/still-life.json --format json", "check --mesh bunny.ply",
+                "check --mesh bunny.ply --point 0,0.1,0"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

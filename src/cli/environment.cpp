@@ -38,18 +38,6 @@ scene::Surroundings kind_of(std::string_view word) {
   return static_cast<scene::Surroundings>(found - scene::surroundings_words.begin());
 }
 
-/// Three finite numbers, with commas between them.
-std::optional<glm::dvec3> point_in(std::string_view text) {
-  const auto numbers = numbers_in<3>(text, ',', io::read_finite);
-  if (!numbers) return std::nullopt;
-  return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
-}
-
-std::string check_point(const std::string& text) {
-  if (point_in(text)) return "";
-  return fmt::format("{}: no point; expected X,Y,Z, three finite numbers", text);
-}
-
 /// OUT.png, or of a box OUT-px.png, OUT-nx.png, …
 std::vector<std::string> names_of_pictures(const std::string& out, scene::Surroundings kind) {
   if (kind != scene::Surroundings::box) return {out};

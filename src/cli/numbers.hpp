@@ -10,6 +10,7 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -71,6 +72,18 @@ inline CLI::Validator one_of(std::string what, std::vector<std::string> words) {
     return fmt::format("{}: no such {}; expected {}", text, what, text::expected_of(text, words));
   };
   return {check, std::move(description)};
+}
+
+/// Three finite numbers, with commas between them.
+inline std::optional<glm::dvec3> point_in(std::string_view text) {
+  const auto numbers = numbers_in<3>(text, ',', io::read_finite);
+  if (!numbers) return std::nullopt;
+  return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+inline std::string check_point(const std::string& text) {
+  if (point_in(text)) return "";
+  return fmt::format("{}: no point; expected X,Y,Z, three finite numbers", text);
 }
 
 }  // namespace durero::cli

@@ -23,5 +23,16 @@ run 0 edit tent.json --script mend -o mended.json
 run 0 check --mesh mended.json
 has out 'mended.json: 6 triangles, 5 vertices, 1 piece, volume 4/3'
 lines out 1
+run 0 check --mesh mended.json --point 0.5,0.5,0.5
+has out '(0.5,0.5,0.5): inside'
+run 0 check --mesh mended.json --point 0.5,0,0.5
+has out '(0.5,0,0.5): on the surface'
+run 0 check --mesh mended.json --point 2,2,-1 --format json
+has out '"point":{"place":[2,2,-1],"side":"outside"}'
+run 1 check --mesh tent.obj --point 0.5,0.5,0.5
+has out '(0.5,0.5,0.5): on no side, as the triangles bound nothing'
+run 2 check --mesh tent.obj --point 1,2
+has err '1,2: no point; expected X,Y,Z, three finite numbers'
+run 2 check mended.json --point 1,2,3
 run 2 check --mesh tent.obj --format sarif
 run 2 check --mesh absent.obj

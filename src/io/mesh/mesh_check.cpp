@@ -8,6 +8,7 @@
 
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/number_text.hpp"
+#include "durero/mesh/side.hpp"
 #include "durero/text/shown.hpp"
 #include "numbering.hpp"
 
@@ -175,6 +176,26 @@ void write_defect(json::Writer& out, const MeshDefect& defect) {
   out.end_object();
 }
 
+std::string side_name(const std::optional<mesh::Side>& side) {
+  if (!side) return "none";
+  switch (*side) {
+    case mesh::Side::inside:
+      return "inside";
+    case mesh::Side::outside:
+      return "outside";
+    case mesh::Side::on_surface:
+      return "surface";
+  }
+  return "none";
+}
+
+std::string point_line(const MeshPoint& point) {
+  const std::string side = point.side == "none"      ? "on no side, as the triangles bound nothing"
+                           : point.side == "surface" ? "on the surface"
+                                                     : point.side;
+  return fmt::format("{}: {}\n", point_text(point.place), side);
+}
+
 }  // namespace
 
 SceneMesh mesh_of(const scene::Scene& scene) {
@@ -195,12 +216,13 @@ SceneMesh mesh_of(const scene::Scene& scene) {
   return mesh;
 }
 
-MeshCheck check_mesh(const std::string& file, const scene::Scene& scene) {
+MeshCheck check_mesh(const std::string& file, const scene::Scene& scene, const std::optional<glm::dvec3>& point) {
   const SceneMesh mesh = mesh_of(scene);
   mesh::MeshAudit audit = mesh::audited(mesh.vertices, mesh.faces);
-  MeshCheck check{file, mesh.faces.size(), mesh.vertices.size(), 0, std::nullopt, {}};
+  MeshCheck check{file, mesh.faces.size(), mesh.vertices.size(), 0, std::nullopt, std::nullopt, {}};
   MeshFindings(mesh, check.findings).add(audit);
   if (audit.open.empty() && audit.discordant.empty()) check.volume = audit.volume.str();
+  if (point) check.point = {*point, side_name(mesh::side_of(mesh.vertices, mesh.faces, *point))};
   std::ranges::sort(audit.piece_of);
   check.pieces = audit.piece_of.size() - std::ranges::unique(audit.piece_of).size();
   return check;
@@ -211,6 +233,7 @@ std::string mesh_check_text(const MeshCheck& check) {
       fmt::format("{}: {} triangles, {} vertices, {}, volume {}\n", text::escaped(check.file), check.faces,
                   check.vertices, check.pieces == 1 ? "1 piece" : fmt::format("{} pieces", check.pieces),
                   check.volume.value_or("none, as they bound none"));
+  if (check.point) text += point_line(*check.point);
   for (const MeshDefect& defect : check.findings) text += line_of(defect);
   return text;
 }
@@ -223,6 +246,8 @@ std::string mesh_check_json(const MeshCheck& check) {
   out.member("triangles", std::uint64_t{check.faces}).member("vertices", std::uint64_t{check.vertices});
   out.member("pieces", std::uint64_t{check.pieces});
   if (check.volume) out.member("volume", *check.volume);
+  if (check.point)
+    out.key("point").begin_object().member("place", check.point->place).member("side", check.point->side).end_object();
   out.key("findings").begin_array();
   for (const MeshDefect& defect : check.findings) write_defect(out, defect);
   out.end_array().end_object();

@@ -34,17 +34,25 @@ struct MeshDefect {
   std::vector<std::string> mended;  ///< operations that mend it; none where none is known
 };
 
+/// A point that is asked about, and its side.
+struct MeshPoint {
+  glm::dvec3 place;  ///< the point
+  std::string side;  ///< `inside`, `outside`, `surface`, or `none` where the triangles bound nothing
+};
+
 /// The findings of the triangles of a file.
 struct MeshCheck {
   std::string file;                   ///< its name
   std::size_t faces, vertices;        ///< how many there are
   std::size_t pieces;                 ///< how many there are that share no vertex
   std::optional<std::string> volume;  ///< a fraction; nothing where the mesh is not closed, or its faces disagree
+  std::optional<MeshPoint> point;     ///< where one was asked about
   std::vector<MeshDefect> findings;   ///< by kinds, in the order of the text
 };
 
-/// Audits the triangles of a scene that a file gave.
-MeshCheck check_mesh(const std::string& file, const scene::Scene& scene);
+/// Audits the triangles of a scene that a file gave, and says the side of a point. Precondition: the point is finite.
+MeshCheck check_mesh(const std::string& file, const scene::Scene& scene,
+                     const std::optional<glm::dvec3>& point = std::nullopt);
 
 /// A line for the mesh and one for each finding.
 std::string mesh_check_text(const MeshCheck& check);
