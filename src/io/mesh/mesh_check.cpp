@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/number_text.hpp"
@@ -65,6 +66,11 @@ class MeshFindings {
     return all;
   }
 
+  /// The operations, where each face is a triangle by itself: a face of a mesh is not edited alone.
+  std::vector<std::string> mended(const std::vector<std::uint32_t>& faces, std::vector<std::string> operations) const {
+    const bool are_single = std::ranges::all_of(faces, [&](std::uint32_t n) { return n < mesh_.singles; });
+    return are_single ? std::move(operations) : std::vector<std::string>();
+  }
   std::string removal(std::uint32_t n) const { return "Eliminar_Triangulo e?=" + mesh_.names[n]; }
   std::string addition(const std::string& name, const CornerNumbers& corners) const {
     return fmt::format("Agregar_Triangulo e?={} vertices?=({},{},{})", name, point_text(mesh_.vertices[corners[0]]),
@@ -83,13 +89,13 @@ class MeshFindings {
                     names(faces),
                     ends(edge),
                     "these faces walk this edge the same way",
-                    {removal(faces.back()), addition(mesh_.names[faces.back()], {j, i, k})}});
+                    mended({faces.back()}, {removal(faces.back()), addition(mesh_.names[faces.back()], {j, i, k})})});
   }
 
   void add_repeated(std::uint32_t n) {
     std::vector<glm::dvec3> corners;
     for (const std::uint32_t corner : mesh_.faces[n]) corners.push_back(mesh_.vertices[corner]);
-    out_.push_back({"repetidas", names({n}), corners, "a face before has the same vertices", {removal(n)}});
+    out_.push_back({"repetidas", names({n}), corners, "a face before has the same vertices", mended({n}, {removal(n)})});
   }
 
   /// Each face that has the edge is cut in two at the vertex; the second part has a name of its own. A face that would
@@ -110,6 +116,7 @@ class MeshFindings {
       defect.mended.push_back(addition(mesh_.names[n], first));
       defect.mended.push_back(addition(unused_name(mesh_.names[n]), second));
     }
+    defect.mended = mended(faces, std::move(defect.mended));
     out_.push_back(std::move(defect));
   }
 
@@ -202,6 +209,7 @@ SceneMesh mesh_of(const scene::Scene& scene) {
   SceneMesh mesh;
   Numbering<std::array<double, 3>> numbers;
   const scene::Triangles triangles = scene.shapes<scene::Triangle>();
+  mesh.singles = scene.singles<scene::Triangle>().size();
   for (std::uint32_t n = 0; n < triangles.size(); ++n) {
     CornerNumbers face{};
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -208,14 +208,14 @@ TEST_CASE("triangles have their normals, by the transposed inverse, and their uv
   const io::Imported read = import_text(file.text());
   REQUIRE(read.scene.size() == 4);
   const auto normals = read.scene.vertex_normals(*read.scene.find("m.gltf:1"));
-  REQUIRE(normals != nullptr);
+  REQUIRE(normals);
   CHECK(*normals == scene::VertexNormals{{{0, 0.5, 0}, {-3, 0, 0}, {0, 0, 0.25}}});
-  CHECK(read.scene.vertex_normals(*read.scene.find("m.gltf:2")) == nullptr);
-  CHECK(read.scene.vertex_normals(*read.scene.find("m.gltf:3")) == nullptr);
+  CHECK_FALSE(read.scene.vertex_normals(*read.scene.find("m.gltf:2")));
+  CHECK_FALSE(read.scene.vertex_normals(*read.scene.find("m.gltf:3")));
   const auto wrap = read.scene.wrap(*read.scene.find("m.gltf:1"));
-  REQUIRE(wrap != nullptr);
+  REQUIRE(wrap);
   CHECK(wrap->uv == std::array<glm::dvec2, 3>{{{0, 0}, {51 / 255.0, 1}, {1 / 255.0, 254 / 255.0}}});
-  CHECK(read.scene.wrap(*read.scene.find("m.gltf:3")) == nullptr);
+  CHECK_FALSE(read.scene.wrap(*read.scene.find("m.gltf:3")));
   CHECK(read.lost == std::vector<std::string>{"1 triangle kept flat: a normal at a vertex has no direction"});
 
   file.nodes = R"({"mesh":0,"scale":[2,1,0]})";  // no inverse

@@ -1,6 +1,9 @@
 #include "durero/io/mesh/mesh_check.hpp"
 
+#include <algorithm>
+
 #include "durero/scene/edit.hpp"
+#include "durero/scene/mesh_edit.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -74,4 +77,17 @@ TEST_CASE("each planted fault is found, with its faces and what mends it") {
   CHECK(junction.mended == std::vector<std::string>{"Eliminar_Triangulo e?=a",
                                                     "Agregar_Triangulo e?=a vertices?=((1,0,0),(0,2,0),(2,0,0))",
                                                     "Agregar_Triangulo e?=a.2 vertices?=((0,0,0),(0,2,0),(1,0,0))"});
+}
+
+TEST_CASE("faces of a mesh are audited with the others, and no operation edits one of them alone") {
+  scene::Scene scene = scene_of({base, front});
+  scene::Mesh mesh{model::Elemento("m"), {o, x, y, z}, {{1, 2, 3}, {2, 0, 3}, {2, 0, 3}}};
+  REQUIRE(scene.apply_total(scene::MeshEdit(scene::MeshAddition{mesh})).ok());
+  const MeshCheck check = check_mesh("m", scene);
+  CHECK(check.faces == 5);
+  CHECK(check.vertices == 4);
+  const auto twice = std::ranges::find(check.findings, "repetidas", &MeshDefect::kind);
+  REQUIRE(twice != check.findings.end());
+  CHECK(twice->faces == std::vector<std::string>{"m:2"});
+  CHECK(twice->mended.empty());
 }

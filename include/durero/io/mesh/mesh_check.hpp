@@ -19,6 +19,7 @@ struct SceneMesh {
   std::vector<glm::dvec3> vertices;        ///< in the order in which triangles have them
   std::vector<mesh::CornerNumbers> faces;  ///< in the order of the scene
   std::vector<std::string> names;          ///< of the faces
+  std::size_t singles = 0;                 ///< so many faces are triangles by themselves; the others are of meshes
 };
 
 /// The triangles of a scene. Elements of other types are passed over.
