@@ -1,7 +1,9 @@
-# What every test of the program needs. Source it with the program's path as $1; end with `finish`.
+# What every test of the program needs. Source it with the program's path as $1; end with `finish`, without which a test
+# that comes to its end fails: what it found would be lost.
 durero=$1
 directory=$(mktemp -d) || exit 1
-trap 'rm -rf "$directory"' EXIT
+is_finished=
+trap 'status=$?; rm -rf "$directory"; [ "$status" != 0 ] || [ -n "$is_finished" ] || { echo "FAILED: no finish"; exit 1; }' EXIT
 cd "$directory" || exit 1
 checks=0 failures=0
 
@@ -72,6 +74,7 @@ refused() {
 finish() {
   [ "$checks" -gt 0 ] || fail "nothing was checked"
   echo "$checks checks, $failures failures"
+  is_finished=yes
   [ "$failures" = 0 ]
   exit
 }

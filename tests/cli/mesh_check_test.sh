@@ -34,5 +34,7 @@ has out '(0.5,0.5,0.5): on no side, as the triangles bound nothing'
 run 2 check --mesh tent.obj --point 1,2
 has err '1,2: no point; expected X,Y,Z, three finite numbers'
 run 2 check mended.json --point 1,2,3
-run 2 check --mesh tent.obj --format sarif
+run 1 check --mesh tent.obj --format sarif
+has out '"ruleId":"uniones_en_t"'
 run 2 check --mesh absent.obj
+finish
