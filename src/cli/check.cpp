@@ -13,7 +13,7 @@
 #include "durero/io/formats.hpp"
 #include "durero/io/json/scene_check.hpp"
 #include "durero/io/json/scene_file.hpp"
-#include "durero/io/mesh/mesh_check.hpp"
+#include "durero/io/mesh/mesh_report.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/written/engine.hpp"
 #include "losses.hpp"
@@ -36,12 +36,13 @@ io::Imported imported(const std::string& path) {
 
 /// Runs the audit. What the reader leaves out, such as triangles without area, it says itself.
 int run_mesh(const CheckOptions& options) {
-  if (options.format == "sarif") throw CLI::ValidationError("--format", "--mesh is printed as text or json");
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
   const io::Imported found = imported(options.scene);
-  const io::MeshCheck check = io::check_mesh(options.scene, found.scene, point_in(options.point));
+  const io::MeshCheck check = io::check_mesh(options.scene, io::mesh_of(found.scene), point_in(options.point));
   progress.reset();
-  io::print(options.format == "json" ? mesh_check_json(check) : mesh_check_text(check));
+  io::print(options.format == "json"    ? mesh_check_json(check)
+            : options.format == "sarif" ? mesh_check_sarif(check)
+                                        : mesh_check_text(check));
   name_losses(options.scene, found.lost);
   return check.findings.empty() ? 0 : 1;
 }

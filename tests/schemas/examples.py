@@ -83,6 +83,7 @@ def check_scenes_and_hits():
     check("sarif", run("check", scene, "--format", "sarif"), "SARIF of a check")
     pathlib.Path("open.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
     check("mesh-check", run("check", "--mesh", "open.obj", "--format", "json", status=1), "an audit of a mesh")
+    check("sarif", run("check", "--mesh", "open.obj", "--format", "sarif", status=1), "SARIF of an audit of a mesh")
     check("agreement", run("agree", scene, "--rays", 500, "--format", "json"), "an agreement")
     check("stats", run("stats", scene, "--sphere-tracing", rays, "--format", "json"), "figures")
     check("stats", run("stats", scene, "--format", "json", "--no-times", "--engine", "analytic"), "figures without times")

@@ -83,20 +83,6 @@ std::vector<SarifRule> rules_of(const SceneCheck& check) {
   return rules;
 }
 
-/// A file's name as the reference to it (RFC 3986).
-std::string uri_of(std::string_view file) {
-  std::string uri = file.starts_with('/') ? "file://" : "";
-  for (const char c : file) {
-    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-    if (is_plain || std::string_view("-._~/").find(c) != std::string_view::npos) {
-      uri += c;
-    } else {
-      uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-  }
-  return uri;
-}
-
 void write_result(json::Writer& out, std::string_view uri, const SceneDefect& finding) {
   out.new_line().begin_object().member("ruleId", rule_of(finding)).member("level", "error");
   write_sarif_message(out, "message", finding.message);
@@ -222,7 +208,7 @@ std::string check_sarif(const SceneCheck& check) {
   json::Writer out(text);
   begin_sarif(out, "durero check", rules_of(check));
   out.member("columnKind", "unicodeCodePoints").key("results").begin_array();
-  const std::string uri = uri_of(check.file);
+  const std::string uri = sarif_uri(check.file);
   for (const SceneDefect& finding : check.findings) write_result(out, uri, finding);
   for (const Warning& warning : check.warnings) write_warning(out, uri, warning);
   end_sarif(out);

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
-#include "durero/io/json/json_writer.hpp"
-#include "durero/io/number_text.hpp"
 #include "durero/mesh/side.hpp"
-#include "durero/text/shown.hpp"
 #include "numbering.hpp"
+#include "point_text.hpp"
 
 namespace durero::io {
 namespace {
@@ -31,10 +30,6 @@ bool walks(const CornerNumbers& face, std::uint32_t from, std::uint32_t to) {
   return (face[0] == from && face[1] == to) || (face[1] == from && face[2] == to) || (face[2] == from && face[0] == to);
 }
 
-std::string point_text(const glm::dvec3& p) {
-  return fmt::format("({},{},{})", number_text(p.x), number_text(p.y), number_text(p.z));
-}
-
 /// Writes the findings of one mesh.
 class MeshFindings {
  public:
@@ -46,6 +41,7 @@ class MeshFindings {
     for (const EdgeEnds& edge : audit.multiple) add_edge("multiples", edge, "more than two faces have this edge");
     for (const EdgeEnds& edge : audit.discordant) add_discordant(edge);
     for (const std::uint32_t face : audit.repeated) add_repeated(face);
+    for (const std::uint32_t face : audit.degenerate) add_degenerate(face);
     for (const mesh::TJunction& junction : audit.t_junctions) add_junction(junction);
     for (const mesh::CrossingFaces& crossing : audit.crossings) add_crossing(crossing);
     for (const mesh::SingularVertex& singular : audit.singular) add_singular(singular);
@@ -93,9 +89,13 @@ class MeshFindings {
   }
 
   void add_repeated(std::uint32_t n) {
-    std::vector<glm::dvec3> corners;
-    for (const std::uint32_t corner : mesh_.faces[n]) corners.push_back(mesh_.vertices[corner]);
-    out_.push_back({"repetidas", names({n}), corners, "a face before has the same vertices", mended({n}, {removal(n)})});
+    out_.push_back(
+        {"repetidas", names({n}), corners_of(n), "a face before has the same vertices", mended({n}, {removal(n)})});
+  }
+
+  void add_degenerate(std::uint32_t n) {
+    out_.push_back({"degeneradas", names({n}), corners_of(n), "the corners of this face lie on one line",
+                    mended({n}, {removal(n)})});
   }
 
   /// Each face that has the edge is cut in two at the vertex; the second part has a name of its own. A face that would
@@ -142,6 +142,10 @@ class MeshFindings {
       if (std::string made = fmt::format("{}.{}", name, n); used_.insert(made).second) return made;
   }
 
+  std::vector<glm::dvec3> corners_of(std::uint32_t n) const {
+    const auto [i, j, k] = mesh_.faces[n];
+    return {mesh_.vertices[i], mesh_.vertices[j], mesh_.vertices[k]};
+  }
   std::vector<glm::dvec3> ends(const EdgeEnds& edge) const {
     return {mesh_.vertices[edge[0]], mesh_.vertices[edge[1]]};
   }
@@ -152,36 +156,26 @@ class MeshFindings {
   std::vector<MeshDefect>& out_;
 };
 
-template <class Values, class Text>
-std::string listed(const Values& values, const char* between, const Text& text) {
-  std::string all;
-  for (const auto& value : values) all += (all.empty() ? "" : between) + text(value);
-  return all;
-}
+/// Makes one vertex of the points that are the same.
+class MeshBuilder {
+ public:
+  void add(const std::array<glm::dvec3, 3>& corners, std::string name) {
+    CornerNumbers face{};
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 p = corners[corner] + 0.0;  // so that −0 is the 0 that it equals
+      const auto [number, is_new] = numbers_.number({p.x, p.y, p.z});
+      if (is_new) mesh_.vertices.push_back(p);
+      face[corner] = static_cast<std::uint32_t>(number);
+    }
+    mesh_.faces.push_back(face);
+    mesh_.names.push_back(std::move(name));
+  }
+  SceneMesh mesh() && { return std::move(mesh_); }
 
-std::string line_of(const MeshDefect& defect) {
-  const auto same = [](const std::string& text) { return text; };
-  std::string line = fmt::format("{}: {}: {}: {}", defect.kind, listed(defect.faces, ", ", same),
-                                 listed(defect.places, " ", point_text), defect.message);
-  if (!defect.mended.empty()) line += "; mended by " + listed(defect.mended, ", then ", same);
-  return line + '\n';
-}
-
-void write_texts(json::Writer& out, std::string_view name, const std::vector<std::string>& texts) {
-  out.key(name).begin_array();
-  for (const std::string& text : texts) out.value(text);
-  out.end_array();
-}
-
-void write_defect(json::Writer& out, const MeshDefect& defect) {
-  out.new_line().begin_object().member("kind", defect.kind);
-  write_texts(out, "faces", defect.faces);
-  out.key("places").begin_array();
-  for (const glm::dvec3& place : defect.places) out.value(place);
-  out.end_array().member("message", defect.message);
-  write_texts(out, "mended", defect.mended);
-  out.end_object();
-}
+ private:
+  SceneMesh mesh_;
+  Numbering<std::array<double, 3>> numbers_;
+};
 
 std::string side_name(const std::optional<mesh::Side>& side) {
   if (!side) return "none";
@@ -196,36 +190,31 @@ std::string side_name(const std::optional<mesh::Side>& side) {
   return "none";
 }
 
-std::string point_line(const MeshPoint& point) {
-  const std::string side = point.side == "none"      ? "on no side, as the triangles bound nothing"
-                           : point.side == "surface" ? "on the surface"
-                                                     : point.side;
-  return fmt::format("{}: {}\n", point_text(point.place), side);
-}
-
 }  // namespace
 
 SceneMesh mesh_of(const scene::Scene& scene) {
-  SceneMesh mesh;
-  Numbering<std::array<double, 3>> numbers;
+  MeshBuilder builder;
   const scene::Triangles triangles = scene.shapes<scene::Triangle>();
+  for (std::uint32_t n = 0; n < triangles.size(); ++n)
+    builder.add(triangles[n].vertices, scene.name({scene::Triangle::tipo, n}).name());
+  SceneMesh mesh = std::move(builder).mesh();
   mesh.singles = scene.singles<scene::Triangle>().size();
-  for (std::uint32_t n = 0; n < triangles.size(); ++n) {
-    CornerNumbers face{};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const glm::dvec3 p = triangles[n].vertices[corner] + 0.0;  // so that −0 is the 0 that it equals
-      const auto [number, is_new] = numbers.number({p.x, p.y, p.z});
-      if (is_new) mesh.vertices.push_back(p);
-      face[corner] = static_cast<std::uint32_t>(number);
-    }
-    mesh.faces.push_back(face);
-    mesh.names.push_back(scene.name({scene::Triangle::tipo, n}).name());
-  }
   return mesh;
 }
 
-MeshCheck check_mesh(const std::string& file, const scene::Scene& scene, const std::optional<glm::dvec3>& point) {
-  const SceneMesh mesh = mesh_of(scene);
+SceneMesh mesh_of(std::span<const glm::dvec3> vertices, std::span<const CornerNumbers> faces) {
+  MeshBuilder builder;
+  for (std::size_t n = 0; n < faces.size(); ++n) {
+    const auto [i, j, k] = faces[n];
+    if (std::max({i, j, k}) >= vertices.size()) throw std::out_of_range("a face names a vertex that there is not");
+    builder.add({vertices[i], vertices[j], vertices[k]}, fmt::to_string(n));
+  }
+  SceneMesh mesh = std::move(builder).mesh();
+  mesh.singles = faces.size();
+  return mesh;
+}
+
+MeshCheck check_mesh(const std::string& file, const SceneMesh& mesh, const std::optional<glm::dvec3>& point) {
   mesh::MeshAudit audit = mesh::audited(mesh.vertices, mesh.faces);
   MeshCheck check{file, mesh.faces.size(), mesh.vertices.size(), 0, std::nullopt, std::nullopt, {}};
   MeshFindings(mesh, check.findings).add(audit);
@@ -234,32 +223,6 @@ MeshCheck check_mesh(const std::string& file, const scene::Scene& scene, const s
   std::ranges::sort(audit.piece_of);
   check.pieces = audit.piece_of.size() - std::ranges::unique(audit.piece_of).size();
   return check;
-}
-
-std::string mesh_check_text(const MeshCheck& check) {
-  std::string text =
-      fmt::format("{}: {} triangles, {} vertices, {}, volume {}\n", text::escaped(check.file), check.faces,
-                  check.vertices, check.pieces == 1 ? "1 piece" : fmt::format("{} pieces", check.pieces),
-                  check.volume.value_or("none, as they bound none"));
-  if (check.point) text += point_line(*check.point);
-  for (const MeshDefect& defect : check.findings) text += line_of(defect);
-  return text;
-}
-
-std::string mesh_check_json(const MeshCheck& check) {
-  std::string text;
-  json::Writer out(text);
-  write_version(out.begin_object(), mesh_check_format);
-  out.member("file", text::escaped(check.file)).member("ok", check.findings.empty());
-  out.member("triangles", std::uint64_t{check.faces}).member("vertices", std::uint64_t{check.vertices});
-  out.member("pieces", std::uint64_t{check.pieces});
-  if (check.volume) out.member("volume", *check.volume);
-  if (check.point)
-    out.key("point").begin_object().member("place", check.point->place).member("side", check.point->side).end_object();
-  out.key("findings").begin_array();
-  for (const MeshDefect& defect : check.findings) write_defect(out, defect);
-  out.end_array().end_object();
-  return text + '\n';
 }
 
 }  // namespace durero::io

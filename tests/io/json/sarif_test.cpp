@@ -20,3 +20,8 @@ TEST_CASE("A log has its version, a run, the tool and its rules, then what the c
 {"id":"b","shortDescription":{"text":"the second"}}]}},
 "results":[]}]})");
 }
+
+TEST_CASE("A file's name is a reference, of which other bytes than letters and digits are escaped") {
+  CHECK(io::sarif_uri("a/b-1.obj") == "a/b-1.obj");
+  CHECK(io::sarif_uri("/a b/ñ") == "file:///a%20b/%C3%B1");
+}

@@ -1,6 +1,7 @@
 #include "durero/io/mesh/mesh_check.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "durero/scene/edit.hpp"
 #include "durero/scene/mesh_edit.hpp"
@@ -23,9 +24,11 @@ scene::Scene scene_of(const std::vector<scene::Triangle>& triangles) {
   return scene;
 }
 
+SceneMesh mesh_of_scene(const std::vector<scene::Triangle>& triangles) { return mesh_of(scene_of(triangles)); }
+
 std::vector<std::string> kinds(const std::vector<scene::Triangle>& triangles) {
   std::vector<std::string> all;
-  for (const MeshDefect& each : check_mesh("m", scene_of(triangles)).findings) all.push_back(each.kind);
+  for (const MeshDefect& each : check_mesh("m", mesh_of_scene(triangles)).findings) all.push_back(each.kind);
   return all;
 }
 
@@ -42,17 +45,28 @@ TEST_CASE("points that are the same are one vertex, the two zeros too") {
 }
 
 TEST_CASE("a closed mesh has no finding, and an exact volume") {
-  const MeshCheck check = check_mesh("m", scene_of({base, front, slope, side}));
-  CHECK(mesh_check_text(check) == "m: 4 triangles, 4 vertices, 1 piece, volume 4/3\n");
-  CHECK(mesh_check_json(check) ==
-        "{\"format\":\"durero-mesh-check\",\"version\":1,\"file\":\"m\",\"ok\":true,\"triangles\":4,\"vertices\":4,"
-        "\"pieces\":1,\"volume\":\"4/3\",\"findings\":[]}\n");
+  const MeshCheck check = check_mesh("m", mesh_of_scene({base, front, slope, side}));
+  CHECK(check.findings.empty());
+  CHECK(check.volume == "4/3");
+}
+
+TEST_CASE("faces by numbers are named by their own, and same points are one vertex") {
+  const std::vector<glm::dvec3> vertices{o, x, y, o, half, z};
+  const std::vector<mesh::CornerNumbers> faces{{0, 1, 2}, {3, 4, 1}, {3, 5, 1}};
+  const MeshCheck check = check_mesh("m", mesh_of(vertices, faces));
+  CHECK(check.vertices == 5);
+  const auto found = std::ranges::find(check.findings, "degeneradas", &MeshDefect::kind);
+  REQUIRE(found != check.findings.end());
+  CHECK(found->faces == std::vector<std::string>{"1"});
+  CHECK(found->places == std::vector<glm::dvec3>{o, half, x});
+  const std::vector<mesh::CornerNumbers> beyond{{0, 1, 6}};
+  CHECK_THROWS_AS(mesh_of(vertices, beyond), std::out_of_range);
 }
 
 TEST_CASE("each planted fault is found, with its faces and what mends it") {
   CHECK(kinds({base, front, slope}) == std::vector<std::string>{"abiertas", "abiertas", "abiertas"});
   const auto of = [](const std::vector<scene::Triangle>& triangles, const std::string& kind) {
-    for (const MeshDefect& each : check_mesh("m", scene_of(triangles)).findings)
+    for (const MeshDefect& each : check_mesh("m", mesh_of_scene(triangles)).findings)
       if (each.kind == kind) return each;
     FAIL("no " + kind);
     throw 0;

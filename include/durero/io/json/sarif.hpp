@@ -2,6 +2,7 @@
 /// What logs of SARIF 2.1.0 have in common, whatever they tell of.
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "durero/io/json/json_writer.hpp"
@@ -20,5 +21,8 @@ void end_sarif(json::Writer& out);
 
 /// A member that is a message.
 void write_sarif_message(json::Writer& out, std::string_view key, std::string_view text);
+
+/// A file's name as the reference to it (RFC 3986).
+std::string sarif_uri(std::string_view file);
 
 }  // namespace durero::io

@@ -1,18 +1,15 @@
 #pragma once
-/// The audit of the triangles of a file, as lines and as JSON: what is found, where, and what mends it.
+/// The audit of the triangles of a file: what is found, where, and what mends it.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "durero/io/json/format_version.hpp"
 #include "durero/mesh/audit.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::io {
-
-/// The name and version that the text of mesh_check_json() begins with.
-inline constexpr json::FormatVersion mesh_check_format{"durero-mesh-check", 1};
 
 /// The triangles of a scene as one mesh: points that are the same are one vertex.
 struct SceneMesh {
@@ -24,6 +21,9 @@ struct SceneMesh {
 
 /// The triangles of a scene. Elements of other types are passed over.
 SceneMesh mesh_of(const scene::Scene& scene);
+/// Faces by the numbers of their vertices; each is named by its own number, from 0. Throws std::out_of_range where a
+/// corner is no vertex. Precondition: the vertices are finite.
+SceneMesh mesh_of(std::span<const glm::dvec3> vertices, std::span<const mesh::CornerNumbers> faces);
 
 /// Something wrong with a mesh.
 struct MeshDefect {
@@ -51,13 +51,8 @@ struct MeshCheck {
   std::vector<MeshDefect> findings;   ///< by kinds, in the order of the text
 };
 
-/// Audits the triangles of a scene that a file gave, and says the side of a point. Precondition: the point is finite.
-MeshCheck check_mesh(const std::string& file, const scene::Scene& scene,
+/// Audits a mesh that a file gave, and says the side of a point. Precondition: the point is finite.
+MeshCheck check_mesh(const std::string& file, const SceneMesh& mesh,
                      const std::optional<glm::dvec3>& point = std::nullopt);
-
-/// A line for the mesh and one for each finding.
-std::string mesh_check_text(const MeshCheck& check);
-/// One JSON object that says the same. Ends its line.
-std::string mesh_check_json(const MeshCheck& check);
 
 }  // namespace durero::io
