@@ -35,6 +35,7 @@ Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Tr
 Sphere …        the same classes in English: Sphere, Cylinder, Cone, TruncatedCone, Plane, Disc, Triangle; arguments and
                 properties have English names too, as center is centro
 spec            help(durero.spec): the Z text evaluates and checks
+check_mesh      help(durero.check_mesh): what is wrong with a mesh, and on which side of it a point is
 conform         help(durero.conform): judges the hits of other programs
 Refused …       what goes wrong: Refused, InputError, Undecided
 """
@@ -47,6 +48,7 @@ from .elements import Triangulo, Tronco, TruncatedCone, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
+from .mesh import MeshCheck, MeshFinding, check_mesh
 from .scene import Answer, Group, HitsWithElements, Mesh, Scene
 
 __version__ = _durero.version
@@ -98,6 +100,8 @@ __all__ = [
     "HitsWithElements",
     "InputError",
     "Mesh",
+    "MeshCheck",
+    "MeshFinding",
     "Outcome",
     "PROXIMITY",
     "Plane",
@@ -114,6 +118,7 @@ __all__ = [
     "Undecided",
     "Written",
     "__version__",
+    "check_mesh",
     "conform",
     "engines",
     "spec",

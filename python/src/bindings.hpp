@@ -11,6 +11,7 @@ void add_errors(py::module_& module);
 void add_scene(py::module_& module);
 void add_trace(py::module_& module);
 void add_distance(py::module_& module);
+void add_mesh_check(py::module_& module);
 void add_exact(py::module_& module);
 void add_spec(py::module_& module);
 void add_conform(py::module_& module);

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_durero, module) {
   add_scene(module);
   add_trace(module);
   add_distance(module);
+  add_mesh_check(module);
   add_exact(module);
   add_spec(module);
   add_conform(module);
