@@ -81,10 +81,7 @@ class MeshFindings {
   void add_discordant(const EdgeEnds& edge) {
     const std::vector<std::uint32_t> faces = faces_with(edge, false);
     const auto [i, j, k] = mesh_.faces[faces.back()];
-    out_.push_back({"discordes",
-                    names(faces),
-                    ends(edge),
-                    "these faces walk this edge the same way",
+    out_.push_back({"discordes", names(faces), ends(edge), "these faces walk this edge the same way",
                     mended({faces.back()}, {removal(faces.back()), addition(mesh_.names[faces.back()], {j, i, k})})});
   }
 
