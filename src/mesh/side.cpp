@@ -6,6 +6,7 @@
 
 #include "durero/number/ball.hpp"
 #include "hull.hpp"
+#include "orientation.hpp"
 #include "space_step.hpp"
 
 namespace durero::mesh {
@@ -27,6 +28,13 @@ bool are_edges_even(std::span<const CornerNumbers> faces) {
     begin = end;
   }
   return true;
+}
+
+/// Whether each face is a triangle, and each edge has an even number of them (pares.def.1).
+bool bound_something(std::span<const glm::dvec3> vertices, std::span<const CornerNumbers> faces) {
+  return are_edges_even(faces) && std::ranges::none_of(faces, [&](const CornerNumbers& face) {
+           return are_collinear(vertices[face[0]], vertices[face[1]], vertices[face[2]]);
+         });
 }
 
 /// The sign of a number that formula(Number()) computes by numbers of that type: by enclosures where they can decide.
@@ -91,7 +99,7 @@ std::optional<Side> side_of(std::span<const glm::dvec3> vertices, std::span<cons
     if (seen.has(point)) return Side::on_surface;
     is_odd ^= is_ahead(seen.a, seen.b, seen.c, point);
   }
-  if (!are_edges_even(faces)) return std::nullopt;
+  if (!bound_something(vertices, faces)) return std::nullopt;
   return is_odd ? Side::inside : Side::outside;
 }
 
