@@ -166,7 +166,9 @@ TEST_CASE("the faces that cross are those of the text") {
   test::property("nearly on a grid", [&] { holds(four_faces(points_of(nearly))); });
   test::property("of far and of small coordinates", [&] { holds(four_faces(points_of(far))); });
   test::property("in an upright plane", [&] { holds(upright_faces()); });
-  test::property("that touch", [&] { holds(touching_faces()); });
+  test::property("that touch", [&] {
+    for (int n = 0; n < 10; ++n) holds(touching_faces());  // a sum is off in few of them
+  });
 }
 
 TEST_CASE("faces cross where they cut, touch or overlap, and the place of it is told") {
