@@ -97,7 +97,7 @@ TEST_CASE("faces of a mesh are audited with the others, and no operation edits o
   scene::Scene scene = scene_of({base, front});
   scene::Mesh mesh{model::Elemento("m"), {o, x, y, z}, {{1, 2, 3}, {2, 0, 3}, {2, 0, 3}}};
   REQUIRE(scene.apply_total(scene::MeshEdit(scene::MeshAddition{mesh})).ok());
-  const MeshCheck check = check_mesh("m", scene);
+  const MeshCheck check = check_mesh("m", mesh_of(scene));
   CHECK(check.faces == 5);
   CHECK(check.vertices == 4);
   const auto twice = std::ranges::find(check.findings, "repetidas", &MeshDefect::kind);
