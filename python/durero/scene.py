@@ -7,7 +7,7 @@ import json
 import os
 import pathlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple, Optional, Tuple, Union, overload
+from typing import Any, Literal, NamedTuple, Optional, Tuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -216,8 +216,8 @@ class Scene(Mapping[str, Element]):
         vertices: object,
         faces: object = None,
         *,
-        normals: Optional[npt.NDArray[np.floating]] = None,
-        uv: Optional[npt.NDArray[np.floating]] = None,
+        normals: Optional[npt.NDArray[np.floating[Any]]] = None,
+        uv: Optional[npt.NDArray[np.floating[Any]]] = None,
         material: Optional[str] = None,
     ) -> Answer:
         """Adds a mesh, whose face n is the triangle m:n, all or none, and answers its r!. Raises Refused.
@@ -241,8 +241,8 @@ class Scene(Mapping[str, Element]):
         vertices: object,
         faces: object = None,
         *,
-        normals: Optional[npt.NDArray[np.floating]] = None,
-        uv: Optional[npt.NDArray[np.floating]] = None,
+        normals: Optional[npt.NDArray[np.floating[Any]]] = None,
+        uv: Optional[npt.NDArray[np.floating[Any]]] = None,
         material: Optional[str] = None,
     ) -> Answer:
         """Puts another mesh in the place of one, under its name, and answers its r!. Raises Refused. See add_mesh."""

@@ -6,7 +6,7 @@ import json
 import os
 import pathlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Literal, NamedTuple, Optional, Tuple, Union, overload
+from typing import Any, Literal, NamedTuple, Optional, Tuple, Union, overload
 import numpy as np
 import numpy.typing as npt
 from . import _durero
@@ -81,9 +81,9 @@ class Scene(Mapping[str, Element]):
 
     def close(self, e: str, base: str | None=..., top: str | None=...) -> Answer: ...
 
-    def add_mesh(self, m: str, vertices: object, faces: object=..., *, normals: Optional[npt.NDArray[np.floating]]=..., uv: Optional[npt.NDArray[np.floating]]=..., material: Optional[str]=...) -> Answer: ...
+    def add_mesh(self, m: str, vertices: object, faces: object=..., *, normals: Optional[npt.NDArray[np.floating[Any]]]=..., uv: Optional[npt.NDArray[np.floating[Any]]]=..., material: Optional[str]=...) -> Answer: ...
 
-    def replace_mesh(self, m: str, vertices: object, faces: object=..., *, normals: Optional[npt.NDArray[np.floating]]=..., uv: Optional[npt.NDArray[np.floating]]=..., material: Optional[str]=...) -> Answer: ...
+    def replace_mesh(self, m: str, vertices: object, faces: object=..., *, normals: Optional[npt.NDArray[np.floating[Any]]]=..., uv: Optional[npt.NDArray[np.floating[Any]]]=..., material: Optional[str]=...) -> Answer: ...
 
     def remove_mesh(self, m: str) -> Answer: ...
 

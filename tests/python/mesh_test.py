@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import types
+from collections.abc import Callable
 
 import numpy as np
 import numpy.typing as npt
@@ -79,7 +80,7 @@ def test_a_mesh_is_edited_under_contract() -> None:
     scene = square()
     assert scene.move_vertex("m", 2, (4, 4, 1)) == "vertice_movido"
     assert scene["m:0"] == durero.Triangulo(vertices=((0, 0, 0), (4, 0, 0), (4, 4, 1)))
-    assert scene.move_vertex("m", 2, point=(4, 4, 2)) == "vertice_movido"  # type: ignore[call-overload]
+    assert scene.move_vertex("m", 2, point=(4, 4, 2)) == "vertice_movido"
     assert scene.replace_mesh("m", POINTS, FACES[:1]) == "malla_reemplazada"
     assert scene.names == ("m:0",)
     assert scene.remove_mesh("m") == "malla_eliminada"
@@ -90,7 +91,7 @@ def test_what_the_text_refuses_changes_nothing() -> None:
     scene = square()
     scene.add("x:1", durero.Esfera(centro=(0, 0, 0), radio=1))
     before = scene.dumps()
-    for label, edit in {
+    edits: dict[str, Callable[[], object]] = {
         "Agregar_Malla.pre.1": lambda: scene.add_mesh("m", POINTS, FACES),
         "Agregar_Malla.pre.2": lambda: scene.add_mesh("x", POINTS, FACES + 1),
         "Agregar_Malla.pre.3": lambda: scene.add_mesh("x", POINTS, np.array([[0, 1, 1]])),
@@ -102,7 +103,8 @@ def test_what_the_text_refuses_changes_nothing() -> None:
         "Mover_Vertice.pre.3": lambda: scene.move_vertex("m", 2, (8, 0, 0)),
         "Fuera_De_Malla.pre.1": lambda: scene.remove("m:0"),
         "Agregar_Elemento.pre.1": lambda: scene.add("m:1", durero.Esfera(centro=(0, 0, 0), radio=1)),
-    }.items():
+    }
+    for label, edit in edits.items():
         with pytest.raises(durero.Refused) as caught:
             edit()
         assert caught.value.label == label
@@ -136,7 +138,7 @@ def test_names_and_looks_that_are_none_are_refused() -> None:
     with pytest.raises(ValueError, match="no material red"):
         scene.add_mesh("m", POINTS, FACES, material="red")
     with pytest.raises(ValueError, match="looks at all of its points, or none"):
-        scene.add_mesh("m", POINTS, FACES, normals=POINTS[:2] + 1)
+        scene.add_mesh("m", POINTS, FACES, normals=POINTS[:2] + 1.0)
     with pytest.raises(KeyError):
         scene.meshes["m"]
     assert len(scene) == 0
