@@ -104,6 +104,28 @@ TEST_CASE("a face is removed with its mesh alone") {
   CHECK(scene::retrieve_mallas(scene) == before);
 }
 
+TEST_CASE("an edit that cannot be is refused by the predicate that it breaks") {
+  Scene scene = with_square();
+  const auto broken = [&](MeshEdit edit) {
+    const Answer answer = scene.apply_total(std::move(edit));
+    return answer.ok() ? "none" : answer.violated->label;
+  };
+  const auto moved = [&](Ordinal n, const Punto& p) { return broken(VertexMove{Elemento("m"), n, p}); };
+  CHECK(moved(3, Punto(2, 2, 0)) == "Mover_Vertice.pre.3");
+  CHECK(moved(1, Punto(2, 2, 0)) == "Mover_Vertice.pre.3");
+  CHECK(moved(2, Punto(0, 0, 0)) == "Mover_Vertice.pre.3");
+  CHECK(moved(4, Punto(9, 9, 9)) == "Mover_Vertice.pre.2");
+  CHECK(moved(3, Punto(2, 2, 1)) == "none");
+  // The name of a face is asked of few elements, then of many.
+  for (const char* name : {"x:1", "y:0"}) {
+    scene.apply(Agregar_Esfera{Elemento(name), Punto(0, 0, 0), 1});
+    CHECK(broken(MeshAddition{square(std::string(1, name[0]).c_str())}) == "Agregar_Malla.pre.5");
+    CHECK(broken(MeshAddition{square("free")}) == "none");
+    CHECK(broken(MeshRemoval{Elemento("free")}) == "none");
+    scene.apply(Agregar_Esfera{Elemento(std::string(name) + ".2"), Punto(0, 0, 0), 1});
+  }
+}
+
 TEST_CASE("the looks of a face are those of its mesh") {
   Scene scene;
   scene.stage().materials = {{"blue", {0, 0, 1}}, {"red", {1, 0, 0}}};
