@@ -116,6 +116,13 @@ TEST_CASE("an edit that cannot be is refused by the predicate that it breaks") {
   CHECK(moved(2, Punto(0, 0, 0)) == "Mover_Vertice.pre.3");
   CHECK(moved(4, Punto(9, 9, 9)) == "Mover_Vertice.pre.2");
   CHECK(moved(3, Punto(2, 2, 1)) == "none");
+  for (const Cara& beyond : {Cara{4, 0, 1}, Cara{0, 4, 1}, Cara{0, 1, 4}}) {
+    scene::Mesh mesh = square("b");
+    mesh.caras.push_back(beyond);
+    CHECK(broken(MeshAddition{mesh}) == "Agregar_Malla.pre.2");
+    mesh.m = Elemento("m");
+    CHECK(broken(MeshReplacement{mesh}) == "Reemplazar_Malla.pre.2");
+  }
   // The name of a face is asked of few elements, then of many.
   for (const char* name : {"x:1", "y:0"}) {
     scene.apply(Agregar_Esfera{Elemento(name), Punto(0, 0, 0), 1});
