@@ -27,11 +27,6 @@
 namespace durero::cli {
 namespace {
 
-std::string check_place(const std::string& text) {
-  if (numbers_in<3>(text, ',', io::read_finite)) return "";
-  return fmt::format("{}: no point; expected X,Y,Z, three finite numbers", text);
-}
-
 /// The picture whose pixels are the means of finer × finer ones.
 render::Picture means(const render::Picture& fine, std::uint32_t finer) {
   render::Picture picture({fine.resolution.width / finer, fine.resolution.height / finer});
@@ -158,7 +153,7 @@ void add_projected_options(CLI::App& command, RasterOptions& options) {
   command.add_option("--picture", options.picture, "The picture that the first light throws, a PNG or JPEG file")
       ->required();
   command.add_option("--towards", options.towards, "The point that it throws it at; without it, that of the camera")
-      ->check(CLI::Validator(check_place, ""));
+      ->check(CLI::Validator(check_point, ""));
   command.add_option("--angle", options.height, "The angle of the picture's height, in degrees; without it, 60")
       ->check(number(1, 170));
   add_map(command, options);
