@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <ranges>
-#include <stdexcept>
 
 #include "crossings.hpp"
 #include "fans.hpp"
 #include "joined_sets.hpp"
 #include "orientation.hpp"
+#include "require_vertices.hpp"
 #include "vertex_tree.hpp"
 
 namespace durero::mesh {
@@ -23,12 +23,6 @@ struct EdgeWalk {
   bool backwards;      // from the greater number to the lesser
   auto operator<=>(const EdgeWalk&) const = default;
 };
-
-void require_vertices(std::size_t count, Faces faces) {
-  for (const CornerNumbers& face : faces)
-    for (const std::uint32_t corner : face)
-      if (corner >= count) throw std::out_of_range("a face names a vertex that there is not");
-}
 
 /// The walks of all faces, each once a face, sorted. An edge from a vertex to itself is none.
 std::vector<EdgeWalk> walks_of(Faces faces) {

@@ -1,12 +1,12 @@
 #include "durero/mesh/side.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "durero/number/ball.hpp"
 #include "hull.hpp"
 #include "orientation.hpp"
+#include "require_vertices.hpp"
 #include "space_step.hpp"
 
 namespace durero::mesh {
@@ -90,10 +90,9 @@ struct SeenFace {
 
 std::optional<Side> side_of(std::span<const glm::dvec3> vertices, std::span<const CornerNumbers> faces,
                             const glm::dvec3& point) {
+  require_vertices(vertices.size(), faces);
   bool is_odd = false;
   for (const CornerNumbers& face : faces) {
-    if (std::ranges::any_of(face, [&](std::uint32_t corner) { return corner >= vertices.size(); }))
-      throw std::out_of_range("a face names a vertex that there is not");
     const SeenFace seen{vertices[face[0]], vertices[face[1]], vertices[face[2]]};
     if (!seen.may_be_met(point)) continue;
     if (seen.has(point)) return Side::on_surface;
