@@ -13,7 +13,7 @@
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/spanish.hpp"
-#include "two.hpp"
+#include "vertex_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -21,18 +21,6 @@ namespace {
 enum class MeshKey : std::size_t { id, puntos, caras, material, normals, uv };
 constexpr std::string_view mesh_keys[] = {"id", "puntos", "caras", "material", "normals", "uv"};
 constexpr std::size_t required_mesh_keys = 3;
-
-glm::dvec3 read_direction(json::Reader& in) {
-  const std::size_t at = in.offset();
-  const glm::dvec3 normal = in.vec3("normals");
-  if (normal == glm::dvec3(0)) in.fail(at, "a normal is (0, 0, 0)", "expected a direction of any length but 0");
-  return normal;
-}
-
-glm::dvec2 read_pair(json::Reader& in) {
-  const auto [u, v] = read_two<double>(in, "uv", "expected two numbers, u and v", [&] { return in.number("uv"); });
-  return {u, v};
-}
 
 /// Fails where there are looks, and not one for each point.
 template <class Look>
@@ -43,38 +31,34 @@ void require_one_each(const json::Reader& in, std::string_view what, const std::
             fmt::format("expected one for each of {} points", points));
 }
 
-/// Calls visit(reader, face) at each face, until it answers true.
+/// Calls visit(offset, face) at each face of the mesh that stands at `at`.
 template <class Visit>
-void find_face(json::Reader at, Visit&& visit) {
-  bool found = false;
+void for_each_face(const json::Reader& at, Visit&& visit) {
   json::Reader in = at.member("caras").value();
   in.array("caras", [&] {
-    const json::Reader here = in;
-    const model::Cara face = read_face(in, "caras");
-    found = found || visit(here, face);
+    const std::size_t offset = in.offset();
+    visit(offset, read_face(in, "caras"));
   });
 }
 
 /// Fails at the first face that names no point.
 void fail_incomplete(const json::Reader& at, std::size_t points) {
-  find_face(at, [&](const json::Reader& here, const model::Cara& face) {
+  for_each_face(at, [&](std::size_t offset, const model::Cara& face) {
     for (const model::Ordinal n : {face.i, face.j, face.k})
       if (n >= points)
-        here.fail(here.offset(), fmt::format("a face has point {} of {}", n, points),
-                  fmt::format("expected {} ({})", model::Completa_inv_1.predicate, model::Completa_inv_1.label),
-                  &model::Completa_inv_1);
-    return false;
+        at.fail(offset, fmt::format("a face has point {} of {}", n, points),
+                fmt::format("expected {} ({})", model::Completa_inv_1.predicate, model::Completa_inv_1.label),
+                &model::Completa_inv_1);
   });
 }
 
 /// Fails at the first face that is a line.
 void fail_aligned(const json::Reader& at, const std::vector<glm::dvec3>& points) {
-  find_face(at, [&](const json::Reader& here, const model::Cara& face) {
+  for_each_face(at, [&](std::size_t offset, const model::Cara& face) {
     if (!model::Vertices::contains(
             scene::input_of<model::Terna>(scene::Corners{points[face.i], points[face.j], points[face.k]})))
-      here.fail(here.offset(), "a face has three points on one line",
-                fmt::format("expected the corners of a triangle ({})", model::Malla_inv_1.label), &model::Malla_inv_1);
-    return false;
+      at.fail(offset, "a face has three points on one line",
+              fmt::format("expected the corners of a triangle ({})", model::Malla_inv_1.label), &model::Malla_inv_1);
   });
 }
 
@@ -110,10 +94,10 @@ FileMesh read_mesh(json::Reader& in) {
       }
       case MeshKey::normals:
         of_normals.emplace(std::vector<glm::dvec3>(), in.key_offset());
-        return in.array("normals", [&] { of_normals->value.push_back(read_direction(in)); });
+        return in.array("normals", [&] { of_normals->value.push_back(read_vertex_normal(in)); });
       case MeshKey::uv:
         of_uv.emplace(std::vector<glm::dvec2>(), in.key_offset());
-        return in.array("uv", [&] { of_uv->value.push_back(read_pair(in)); });
+        return in.array("uv", [&] { of_uv->value.push_back(read_vertex_uv(in)); });
     }
   });
   require_one_each(in, "normals", of_normals, mesh.puntos.size());
@@ -123,15 +107,15 @@ FileMesh read_mesh(json::Reader& in) {
   return read;
 }
 
-void add_mesh(json::Reader at, scene::Scene& scene, scene::Mesh mesh) {
-  const std::vector<glm::dvec3> points = mesh.puntos;
-  const std::string name = mesh.m.name();
+void add_mesh(const json::Reader& at, scene::Scene& scene, scene::Mesh mesh) {
   const model::Answer answer = scene.apply_total(scene::MeshAddition{std::move(mesh)});
   if (answer.ok()) return;
-  if (answer.r == model::Respuesta::cara_incompleta) fail_incomplete(at, points.size());
-  if (answer.r == model::Respuesta::vertices_alineados) fail_aligned(at, points);
+  json::Reader again = at;  // only a mesh that is refused is read twice
+  const scene::Mesh refused = read_mesh(again).mesh;
+  if (answer.r == model::Respuesta::cara_incompleta) fail_incomplete(at, refused.puntos.size());
+  if (answer.r == model::Respuesta::vertices_alineados) fail_aligned(at, refused.puntos);
   at.fail(at.member("id")->offset(),
-          fmt::format("id is {}: {}", text::shown(name), text::with_english(model::name(answer.r))),
+          fmt::format("id is {}: {}", text::shown(refused.m.name()), text::with_english(model::name(answer.r))),
           fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
 }
 

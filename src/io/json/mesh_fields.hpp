@@ -21,7 +21,7 @@ struct FileMesh {
 FileMesh read_mesh(json::Reader& in);
 
 /// Adds a mesh by its operation. `at` stands on it: where it is refused, the error is at the face, or at the name.
-void add_mesh(json::Reader at, scene::Scene& scene, scene::Mesh mesh);
+void add_mesh(const json::Reader& at, scene::Scene& scene, scene::Mesh mesh);
 
 /// Writes it, a point and a face on each line.
 void write_mesh(json::Writer& out, const scene::Mesh& mesh, const scene::Stage& stage);

@@ -10,8 +10,11 @@
 
 namespace durero::io {
 
-/// Elements with their names, ascending by the bytes of these.
-inline std::vector<scene::ElementRef> in_order(std::vector<std::pair<std::string, scene::ElementRef>> named) {
+/// The elements that walk(take) hands to take(element, shape), ascending by the bytes of their names.
+template <class Walk>
+std::vector<scene::ElementRef> by_name(const scene::Scene& scene, Walk&& walk) {
+  std::vector<std::pair<std::string, scene::ElementRef>> named;
+  walk([&](scene::ElementRef e, const auto&) { named.emplace_back(scene.name(e).name(), e); });
   std::ranges::sort(named);
   std::vector<scene::ElementRef> all;
   all.reserve(named.size());
@@ -21,14 +24,10 @@ inline std::vector<scene::ElementRef> in_order(std::vector<std::pair<std::string
 
 /// @{ Every element, and those by themselves, in no mesh. Ascending by the bytes of the names.
 inline std::vector<scene::ElementRef> elements_by_name(const scene::Scene& scene) {
-  std::vector<std::pair<std::string, scene::ElementRef>> named;
-  scene.for_each([&](scene::ElementRef e, const auto&) { named.emplace_back(scene.name(e).name(), e); });
-  return in_order(std::move(named));
+  return by_name(scene, [&](const auto& take) { scene.for_each(take); });
 }
 inline std::vector<scene::ElementRef> singles_by_name(const scene::Scene& scene) {
-  std::vector<std::pair<std::string, scene::ElementRef>> named;
-  scene.for_each_single([&](scene::ElementRef e, const auto&) { named.emplace_back(scene.name(e).name(), e); });
-  return in_order(std::move(named));
+  return by_name(scene, [&](const auto& take) { scene.for_each_single(take); });
 }
 /// @}
 

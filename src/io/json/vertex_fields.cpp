@@ -4,12 +4,21 @@
 
 namespace durero::io {
 
-std::array<glm::dvec2, 3> read_uv(json::Reader& in) {
+glm::dvec2 read_vertex_uv(json::Reader& in) {
   const std::string_view what = vertex_keys[0];
-  return in.three<glm::dvec2>(what, "expected [u,v] of three vertices", [&] {
-    const auto [u, v] = read_two<double>(in, what, "expected two numbers, u and v", [&] { return in.number(what); });
-    return glm::dvec2(u, v);
-  });
+  const auto [u, v] = read_two<double>(in, what, "expected two numbers, u and v", [&] { return in.number(what); });
+  return {u, v};
+}
+
+glm::dvec3 read_vertex_normal(json::Reader& in) {
+  const std::size_t at = in.offset();
+  const glm::dvec3 normal = in.vec3(vertex_keys[2]);
+  if (normal == glm::dvec3(0)) in.fail(at, "a normal is (0, 0, 0)", "expected a direction of any length but 0");
+  return normal;
+}
+
+std::array<glm::dvec2, 3> read_uv(json::Reader& in) {
+  return in.three<glm::dvec2>(vertex_keys[0], "expected [u,v] of three vertices", [&] { return read_vertex_uv(in); });
 }
 
 std::array<scene::VertexTangents, 3> read_vertex_tangents(json::Reader& in) {
@@ -20,13 +29,8 @@ std::array<scene::VertexTangents, 3> read_vertex_tangents(json::Reader& in) {
 }
 
 scene::VertexNormals read_vertex_normals(json::Reader& in) {
-  const std::string_view what = vertex_keys[2];
-  return in.three<glm::dvec3>(what, "expected the normals of three vertices", [&] {
-    const std::size_t at = in.offset();
-    const glm::dvec3 normal = in.vec3(what);
-    if (normal == glm::dvec3(0)) in.fail(at, "a normal is (0, 0, 0)", "expected a direction of any length but 0");
-    return normal;
-  });
+  return in.three<glm::dvec3>(vertex_keys[2], "expected the normals of three vertices",
+                              [&] { return read_vertex_normal(in); });
 }
 
 namespace {

@@ -14,6 +14,10 @@ namespace durero::io {
 /// The keys of an element that only a triangle may have: the second only with the first.
 inline constexpr std::array<std::string_view, 3> vertex_keys{"uv", "tangents", "normals"};
 
+/// `[u,v]` of a vertex
+glm::dvec2 read_vertex_uv(json::Reader& in);
+/// The normal of a vertex, three numbers, not all 0
+glm::dvec3 read_vertex_normal(json::Reader& in);
 /// `[[u,v],[u,v],[u,v]]`
 std::array<glm::dvec2, 3> read_uv(json::Reader& in);
 /// `[[t_u,t_v],[t_u,t_v],[t_u,t_v]]`, each three numbers

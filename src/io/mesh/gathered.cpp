@@ -14,6 +14,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/edit.hpp"
 #include "durero/scene/mesh_edit.hpp"
+#include "file_as_name.hpp"
 #include "numbering.hpp"
 
 namespace durero::io {
@@ -22,9 +23,7 @@ namespace {
 /// The file's name as that of a mesh, with room for the numbers of faces.
 std::string mesh_name(std::string_view file) {
   constexpr std::size_t longest = 128 - 16;
-  std::string name(file.substr(file.rfind('/') + 1).substr(0, longest));
-  for (char& c : name)
-    if (!model::Elemento::is_name(std::string(1, c))) c = '_';
+  const std::string name = file_as_name(file, longest);
   return name.empty() ? "mesh" : name;
 }
 
@@ -99,7 +98,7 @@ class Gathering {
   std::unordered_map<std::string, std::string> faces_;
 };
 
-/// The same groups with other names of members.
+/// Groups with the same structure, whose members have other names.
 scene::Groups renamed(const scene::Groups& groups, const std::unordered_map<std::string, std::string>& names,
                       const scene::Scene& scene) {
   scene::Groups made;

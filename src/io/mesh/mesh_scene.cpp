@@ -4,6 +4,7 @@
 
 #include <ranges>
 
+#include "file_as_name.hpp"
 #include "io/losses.hpp"
 #include "polygons.hpp"
 
@@ -15,9 +16,7 @@ namespace {
 std::string prefix_of(const Source& source, std::vector<std::string>& lost) {
   constexpr std::size_t longest = 128 - 11;  // without the colon and ten digits, of which a table's row has no more
   const std::string file = source.name().substr(source.name().rfind('/') + 1);
-  std::string prefix = file.substr(0, longest);
-  for (char& c : prefix)
-    if (!model::Elemento::is_name(std::string(1, c))) c = '_';
+  const std::string prefix = file_as_name(file, longest);
   if (prefix != file) lost.push_back(fmt::format("elements are named {}: not every file's name can be theirs", prefix));
   return prefix + ":";
 }
