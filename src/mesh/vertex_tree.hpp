@@ -18,9 +18,9 @@ struct SegmentPart {
   SegmentPart(const glm::dvec3& a, const glm::dvec3& b)
       : from(a), to(b), least(glm::min(a, b)), greatest(glm::max(a, b)) {}
 
-  /// What of the part is not above a coordinate, which is below its greatest.
+  /// The part up to a coordinate, which is below its greatest.
   SegmentPart below(int axis, double coordinate) const;
-  /// What of the part is not below a coordinate, which is above its least.
+  /// The part from a coordinate on, which is above its least.
   SegmentPart above(int axis, double coordinate) const;
 };
 

@@ -110,7 +110,7 @@ scene::Scene two_meshes(const scene::Scene& of, Random& random) {
   return scene;
 }
 
-/// The same elements, none in a mesh, in the same rows.
+/// Elements with the same geometry and rows, none in a mesh.
 scene::Scene by_themselves(const scene::Scene& of) {
   scene::Scene scene;
   of.for_each([&](scene::ElementRef e, const auto& shape) { REQUIRE(scene.add(of.name(e), shape).ok()); });

@@ -9,7 +9,7 @@
 
 namespace durero::mesh {
 
-/// Where a point stands to the faces that bound a solid.
+/// The place of a point beside the faces that bound a solid.
 enum class Side { inside, outside, on_surface };
 
 /// The side of a point: it is inside where a ray from it meets an odd number of faces. Nothing where the faces bound

@@ -12,7 +12,7 @@ model::Escena retrieve(const Scene& scene);
 /// The points and faces of a mesh. O(n).
 model::Red red_of(const Mesh& mesh);
 
-/// The same with its meshes: the tables hold its sueltas (Retrieve), and its mallas. O(n log n).
+/// Its elements and its meshes: the tables hold its sueltas (Retrieve), and its mallas. O(n log n).
 model::Mallas retrieve_mallas(const Scene& scene);
 
 }  // namespace durero::scene

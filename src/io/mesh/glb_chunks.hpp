@@ -9,7 +9,7 @@
 
 namespace durero::io {
 
-/// Where the JSON of a glTF file stands, and the bytes that a GLB file has behind it.
+/// The place of the JSON in a glTF file, and the bytes that a GLB file has behind it.
 struct GltfParts {
   std::size_t json_begin, json_end;
   std::optional<std::string_view> bytes;  ///< valid as long as the source; nothing where no chunk has any

@@ -21,7 +21,7 @@ struct GltfView {
 /// The buffers of a file. Each is read when a view into it is asked for, so that what belongs to pictures alone is not.
 class GltfBuffers {
  public:
-  /// `inner` are the bytes behind the JSON of a GLB file. What it is given must outlive it.
+  /// `inner` are the bytes behind the JSON of a GLB file. The arguments must outlive it.
   GltfBuffers(const Source& source, const GltfJson& file, std::optional<std::string_view> inner)
       : source_(source), file_(file), inner_(inner), read_(file.size(GltfArray::buffers)) {}
 

@@ -25,7 +25,7 @@ struct GltfPlace {
 /// A mesh in the making.
 class GltfTriangles {
  public:
-  /// What it is given must outlive it.
+  /// The arguments must outlive it.
   GltfTriangles(const Source& source, const GltfJson& file, GltfBuffers& buffers)
       : source_(source), file_(file), buffers_(buffers) {}
 

@@ -31,7 +31,7 @@ std::string listed(const Values& values, const char* between, const Text& text) 
 
 const std::string& itself(const std::string& text) { return text; }
 
-/// What is wrong, and what mends it.
+/// The defect in words, and the operations that mend it.
 std::string said_of(const MeshDefect& defect) {
   std::string text = fmt::format("{}: {}", listed(defect.places, " ", point_text), defect.message);
   if (!defect.mended.empty()) text += "; mended by " + listed(defect.mended, ", then ", itself);

@@ -13,7 +13,7 @@ Imported read_ply(const Source& source);
 /// The triangles of a scene as a text, each vertex once: numbers are doubles, written so that they read back. Vertices
 /// have normals where all triangles have them.
 Exported ply_text(const scene::Scene& scene, const scene::Groups& groups);
-/// The same as bytes, the least of a number first, with the same losses: not one bit is rounded.
+/// The triangles as bytes, the least of a number first, with the losses of the text: no bit is rounded.
 Exported ply_bytes(const scene::Scene& scene, const scene::Groups& groups);
 
 }  // namespace durero::io

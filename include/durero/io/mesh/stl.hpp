@@ -14,8 +14,8 @@ Imported read_stl(const Source& source);
 /// The triangles of a scene as a text: a `solid` for each group, with the elements that are directly in it. Coordinates
 /// are written so that they read back; normals are those of the planes, rounded.
 Exported stl_text(const scene::Scene& scene, const scene::Groups& groups);
-/// The same as bytes, without groups: each coordinate is rounded to the nearest binary32, and those that are another
-/// number then are counted. A triangle with a coordinate whose rounding is infinite is left out, and counted.
+/// The triangles as bytes, without groups: each coordinate is rounded to the nearest binary32, and those that are
+/// another number then are counted. A triangle with a coordinate whose rounding is infinite is left out, and counted.
 Exported stl_bytes(const scene::Scene& scene, const scene::Groups& groups);
 
 }  // namespace durero::io
