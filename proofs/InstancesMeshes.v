@@ -60,6 +60,20 @@ Qed.
 Definition instance_of_the_conjectures_of_meshes_hold :=
   conj two_faces_are_added (MainModels.the_conjectures_of_meshes_hold (list nat) names names_are_of_one_face).
 
+(** No element of these two scenes stands apart from the meshes, before the mesh is added and after. *)
+Theorem instance_of_meshes_stand_apart_from_the_other_elements : exists S S', Init_Mallas (list nat) names S
+  /\ Agregar_Malla (list nat) names S S' [] two_faces malla_agregada
+  /\ Especificacion.Escena_ok (sueltas (list nat) names S')
+  /\ Escena_eq (sueltas (list nat) names S) (sueltas (list nat) names S').
+Proof.
+  destruct two_faces_are_added as [S [S' [I [A _]]]].
+  destruct (MainModels.meshes_stand_apart_from_the_other_elements (list nat) names names_are_of_one_face)
+    as (scene & _ & _ & added & _).
+  exists S, S'. split; [exact I | split; [exact A | split]].
+  - apply scene. apply A.
+  - exact (added _ _ _ _ _ A).
+Qed.
+
 (** The plane x = y has the one triangle on the one side, and the other on the other; their common edge lies on it. *)
 Lemma the_first_lies_before i p : i ∈ Auditoria.esquinas (mk_Cara 0 1 2) -> (i, p) ∈ numbered (puntos two_faces) ->
   Auditoria.along (mk_Punto (-1) 1 0) p <= 0 /\
