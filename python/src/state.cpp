@@ -3,26 +3,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "durero/composed/engine.hpp"
 #include "durero/engine/prepared.hpp"
+#include "durero/scene/by_name.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::python {
 
-Numbering::Numbering(const scene::Scene& scene) : size_(static_cast<std::int32_t>(scene.size())) {
-  std::vector<std::pair<std::string, scene::ElementRef>> named;
+Numbering::Numbering(const scene::Scene& scene) : size_(static_cast<std::int32_t>(scene.size())), singles_(scene::singles_by_name(scene)) {
   scene.for_each_single([&](scene::ElementRef element, const auto&) {
-    named.emplace_back(scene.name(element).name(), element);
     numbers_[static_cast<std::size_t>(element.tipo)].push_back(0);
   });
-  std::ranges::sort(named);
-  singles_.reserve(named.size());
-  for (const auto& [name, element] : named) {
-    numbers_[static_cast<std::size_t>(element.tipo)][element.index] = static_cast<std::int32_t>(singles_.size());
-    singles_.push_back(element);
+  for (std::size_t i = 0; i < singles_.size(); ++i) {
+    const auto [tipo, index] = singles_[i];
+    numbers_[static_cast<std::size_t>(tipo)][index] = static_cast<std::int32_t>(i);
   }
 }
 

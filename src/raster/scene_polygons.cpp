@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "durero/number/rational.hpp"
 #include "durero/render/light/whitted.hpp"
+#include "durero/scene/by_name.hpp"
 
 namespace durero::raster {
 namespace {
@@ -29,28 +30,28 @@ std::string_view not_drawn(const scene::Material& m, Opacity opacity) {
 
 std::vector<ScenePolygon> polygons_of(const scene::Scene& scene, Opacity opacity) {
   std::vector<ScenePolygon> polygons;
-  scene.for_each([&]<class Shape>(scene::ElementRef element, const Shape& shape) {
-    const std::string& name = scene.name(element).name();
-    if constexpr (std::is_same_v<Shape, scene::Triangle>) {
-      const auto& [a, b, c] = shape.vertices;
-      const auto material = scene.material(element);
-      const scene::Material& look = material ? scene.stage().materials[*material] : plain;
-      if (const std::string_view why = not_drawn(look, opacity); !why.empty())
-        throw std::domain_error(fmt::format("element {} {}; expected looks that this technique draws", name, why));
-      if (scene.vertex_normals(element))
+  for (const scene::ElementRef element : scene::elements_by_name(scene)) {
+    scene.visit(element, [&]<class Shape>(const Shape& shape) {
+      const std::string name = scene.name(element).name();
+      if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+        const auto& [a, b, c] = shape.vertices;
+        const auto material = scene.material(element);
+        const scene::Material& look = material ? scene.stage().materials[*material] : plain;
+        if (const std::string_view why = not_drawn(look, opacity); !why.empty())
+          throw std::domain_error(fmt::format("element {} {}; expected looks that this technique draws", name, why));
+        if (scene.vertex_normals(element))
+          throw std::domain_error(
+              fmt::format("element {} is shaded by normals of its own; expected flat triangles", name));
+        polygons.push_back({element,
+                            {polygon::exact(a), polygon::exact(b), polygon::exact(c)},
+                            glm::normalize(glm::cross(b - a, c - a)),
+                            look});
+      } else {
         throw std::domain_error(
-            fmt::format("element {} is shaded by normals of its own; expected flat triangles", name));
-      polygons.push_back({element,
-                          {polygon::exact(a), polygon::exact(b), polygon::exact(c)},
-                          glm::normalize(glm::cross(b - a, c - a)),
-                          look});
-    } else {
-      throw std::domain_error(fmt::format("element {} is of the type {}; expected triangles alone", name, Shape::word));
-    }
-  });
-  std::ranges::sort(polygons, [&](const ScenePolygon& one, const ScenePolygon& other) {
-    return scene.name(one.element) < scene.name(other.element);
-  });
+            fmt::format("element {} is of the type {}; expected triangles alone", name, Shape::word));
+      }
+    });
+  }
   return polygons;
 }
 

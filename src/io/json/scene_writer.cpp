@@ -3,10 +3,10 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/body.hpp"
+#include "durero/scene/by_name.hpp"
 #include "durero/scene/stage.hpp"
 #include "map_fields.hpp"
 #include "mesh_fields.hpp"
-#include "scene_elements.hpp"
 #include "stage_fields.hpp"
 #include "vertex_fields.hpp"
 
@@ -160,7 +160,7 @@ std::string scene_text(const scene::Scene& scene, const scene::Groups& groups, c
   write_stage(out, scene.stage());
   write_groups(out, groups);
   out.new_line().key("elementos").begin_array();
-  const std::vector<ElementRef> singles = singles_by_name(scene);
+  const std::vector<ElementRef> singles = scene::singles_by_name(scene);
   for (const ElementRef element : singles) write_element(out.new_line(), scene, written, element);
   if (!singles.empty()) out.new_line();
   out.end_array();

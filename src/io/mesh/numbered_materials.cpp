@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "durero/scene/by_name.hpp"
 #include "durero/scene/stage.hpp"
-#include "io/json/scene_elements.hpp"
 
 namespace durero::io {
 
@@ -36,7 +36,7 @@ void NumberedMaterials::finish() {
     const auto found = std::ranges::lower_bound(materials, by_number[number].name, {}, &scene::Material::name);
     return static_cast<std::uint32_t>(found - materials.begin());
   };
-  for (const scene::ElementRef element : elements_by_name(scene_)) {
+  for (const scene::ElementRef element : scene::elements_by_name(scene_)) {
     if (const auto number = scene_.material(element)) scene_.set_material(element, place(*number));
   }
 }

@@ -5,10 +5,10 @@
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/scene/attributes.hpp"
+#include "durero/scene/by_name.hpp"
 #include "durero/scene/stage.hpp"
 #include "io/blur_losses.hpp"
 #include "io/ends.hpp"
-#include "io/json/scene_elements.hpp"
 #include "io/json/stage_fields.hpp"
 #include "io/losses.hpp"
 
@@ -28,7 +28,7 @@ class NffWriter {
     write_stage();
     const auto& materials = scene_.stage().materials;
     std::vector<std::vector<ElementRef>> of_material(materials.size());
-    for (const ElementRef element : elements_by_name(scene_)) {
+    for (const ElementRef element : scene::elements_by_name(scene_)) {
       if (const auto material = scene_.material(element)) {
         of_material[*material].push_back(element);
       } else {

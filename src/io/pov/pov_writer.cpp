@@ -8,11 +8,11 @@
 
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/body.hpp"
+#include "durero/scene/by_name.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/stage.hpp"
 #include "io/blur_losses.hpp"
 #include "io/ends.hpp"
-#include "io/json/scene_elements.hpp"
 #include "io/losses.hpp"
 #include "pov_light.hpp"
 #include "pov_texture.hpp"
@@ -103,7 +103,7 @@ class PovWriter {
 
   /// Those that are in no group, then groups: each is made once all that are in it are.
   void write_elements() {
-    for (const scene::ElementRef element : elements_by_name(scene_))
+    for (const scene::ElementRef element : scene::elements_by_name(scene_))
       if (groups_.of_element(scene_.name(element).name()).empty()) out_.text += object_text(element);
     std::map<std::string_view, std::string> unions;
     for (const std::string_view name : groups_.bottom_up()) unions.emplace(name, union_text(name, unions));

@@ -5,18 +5,12 @@
 #include <map>
 
 #include "by_rows.hpp"
+#include "durero/scene/by_name.hpp"
 #include "durero/trace/search.hpp"
 #include "view.hpp"
 
 namespace durero::render {
 namespace {
-
-std::vector<scene::ElementRef> by_name(const scene::Scene& scene) {
-  std::vector<scene::ElementRef> elements;
-  scene.for_each([&](scene::ElementRef element, const auto&) { elements.push_back(element); });
-  std::ranges::sort(elements, [&](auto a, auto b) { return scene.name(a) < scene.name(b); });
-  return elements;
-}
 
 /// The number of each element.
 using Numbers = std::map<scene::ElementRef, std::uint32_t>;
@@ -24,7 +18,7 @@ using Numbers = std::map<scene::ElementRef, std::uint32_t>;
 Numbers numbers_of(const scene::Scene& scene) {
   Numbers numbers;
   std::uint32_t number = 0;
-  for (const scene::ElementRef element : by_name(scene)) numbers.emplace(element, ++number);
+  for (const scene::ElementRef element : scene::elements_by_name(scene)) numbers.emplace(element, ++number);
   return numbers;
 }
 
@@ -65,7 +59,7 @@ std::vector<PrimaryHit> seen(const scene::Scene& scene, const engine::Engine& en
 
 std::vector<std::string> numbered(const scene::Scene& scene) {
   std::vector<std::string> names;
-  for (const scene::ElementRef element : by_name(scene)) names.emplace_back(scene.name(element).name());
+  for (const scene::ElementRef element : scene::elements_by_name(scene)) names.emplace_back(scene.name(element).name());
   return names;
 }
 
