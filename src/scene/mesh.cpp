@@ -68,11 +68,4 @@ void Meshes::number_faces() {
   for (const auto& mesh : meshes_) first_.push_back(first_.back() + static_cast<std::uint32_t>(mesh->caras.size()));
 }
 
-std::vector<Triangle> Triangles::copied() const {
-  std::vector<Triangle> all;
-  all.reserve(size());
-  for (std::size_t row = 0; row < size(); ++row) all.push_back((*this)[row]);
-  return all;
-}
-
 }  // namespace durero::scene

@@ -99,8 +99,6 @@ class Triangles {
     const Meshes::Face face = meshes_->face(static_cast<std::uint32_t>(row - singles_.size()));
     return face.mesh.triangle(face.number);
   }
-  /// All of them, in order.
-  std::vector<Triangle> copied() const;
 
   /// A place among them, for a loop over all.
   class Iterator {

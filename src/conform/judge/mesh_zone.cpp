@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <span>
 
 #include "conform/judge/shell.hpp"
 #include "conform/judge/zones.hpp"
@@ -12,13 +11,13 @@ namespace {
 
 using number::sign;
 using surface::exact::Parameter;
-using Triangles = std::span<const scene::Triangle>;
+using scene::Triangles;
 
 /// Whether the triangles are a closed mesh: every edge belongs to an even number of them.
-bool is_closed(Triangles triangles) {
+bool is_closed(const Triangles& triangles) {
   using Vertex = std::array<double, 3>;
   std::map<std::array<Vertex, 2>, int> times;
-  for (const scene::Triangle& triangle : triangles) {
+  for (const scene::Triangle triangle : triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const glm::dvec3 &a = triangle.vertices[i], &b = triangle.vertices[(i + 1) % 3];
       std::array<Vertex, 2> edge{Vertex{a.x, a.y, a.z}, Vertex{b.x, b.y, b.z}};
@@ -31,9 +30,9 @@ bool is_closed(Triangles triangles) {
 
 /// Whether the ray crosses an odd number of the triangles; nothing where it meets an edge or lies in the plane of a
 /// triangle.
-std::optional<bool> crosses_odd_number(Triangles triangles, const model::Rayo& rayo) {
+std::optional<bool> crosses_odd_number(const Triangles& triangles, const model::Rayo& rayo) {
   bool is_odd = false;
-  for (const scene::Triangle& triangle : triangles) {
+  for (const scene::Triangle triangle : triangles) {
     const surface::exact::Coefficients f = surface::exact::coefficients(triangle, rayo);
     if (sign(f.B) == 0 && sign(f.C) == 0) return std::nullopt;
     if (sign(f.B) * sign(f.C) >= 0) continue;  // no root is ahead
@@ -47,7 +46,7 @@ std::optional<bool> crosses_odd_number(Triangles triangles, const model::Rayo& r
 
 /// Whether p lies strictly inside the closed mesh, by the parity of crossings of a ray from p. The fixed directions lie
 /// along no edge of a mesh but by design; where each of them meets an edge, the answer is no.
-bool is_inside(Triangles triangles, const model::Punto& p) {
+bool is_inside(const Triangles& triangles, const model::Punto& p) {
   static constexpr std::array<glm::dvec3, 4> directions{
       {{1009, -709, 307}, {-419, 877, 1103}, {641, 211, -1301}, {-953, -547, 773}}};
   for (const glm::dvec3& direction : directions) {
@@ -58,14 +57,14 @@ bool is_inside(Triangles triangles, const model::Punto& p) {
 
 /// The parameter at which the ray leaves the box of the triangles, grown by `grown` on every side. Precondition: the
 /// ray starts in that box.
-Parameter leaving(Triangles triangles, const model::Rayo& rayo, const Dyadic& grown) {
+Parameter leaving(const Triangles& triangles, const model::Rayo& rayo, const Dyadic& grown) {
   const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
   std::optional<Parameter> first;
   for (int i = 0; i < 3; ++i) {
     if (v[i] == 0) continue;
     const double way = v[i] > 0 ? 1 : -1;
     double furthest = way * triangles[0].vertices[0][i];
-    for (const scene::Triangle& triangle : triangles) {
+    for (const scene::Triangle triangle : triangles) {
       for (const glm::dvec3& vertex : triangle.vertices) furthest = std::max(furthest, way * vertex[i]);
     }
     const Parameter t{.x = Dyadic(furthest) + grown - Dyadic(way * p[i]), .w = Dyadic(std::abs(v[i]))};
@@ -77,19 +76,18 @@ Parameter leaving(Triangles triangles, const model::Rayo& rayo, const Dyadic& gr
 }  // namespace
 
 std::optional<Zone> zone_of_mesh(const scene::Scene& scene, const model::Rayo& rayo, const Precision& precision) {
-  const std::vector<scene::Triangle> held = scene.shapes<scene::Triangle>().copied();
-  const Triangles triangles = held;
+  const Triangles triangles = scene.shapes<scene::Triangle>();
   if (triangles.empty() || !is_closed(triangles)) return std::nullopt;
   const glm::dvec3& p = rayo.p().xyz();
   double longest = largest(p);
-  for (const scene::Triangle& triangle : triangles) longest = std::max(longest, largest_length(triangle));
+  for (const scene::Triangle triangle : triangles) longest = std::max(longest, largest_length(triangle));
   const Allowance allowed(precision, Dyadic(2 + 0x1p-4) * Dyadic(longest), rayo);
   if (allowed.times(32) > Dyadic(longest)) return std::nullopt;
   const Point<Dyadic> origin{p.x, p.y, p.z};
-  const bool is_near = std::any_of(triangles.begin(), triangles.end(), [&](const scene::Triangle& triangle) {
-    return may_hold(shell(triangle, origin, allowed, EndShift::outwards));
-  });
-  if (is_near || !is_inside(triangles, rayo.p())) return std::nullopt;
+  for (const scene::Triangle triangle : triangles) {
+    if (may_hold(shell(triangle, origin, allowed, EndShift::outwards))) return std::nullopt;
+  }
+  if (!is_inside(triangles, rayo.p())) return std::nullopt;
   return Zone{{scene::Triangle::tipo, 0}, Parameter{}, leaving(triangles, rayo, allowed.times(4)), allowed.delta};
 }
 
