@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bindings.hpp"
-#include "durero/oracle/calculator.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/spec/calculator.hpp"
 #include "durero/zed/review/review.hpp"
 #include "errors.hpp"
 #include "state.hpp"
@@ -14,7 +14,7 @@
 namespace durero::python {
 namespace {
 
-using oracle::spec::Calculator;
+using spec::Calculator;
 
 /// What is evaluated keeps what it has worked out, so one thread evaluates at a time.
 std::mutex evaluating;
@@ -45,7 +45,7 @@ py::list check(const std::vector<std::pair<std::string, std::string>>& sources) 
   {
     const py::gil_scoped_release released;
     const std::scoped_lock lock(evaluating);
-    defects = zed::review(sources.empty() ? oracle::spec::text() : zed::read_sources(sources));
+    defects = zed::review(sources.empty() ? spec::text() : zed::read_sources(sources));
   }
   py::list all;
   for (const zed::Defect& defect : defects)

@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "by_text.hpp"
 #include "colour.hpp"
 #include "commands.hpp"
 #include "description.hpp"
@@ -18,7 +19,6 @@
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/sampled.hpp"
-#include "durero/written/engine.hpp"
 #include "engines.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -65,23 +65,10 @@ int report(const Agreement& agreement, const AgreeOptions& options, const io::So
   return agreement.first ? 1 : 0;
 }
 
-/// Checks that the samples can judge the scene: they know the program's shapes, and no types of a text.
-void require_samples(const io::Source& file, const written::Text& text, const io::WrittenByName& elements) {
-  if (elements.empty()) return;
-  const auto& [name, element] = *elements.begin();
-  const std::string& type = text.types()[element.type].word;
-  throw io::InputError(file.name(), io::element_place(file, name).place,
-                       fmt::format("{} is of the type {}", name, type),
-                       "expected one that the program has samples of: no text says where points of a surface are");
-}
-
 /// Reads the scene, with the engine that answers rays on it if that is a text's.
 written::Written read(const AgreeOptions& options, const io::Source& file) {
   if (options.with.empty()) return {io::read_scene(file, io::Bodies::read), {}, nullptr};
-  const written::Text text(options.with);
-  written::Written read = written::read(file, text);
-  require_samples(file, text, read.elements);
-  return read;
+  return read_shapes_by_text(file, options.with);
 }
 
 int run(const AgreeOptions& options) {

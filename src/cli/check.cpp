@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "by_text.hpp"
 #include "colour.hpp"
 #include "commands.hpp"
 #include "description.hpp"
@@ -15,7 +16,6 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/mesh/mesh_report.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/written/engine.hpp"
 #include "losses.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -47,12 +47,10 @@ int run_mesh(const CheckOptions& options) {
   return check.findings.empty() ? 0 : 1;
 }
 
-/// Checks the scene by a Z text, which must define the points of each element.
+/// Checks the scene; by a Z text where one is named.
 io::SceneCheck checked(const CheckOptions& options) {
   const io::Source source = io::read_source(options.scene);
-  if (options.with.empty()) return io::check_scene(source);
-  const written::Text text(options.with);
-  return io::check_scene(source, text.types(), [&] { written::read(source, text); });
+  return options.with.empty() ? io::check_scene(source) : check_by_text(source, options.with);
 }
 
 /// Runs the check. A file with an error is refused whatever the format. For programs, all its faults are printed

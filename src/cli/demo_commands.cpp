@@ -1,10 +1,28 @@
-// The demonstration's program: what demo/demo.sh calls, and no more, so that `./x demo` builds it soon.
+// The demonstration's program: what demo/demo.sh calls, and no more, so that `./x demo` builds it soon. It reads no Z
+// text.
+#include <stdexcept>
+
+#include "by_text.hpp"
 #include "commands.hpp"
 
 namespace durero::cli {
+namespace {
+
+[[noreturn]] void refuse_text() {
+  throw std::invalid_argument(
+      "the demonstration's program reads no Z text; expected the whole program, which ./x build makes");
+}
+
+}  // namespace
 
 std::vector<CommandGroup> command_groups() {
   return {{"Scenes", {add_check, add_edit}}, {"Rays and pictures", {add_render, add_agree}}};
 }
+
+written::Written read_by_text(const io::Source&, const std::string&) { refuse_text(); }
+written::Written read_shapes_by_text(const io::Source&, const std::string&) { refuse_text(); }
+io::SceneCheck check_by_text(const io::Source&, const std::string&) { refuse_text(); }
+std::unique_ptr<io::EditedScene> edited_by_text(const io::Source&, const std::string&) { refuse_text(); }
+Editor editor_by_spec() { refuse_text(); }
 
 }  // namespace durero::cli

@@ -4,9 +4,8 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <variant>
 
+#include "by_text.hpp"
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/contract/contract.hpp"
@@ -18,11 +17,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/model/operaciones.hpp"
-#include "durero/oracle/spec.hpp"
-#include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
-#include "durero/written/edited.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
@@ -53,29 +48,10 @@ std::vector<io::ScriptStep> read_script(const EditOptions& options, const io::Ed
   return steps;
 }
 
-// The Z text decides the same step. Where it decides otherwise the program is wrong, and writes nothing.
-void agree_by_text(const oracle::spec::Judge& judge, const model::Escena& before, std::size_t line,
-                   const model::Operation& operation, const model::Answer& answer, const model::Escena& after) {
-  const auto difference = judge.difference(before, operation, answer, after);
-  if (!difference) return;
-  throw std::logic_error(fmt::format("a defect of the program: at line {}, {}; expected that contracts and text agree",
-                                     line, *difference));
-}
-
-/// Carries out a step, which the text of spec/ judges; it does not speak of groups.
-io::EditAnswer carry_out(io::EditedScene& edited, const io::ScriptStep& step, const oracle::spec::Judge& judge) {
-  const auto* const edit = std::get_if<scene::Edit>(&step.edit);
-  if (edit == nullptr) return edited.apply_total(step);
-  const model::Escena before = scene::retrieve(edited.of().scene);
-  const auto [answer, told] = edited.apply_own(*edit);
-  agree_by_text(judge, before, step.line, edit->operation, answer, scene::retrieve(edited.of().scene));
-  return told;
-}
-
 std::unique_ptr<io::EditedScene> read(const EditOptions& options) {
   const io::Source source = io::read_source(options.scene);
   if (options.with.empty()) return std::make_unique<io::EditedScene>(io::read_grouped_scene(source, io::Bodies::read));
-  return std::make_unique<written::Edited>(source, std::make_shared<const written::Text>(options.with));
+  return edited_by_text(source, options.with);
 }
 
 int edit(const EditOptions& options) {
@@ -87,13 +63,14 @@ int edit(const EditOptions& options) {
   }
   const std::unique_ptr<io::EditedScene> edited = read(options);
   const std::vector<io::ScriptStep> script = read_script(options, *edited);
-  std::optional<oracle::spec::Judge> judge;
-  if (options.by_spec) judge.emplace();
+  const Editor carry_out = options.by_spec ? editor_by_spec() : [](io::EditedScene& of, const io::ScriptStep& step) {
+    return of.apply_total(step);
+  };
   int status = 0;
   std::string answers;
   Progress progress(options.quiet, "edit", "operations", script.size());
   for (const io::ScriptStep& step : script) {
-    const io::EditAnswer answer = judge ? carry_out(*edited, step, *judge) : edited->apply_total(step);
+    const io::EditAnswer answer = carry_out(*edited, step);
     answers.append(io::answer_text(step.line, answer)).append("\n");
     if (!answer.ok()) status = 1;
     progress.add();

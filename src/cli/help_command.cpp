@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/oracle/spec_index.hpp"
+#include "durero/spec/label_index.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/spanish.hpp"
 #include "embedded.hpp"
@@ -58,11 +58,11 @@ std::vector<std::string_view> names_made_of(std::string_view word) {
 }
 
 /// The name, its English, its meaning, and where it stands in the text and in the program.
-std::string name_text(const zed::Specification& specification, const oracle::spec::LabelIndex& index,
+std::string name_text(const zed::Specification& specification, const spec::LabelIndex& index,
                       const SpanishName& row_of) {
   const auto& [name, english, meaning] = row_of;
   std::string text = fmt::format("{}{}\n  {}\n", name, english == name ? "" : fmt::format(": {}", english), meaning);
-  if (const auto place = oracle::spec::name_location(specification, std::string(name), index)) {
+  if (const auto place = spec::name_location(specification, std::string(name), index)) {
     text += fmt::format("  {:<8}  {}  {}\n", "text", place->text, place->paragraph);
     if (!place->program.empty()) text += fmt::format("  {:<8}  {}\n", "program", place->program);
   }
@@ -77,7 +77,7 @@ std::string name_text(const zed::Specification& specification, const oracle::spe
 
 std::string names_text(const std::vector<SpanishName>& names) {
   const zed::Specification specification = specification_of({});
-  const oracle::spec::LabelIndex index(embedded::labels().begin()->second);
+  const spec::LabelIndex index(embedded::labels().begin()->second);
   std::string text;
   for (const SpanishName& name : names) text += (text.empty() ? "" : "\n") + name_text(specification, index, name);
   return text + "\ndurero spec show NAME prints the paragraph of a name, and docs/spanish.md has them all.\n";

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "by_text.hpp"
 #include "durero/composed/engine.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
@@ -26,7 +27,7 @@ SceneTracer::SceneTracer(const std::string& file, std::string_view engine, std::
     if (pictures == Pictures::read) io::read_pictures(source, scene.stage());
   };
   if (!with.empty()) {
-    written_ = written::read(source, written::Text(with));
+    written_ = read_by_text(source, with);
     read_pictures(written_->scene);
     if (resolution) written_->scene.stage().resolution = resolution;
     return;

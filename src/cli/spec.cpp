@@ -13,7 +13,7 @@
 #include "description.hpp"
 #include "durero/io/source.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/oracle/spec.hpp"
+#include "durero/spec/spec.hpp"
 #include "durero/zed/review/review.hpp"
 #include "progress.hpp"
 #include "spec_run.hpp"
@@ -79,7 +79,7 @@ const T& kept(T value) {
 }
 
 const zed::Specification& read_texts_of(const std::vector<std::string>& files) {
-  return files.empty() ? oracle::spec::text() : kept(zed::read_sources(sources(files)));
+  return files.empty() ? spec::text() : kept(zed::read_sources(sources(files)));
 }
 
 void refuse_error(const std::vector<zed::Defect>& defects) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "durero/io/source.hpp"
-#include "durero/oracle/constants.hpp"
+#include "durero/spec/constants.hpp"
 #include "durero/zed/syntax/reader.hpp"
 #include "durero/zed/types/typecheck.hpp"
 
@@ -26,7 +26,7 @@ struct TriedConjectures {
   bool refuted = false;
 };
 /// Tries the conjectures of a text without defects; for those of the program's own it names the theorems. Throws
-/// oracle::spec::ConstantError where a constant cannot have its value from the call.
+/// spec::ConstantError where a constant cannot have its value from the call.
 TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, const CheckCall& call);
 
 /// The call of `durero spec eval`: an expression, and the limits of its evaluation.
@@ -58,7 +58,7 @@ template <class Run>
 auto with_constants(Run&& run) {
   try {
     return run();
-  } catch (const oracle::spec::ConstantError& error) {
+  } catch (const spec::ConstantError& error) {
     throw io::InputError("--let", {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
   }
 }

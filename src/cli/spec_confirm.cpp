@@ -8,7 +8,7 @@
 #include "durero/io/rays/hits_file.hpp"
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
-#include "durero/oracle/confirmation.hpp"
+#include "durero/spec/confirmation.hpp"
 #include "progress.hpp"
 #include "spec.hpp"
 
@@ -32,7 +32,7 @@ int spec_confirm(const std::string& scene_path, const std::string& rays_path, co
   const scene::Scene scene = io::read_scene(io::read_source(scene_path));
   const std::vector<io::Ray> rays = io::read_rays(io::read_lines(rays_path), scene);
   const auto hits = io::read_hits_of_rays(io::read_lines(hits_path), scene, rays.size());
-  const oracle::spec::Confirmation confirmation(scene);
+  const spec::Confirmation confirmation(scene);
   std::size_t confirmed = 0, missing = 0;
   std::string lines;
   std::optional<Progress> progress(std::in_place, quiet, "spec confirm", "rays", rays.size());

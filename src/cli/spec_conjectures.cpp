@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "durero/io/standard_output.hpp"
-#include "durero/oracle/constants.hpp"
-#include "durero/oracle/samples.hpp"
-#include "durero/oracle/spec_index.hpp"
+#include "durero/spec/constants.hpp"
+#include "durero/spec/label_index.hpp"
+#include "durero/spec/samples.hpp"
 #include "durero/text/utf8.hpp"
 #include "embedded.hpp"
 #include "spec.hpp"
@@ -41,16 +41,16 @@ TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing
   zed::TrialBounds bounds;
   bounds.states = call.states;
   bounds.draws = 16 * call.states;
-  if (!call.let.empty()) bounds.constants = oracle::spec::given_constants(text, call.let);
+  if (!call.let.empty()) bounds.constants = spec::given_constants(text, call.let);
   if (own)
-    for (auto& [name, value] : oracle::spec::sample_constants())
+    for (auto& [name, value] : spec::sample_constants())
       if (std::ranges::none_of(bounds.constants, [&](const auto& given) { return given.first == name; }))
         bounds.constants.emplace_back(name, std::move(value));
   zed::Valuation taken;
-  const oracle::spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
+  const spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
   TriedConjectures all;
   for (const zed::Trial& trial :
-       zed::try_conjectures(text, typing, own && call.states > 0 ? oracle::spec::samples() : zed::Samples(), bounds)) {
+       zed::try_conjectures(text, typing, own && call.states > 0 ? spec::samples() : zed::Samples(), bounds)) {
     const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);
     std::string said = verdict(trial);
     if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);
@@ -60,7 +60,7 @@ TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing
     all.refuted = all.refuted || !trial.counterexample.empty();
     taken = trial.taken;
   }
-  note_taken(oracle::spec::taken_lines(taken));
+  note_taken(spec::taken_lines(taken));
   return all;
 }
 

@@ -13,8 +13,8 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/model/escena.hpp"
 #include "durero/number/memory.hpp"
-#include "durero/oracle/calculator.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/spec/calculator.hpp"
 #include "progress.hpp"
 #include "spec.hpp"
 
@@ -32,14 +32,14 @@ std::uint64_t data_now() {
   return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-oracle::spec::Calculator calculator_of(const EvalCall& call) {
-  if (!call.files.empty()) return oracle::spec::Calculator(specification_of(call.files));
+spec::Calculator calculator_of(const EvalCall& call) {
+  if (!call.files.empty()) return spec::Calculator(specification_of(call.files));
   if (call.scene.empty()) return {};
-  return oracle::spec::Calculator(scene::retrieve(io::read_scene(io::read_source(call.scene))));
+  return spec::Calculator(scene::retrieve(io::read_scene(io::read_source(call.scene))));
 }
 
-oracle::spec::Calculator calculator(const EvalCall& call) {
-  oracle::spec::Calculator text = calculator_of(call);
+spec::Calculator calculator(const EvalCall& call) {
+  spec::Calculator text = calculator_of(call);
   with_constants([&] { text.let(call.let); });
   return text;
 }
@@ -48,7 +48,7 @@ oracle::spec::Calculator calculator(const EvalCall& call) {
 std::string expected_name(const zed::ZError& error, const EvalCall& call) {
   const std::string name = error.what_is_wrong.substr(0, error.what_is_wrong.find(" is not declared"));
   if (!call.files.empty() || !call.scene.empty()) return error.expected;
-  for (const auto& [component, value] : oracle::spec::components(model::Init()))
+  for (const auto& [component, value] : spec::components(model::Init()))
     if (component.text() == name) return fmt::format("expected --scene FILE, whose state has {}", name);
   return error.expected;
 }
@@ -83,13 +83,13 @@ int spec_eval(const EvalCall& call) {
   const std::uint64_t memory = call.memory == 0 ? default_memory() : call.memory;
   zed::Steps steps(call.steps);
   try {
-    const oracle::spec::Calculator text = calculator(call);
+    const spec::Calculator text = calculator(call);
     std::optional<Progress> progress(std::in_place, call.quiet, "spec eval");
     bound_memory(memory);
     const std::string tree = call.explain ? text.explain(call.expression, steps) : "";
     const auto result = text.evaluate(call.expression, steps);
     progress.reset();
-    note_taken(oracle::spec::taken_lines(result.taken));
+    note_taken(spec::taken_lines(result.taken));
     io::print(call.explain ? tree : result.text + "\n");
     return result.yes ? 0 : 1;
   } catch (const zed::ZError& error) {

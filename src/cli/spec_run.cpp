@@ -18,12 +18,12 @@
 
 namespace durero::cli {
 
-using oracle::spec::Animation;
-using oracle::spec::ConjectureResult;
-using oracle::spec::Machine;
-using oracle::spec::MachineOperation;
-using oracle::spec::ReachedTransitions;
-using oracle::spec::Transition;
+using spec::Animation;
+using spec::ConjectureResult;
+using spec::Machine;
+using spec::MachineOperation;
+using spec::ReachedTransitions;
+using spec::Transition;
 using zed::Truth;
 
 namespace {
@@ -33,13 +33,13 @@ std::string left_open(const ReachedTransitions& ways) {
   if (!ways.undecided) return {};
   if (ways.tried.empty()) return "  there may be other ways: equations do not give them\n";
   return fmt::format("  there may be other ways: some values of {} were tried, as --numbers bounds them\n",
-                     oracle::spec::name_list(ways.tried));
+                     spec::name_list(ways.tried));
 }
 
 std::string how_far(const ReachedTransitions& ways) {
   if (!ways.undecided) return {};
   if (ways.tried.empty()) return ", as far as equations give it";
-  return fmt::format(", as far as some values of {} were tried: --numbers", oracle::spec::name_list(ways.tried));
+  return fmt::format(", as far as some values of {} were tried: --numbers", spec::name_list(ways.tried));
 }
 
 constexpr const char* help_text =
@@ -244,7 +244,7 @@ class Runner {
     if (digits.find_first_not_of("0123456789") != digits.npos || digits.size() > 9)
       throw Refused{digits + " is no number", "expected how many states there may be"};
     const std::size_t most = digits.empty() ? call_.states : std::stoul(digits);
-    const auto result = oracle::spec::explore(machine_, way_.way(), most);
+    const auto result = spec::explore(machine_, way_.way(), most);
     std::string said = fmt::format("{} states, {} transitions; conjectures: {} tried, {} not decided\n", result.states,
                                    result.transitions, result.claims, result.open);
     for (const std::string& bound : result.bounded) said += "  bounded: " + bound + "\n";

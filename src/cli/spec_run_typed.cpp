@@ -8,8 +8,8 @@
 
 namespace durero::cli {
 
-using oracle::spec::Machine;
-using oracle::spec::MachineOperation;
+using spec::Machine;
+using spec::MachineOperation;
 
 std::string trimmed(const std::string& text) {
   const auto blank = " \t\r";
@@ -54,7 +54,7 @@ zed::Valuation typed_inputs(const Machine& machine, const MachineOperation& oper
   return given;
 }
 
-void add_typed_members(const std::string& typed, oracle::spec::Setup& setup) {
+void add_typed_members(const std::string& typed, spec::Setup& setup) {
   const std::size_t sign = typed.find('=');
   const std::string set = typed.substr(0, sign), rest = sign == typed.npos ? "" : typed.substr(sign + 1);
   if (set.empty() || rest.empty())

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "durero/oracle/animation.hpp"
+#include "durero/spec/animation.hpp"
 
 namespace durero::cli {
 
@@ -17,10 +17,10 @@ struct Refused {
 std::string trimmed(const std::string& text);
 
 /// The inputs of `x? = VALUE; y? = VALUE`. Throws Refused where one is no input of the operation, or has no value.
-zed::Valuation typed_inputs(const oracle::spec::Machine& machine, const oracle::spec::MachineOperation& operation,
+zed::Valuation typed_inputs(const spec::Machine& machine, const spec::MachineOperation& operation,
                             const std::string& typed);
 
 /// Adds the members of `NAME=3` or `NAME=ann,bob`, as --given has them. Throws io::InputError where there are none.
-void add_typed_members(const std::string& typed, oracle::spec::Setup& setup);
+void add_typed_members(const std::string& typed, spec::Setup& setup);
 
 }  // namespace durero::cli

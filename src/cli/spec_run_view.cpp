@@ -7,11 +7,11 @@
 
 namespace durero::cli {
 
-using oracle::spec::ConjectureResult;
-using oracle::spec::Machine;
-using oracle::spec::MachineOperation;
-using oracle::spec::ReachedTransitions;
-using oracle::spec::Transition;
+using spec::ConjectureResult;
+using spec::Machine;
+using spec::MachineOperation;
+using spec::ReachedTransitions;
+using spec::Transition;
 using zed::Truth;
 
 namespace {

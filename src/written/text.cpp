@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "durero/io/source.hpp"
-#include "durero/oracle/spec.hpp"
 #include "durero/scene/shapes.hpp"
+#include "durero/spec/spec.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
 #include "symbolic.hpp"
@@ -30,8 +30,8 @@ zed::Specification read_with_own(const std::string& file) {
   const std::string text(io::read_source(file).text());
   const zed::Specification alone = zed::read_sources({{file, text}});
   std::vector<std::pair<std::string, std::string>> sources{{file, text}};
-  for (const zed::Section& own : oracle::spec::text().sections)
-    if (!alone.find(own.name)) sources.emplace_back(own.file, oracle::spec::files().at(own.file));
+  for (const zed::Section& own : spec::text().sections)
+    if (!alone.find(own.name)) sources.emplace_back(own.file, spec::files().at(own.file));
   zed::Specification read = zed::read_sources(sources);
   if (!read.defects.empty()) fail(read.defects[0]);
   return read;

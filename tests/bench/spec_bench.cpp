@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "durero/model/operaciones.hpp"
-#include "durero/oracle/spec.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/spec/spec.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "support/scenes.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 void check_text(benchmark::State& state) {
   for (auto _ : state) {
-    const zed::Specification read = zed::read_texts(oracle::spec::files());
+    const zed::Specification read = zed::read_texts(spec::files());
     benchmark::DoNotOptimize(zed::check(read).ok());
   }
 }
@@ -24,7 +24,7 @@ struct Transition {
   model::Escena before, after;
   model::Operation operation;
   model::Respuesta r;
-  oracle::spec::OperationStep step() const { return {before, operation, r, after}; }
+  spec::OperationStep step() const { return {before, operation, r, after}; }
 };
 
 Transition addition_to_ten() {
@@ -38,7 +38,7 @@ Transition addition_to_ten() {
 
 void transition(benchmark::State& state) {
   const Transition one = addition_to_ten();
-  const oracle::spec::Judge judge;
+  const spec::Judge judge;
   for (auto _ : state) {
     if (!judge.holds(one.step())) state.SkipWithError("the text refuses a right transition");
   }
@@ -48,9 +48,9 @@ BENCHMARK(transition);
 
 void transition_of_values(benchmark::State& state) {
   const Transition one = addition_to_ten();
-  const oracle::spec::Judge judge;
-  const zed::SchemaCheck schema = judge.evaluator().schema({oracle::spec::schema_name(one.operation), ""});
-  const auto values = oracle::spec::in_order(schema.components(), oracle::spec::named(one.step()));
+  const spec::Judge judge;
+  const zed::SchemaCheck schema = judge.evaluator().schema({spec::schema_name(one.operation), ""});
+  const auto values = spec::in_order(schema.components(), spec::named(one.step()));
   for (auto _ : state) benchmark::DoNotOptimize(schema.holds(values));
   state.SetItemsProcessed(state.iterations());
 }
@@ -58,19 +58,19 @@ BENCHMARK(transition_of_values);
 
 void total_transition(benchmark::State& state) {
   const Transition one = addition_to_ten();
-  const oracle::spec::Judge judge;
+  const spec::Judge judge;
   for (auto _ : state) benchmark::DoNotOptimize(judge.holds_total(one.step()));
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(total_transition);
 
 void point_of_cone(benchmark::State& state) {
-  const oracle::spec::Judge judge;
+  const spec::Judge judge;
   const zed::Value cone =
       judge.evaluator().apply(judge.evaluator().value(zed::Name{"puntos_cono", ""}),
-                              zed::Value::tuple({oracle::spec::value(model::Punto(0.1, 0.2, 0.3)), zed::Real(0.5),
-                                                 oracle::spec::value(model::Vector(0, 0, 1)), zed::Real(1)}));
-  const zed::Value point = oracle::spec::value(model::Punto(0.6, 0.2, 0.3));
+                              zed::Value::tuple({spec::value(model::Punto(0.1, 0.2, 0.3)), zed::Real(0.5),
+                                                 spec::value(model::Vector(0, 0, 1)), zed::Real(1)}));
+  const zed::Value point = spec::value(model::Punto(0.6, 0.2, 0.3));
   for (auto _ : state) benchmark::DoNotOptimize(judge.evaluator().contains(cone, point));
   state.SetItemsProcessed(state.iterations());
 }

@@ -16,5 +16,5 @@ surface/equation.hpp model/escena.hpp
 trace/search.hpp model/operaciones.hpp
 engine/engine.hpp model/operaciones.hpp
 io/json/scene_file.hpp model/operaciones.hpp
-oracle/spec.hpp model/operaciones.hpp
+spec/spec.hpp model/operaciones.hpp
 EOF

@@ -10,13 +10,13 @@
 
 #include "durero/model/luz.hpp"
 #include "durero/model/operaciones.hpp"
-#include "durero/oracle/calculator.hpp"
 #include "durero/render/light/directions.hpp"
 #include "durero/render/light/light_cones.hpp"
 #include "durero/render/light/whitted.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
+#include "durero/spec/calculator.hpp"
 #include "render/light/smooth_normal.hpp"
 #include "support/catch.hpp"
 
@@ -27,8 +27,8 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-const oracle::spec::Calculator& text() {
-  static const oracle::spec::Calculator calculator;
+const spec::Calculator& text() {
+  static const spec::Calculator calculator;
   return calculator;
 }
 

@@ -1,0 +1,79 @@
+#pragma once
+/// Expressions and predicates that one types, evaluated by the Z text.
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+
+#include "durero/model/operation.hpp"
+#include "durero/spec/spec.hpp"
+#include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/types/typecheck.hpp"
+
+namespace durero::spec {
+
+/// A term as one types it: in LaTeX where a command of LaTeX is in it, with the commands that the text names; else in
+/// Unicode. Throws zed::ZError.
+zed::Term parsed(const std::string& typed);
+/// What a text adds to how terms are written: commands of LaTeX, and the operators of its templates.
+struct Notation {
+  zed::Markup markup;        ///< commands, by their names
+  zed::Operators operators;  ///< by their words
+};
+/// What the sections of a text add, together.
+Notation notation_of(const zed::Specification& specification);
+/// The same as above with the notation of another text.
+zed::Term parsed(const std::string& typed, const Notation& notation);
+
+/// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
+/// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
+/// decimal, `0.25`, and / and √ are known. What is printed can be typed again, as an empty set bears its type, `∅[𝔸]`;
+/// only sets that are known by membership cannot.
+class Calculator {
+ public:
+  Calculator();
+  /// Of another text. Throws zed::ZError where it has an error of types; its own defects are the caller's to look at.
+  explicit Calculator(zed::Specification specification);
+  /// Of that scene, which it copies.
+  explicit Calculator(const model::Escena& escena);
+  /// Gives constants values, `NAME=VALUE` each. Throws ConstantError (constants.hpp).
+  void let(const std::vector<std::string>& typed);
+
+  /// What an expression or a predicate comes to.
+  struct Result {
+    std::string text;        ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
+    bool yes = false;        ///< there is a value, or the predicate holds
+    zed::Valuation taken{};  ///< what was taken for constants to which nothing gives a value
+  };
+  /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
+  /// is not decided, zed::StepsSpent where it takes more steps than it may.
+  Result evaluate(const std::string& typed, zed::Steps& steps) const;
+  /// A line for the term, and indented below it one for each of its parts, with its value: so which conjunct is false;
+  /// and below a ∀ that is false, or an ∃ that is true, the values that make it so, and the body with these. Throws as
+  /// evaluate() does, but where a part is not decided, which it then says.
+  std::string explain(const std::string& typed, zed::Steps& steps) const;
+  /// The same with as many steps as it takes.
+  Result evaluate(const std::string& typed) const {
+    zed::Steps unbounded;
+    return evaluate(typed, unbounded);
+  }
+
+ private:
+  void declare(const model::Escena& escena);
+  /// The term, or, of a connective of schemas whose components are not in scope, the schema; with its typing.
+  zed::Typing check(zed::Term& term) const;
+  std::string spelled(const zed::AtomName& atom) const;
+  std::string expected(const zed::Defect& defect) const;
+  /// The schema as one text without others in it, as `pre Op`; nothing where that cannot be.
+  std::optional<std::string> written_out(const zed::Term& schema, const zed::Type& type,
+                                         const zed::Typing& typing) const;
+  /// What stands for the formals of a generic schema that is named without actuals, by the types that were found.
+  std::optional<std::vector<zed::Term>> actuals_of(const zed::Term& generic, const zed::Typing& typing) const;
+
+  zed::Specification specification_;
+  zed::Typing typing_;
+  zed::Valuation given_;
+  std::unordered_set<std::string> plain_;  // the elements that have a plain name
+};
+
+}  // namespace durero::spec

@@ -1,0 +1,199 @@
+#include "durero/spec/calculator.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "durero/model/escena.hpp"
+#include "durero/spec/constants.hpp"
+#include "durero/text/nearest.hpp"
+#include "durero/zed/evaluate/unfold.hpp"
+#include "durero/zed/print/print.hpp"
+#include "durero/zed/syntax/parser.hpp"
+
+namespace durero::spec {
+namespace {
+
+using zed::Name;
+
+constexpr const char* section_name = "call";
+constexpr const char* file_name = "EXPR";
+constexpr const char* elements = "Elemento";  // the given set of the text
+
+/// A section that sees the whole text.
+zed::Section calling_section(const zed::Specification& specification) {
+  zed::Section section;
+  section.file = file_name;
+  section.name = section_name;
+  for (const zed::Section& parent : specification.sections) section.parents.push_back(parent.name);
+  return section;
+}
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+/// A backslash before a letter or before a character that only LaTeX writes with one; `A \ B` alone is a difference.
+bool is_latex(std::string_view typed) {
+  const auto begins_command = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || std::string_view("_{}#&%").find(c) != std::string::npos;
+  };
+  for (std::size_t at = typed.find('\\'); at != typed.npos; at = typed.find('\\', at + 1))
+    if (at + 1 < typed.size() && begins_command(typed[at + 1])) return true;
+  return false;
+}
+
+/// [ S ]
+zed::Term schema_of(const zed::Term& term) {
+  zed::SchemaText text;
+  text.declarations.push_back({zed::Declaration::Form::included, {}, {}, term, term->place});
+  return zed::quantified(zed::Kind::schema_text, std::move(text), {}, term->place);
+}
+
+constexpr std::size_t most_names = 8;  // that a message lists
+
+constexpr const char* open_variable =
+    "a variable ranges over a set that is not finite, and no equation gives its value";
+
+}  // namespace
+
+zed::Term parsed(const std::string& typed) { return parsed(typed, notation_of(text())); }
+
+zed::Term parsed(const std::string& typed, const Notation& notation) {
+  return is_latex(typed) ? zed::parse_latex(typed, notation.markup, notation.operators)
+                         : zed::parse_unicode(typed, notation.operators);
+}
+
+Notation notation_of(const zed::Specification& specification) {
+  Notation notation;
+  for (const auto& [section, commands] : specification.markup) notation.markup.insert(commands.begin(), commands.end());
+  for (const auto& [section, words] : specification.operators) notation.operators.insert(words.begin(), words.end());
+  return notation;
+}
+
+Calculator::Calculator() : Calculator(text()) {}
+
+Calculator::Calculator(zed::Specification specification) : specification_(std::move(specification)) {
+  specification_.sections.push_back(calling_section(specification_));
+  typing_ = zed::check(specification_);
+  if (!typing_.ok()) {
+    const zed::Defect& first = typing_.defects.front();
+    throw zed::ZError(first.place, first.what, first.expected);
+  }
+}
+
+Calculator::Calculator(const model::Escena& escena) : Calculator() {
+  given_ = components(escena);
+  declare(escena);
+  typing_ = zed::check(specification_);
+}
+
+void Calculator::declare(const model::Escena& escena) {
+  using Form = zed::Declaration::Form;
+  zed::Axiomatic box;
+  box.text.declarations.push_back({Form::included, {}, {}, zed::reference({"Escena", ""}), {}});
+  zed::Declaration names{Form::typed, {}, {}, zed::reference({elements, ""}), {}};
+  const auto add = [&](const Name& name, const model::Elemento& e) {
+    names.names.push_back(name);
+    names.places.push_back({});
+    given_.emplace_back(name, value(e));
+  };
+  const std::size_t of_escena = given_.size();
+  const auto is_component = [&](const Name& name) {
+    return std::any_of(given_.begin(), given_.begin() + static_cast<std::ptrdiff_t>(of_escena),
+                       [&](const auto& component) { return component.first == name; });
+  };
+  for (const model::Elemento& e : escena.elementos) {
+    const Name plain{e.name(), ""};
+    add({quoted(e.name()), ""}, e);
+    if (!zed::is_free_word(e.name()) || typing_.find(section_name, plain) || is_component(plain)) continue;
+    add(plain, e);
+    plain_.insert(e.name());
+  }
+  if (!names.names.empty()) box.text.declarations.push_back(std::move(names));
+  specification_.sections.back().paragraphs.push_back({{}, std::move(box)});
+}
+
+void Calculator::let(const std::vector<std::string>& typed) {
+  const std::string section = section_name;
+  const zed::Valuation constants = typed_constants(typed, {specification_, typing_, section, given_});
+  given_.insert(given_.end(), constants.begin(), constants.end());
+}
+
+/// Names some that there are, where none is near.
+std::string Calculator::expected(const zed::Defect& defect) const {
+  if (defect.expected != "expected a declared name") return defect.expected;
+  std::vector<std::string> names;
+  for (const auto& [name, global] : typing_.scopes.at(section_name))
+    if (global->form != zed::Global::Form::lost) names.push_back(name.text());
+  std::sort(names.begin(), names.end());
+  std::string some;
+  for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) some += (i > 0 ? ", " : ", such as ") + names[i];
+  return defect.expected + some;
+}
+
+zed::Typing Calculator::check(zed::Term& term) const {
+  zed::Typing typing = zed::check_term(typing_, section_name, term, zed::calculator_names(), file_name);
+  if (typing.ok()) return typing;
+  const zed::Term schema = schema_of(term);
+  zed::Typing as_schema = zed::check_term(typing_, section_name, schema, zed::calculator_names(), file_name);
+  if (!as_schema.ok()) {
+    const zed::Defect& first = typing.defects.front();
+    throw zed::ZError(first.place, first.what, expected(first));
+  }
+  term = schema;
+  return as_schema;
+}
+
+std::string Calculator::spelled(const zed::AtomName& atom) const {
+  return atom.type == elements && !plain_.contains(atom.text) ? quoted(atom.text) : atom.text;
+}
+
+/// A generic has the type of its declaration, with other types for the formals: unification gives these.
+std::optional<std::vector<zed::Term>> Calculator::actuals_of(const zed::Term& generic,
+                                                             const zed::Typing& typing) const {
+  const zed::Global* const declared = typing_.find(section_name, generic->name);
+  auto type = typing.type_of(generic);
+  if (!type) type = typing_.type_of(generic);
+  if (!declared || !type) return std::nullopt;
+  std::vector<zed::Type> found;
+  for (std::size_t i = 0; i < declared->scheme.formals.size(); ++i) found.push_back(zed::Type::variable());
+  if (!unify(declared->scheme.type.substitute(declared->scheme.formals, found), *type)) return std::nullopt;
+  std::vector<zed::Term> actuals;
+  for (const zed::Type& each : found) {
+    const zed::Type actual = each.settled();
+    if (!actual.is_known()) return std::nullopt;
+    actuals.push_back(zed::parse_unicode(actual.text(zed::Type::max_size)));
+  }
+  return actuals;
+}
+
+std::optional<std::string> Calculator::written_out(const zed::Term& schema, const zed::Type& type,
+                                                   const zed::Typing& typing) const {
+  const auto carrier = [&](const Name& component) {
+    const zed::Type* of = type.parts()[0].field(component);
+    return of && of->is_known() ? zed::parse_unicode(of->text(zed::Type::max_size)) : zed::Term();
+  };
+  const auto text = zed::unfolded(schema, specification_.sections, carrier,
+                                  [&](const zed::Term& generic) { return actuals_of(generic, typing); });
+  return text ? std::optional(zed::to_unicode(*text)) : std::nullopt;
+}
+
+Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps) const {
+  zed::Term term = parsed(typed, notation_of(specification_));
+  const zed::Typing typing = check(term);
+  const zed::Evaluator evaluator(specification_.sections, given_, &steps);
+  const std::optional<zed::Type> type = typing.type_of(term);
+  if (!type) {  // it is a predicate
+    const zed::Truth truth = evaluator.holds(term);
+    if (truth == zed::Truth::open) throw zed::EvaluationError(open_variable);
+    return {truth == zed::Truth::yes ? "true" : "false", truth == zed::Truth::yes, evaluator.taken()};
+  }
+  const zed::Value result = evaluator.value(term);
+  if (result.is_open()) throw zed::EvaluationError(open_variable);
+  const bool listed = !result.set() || result.set()->members();
+  if (!listed && type->is_schema_set())
+    if (auto text = written_out(term, type->settled(), typing)) return {std::move(*text), true, evaluator.taken()};
+  const auto spelling = [this](const zed::AtomName& atom) { return spelled(atom); };
+  return {result.text(type->settled(), spelling), !result.is_undefined(), evaluator.taken()};
+}
+
+}  // namespace durero::spec
