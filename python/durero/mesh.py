@@ -69,7 +69,7 @@ def check_mesh(
     else:
         if faces is None:
             raise TypeError("faces are absent; expected them beside an array of vertices")
-        text = _durero.mesh_check_of_arrays(_rows(mesh, "vertices", "f"), _rows(faces, "faces", "iu"), at)
+        text = _durero.mesh_check_of_arrays(mesh, faces, at)
     told = json.loads(text)
     return MeshCheck(
         told["triangles"],
@@ -79,15 +79,6 @@ def check_mesh(
         told["point"]["side"] if "point" in told else None,
         tuple(_finding(finding) for finding in told["findings"]),
     )
-
-
-def _rows(array: npt.NDArray[Any], name: str, kinds: str) -> Any:
-    expected = f"expected a numpy.ndarray of {'integers' if kinds == 'iu' else 'float64'}, shape (n, 3)"
-    if not isinstance(array, np.ndarray) or array.dtype.kind not in kinds or array.dtype.itemsize > 8:
-        raise TypeError(f"{name} is no such array; {expected}")
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{name} has another shape; {expected}")
-    return array.tolist()
 
 
 def _finding(told: dict[str, Any]) -> MeshFinding:

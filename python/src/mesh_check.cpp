@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,12 +12,11 @@
 
 #include "bindings.hpp"
 #include "durero/io/mesh/mesh_report.hpp"
+#include "mesh_arrays.hpp"
 #include "state.hpp"
 
 namespace durero::python {
 namespace {
-
-using Corners = std::array<std::int64_t, 3>;
 
 glm::dvec3 finite_point(const std::array<double, 3>& p, const std::string& name) {
   for (const double coordinate : p)
@@ -36,21 +36,16 @@ std::string mesh_check(const Scene& scene, const std::optional<std::array<double
   return audit(io::mesh_of(scene.state()->scene()), point);
 }
 
-std::string mesh_check_of_arrays(const std::vector<std::array<double, 3>>& vertices, const std::vector<Corners>& faces,
+std::string mesh_check_of_arrays(const py::object& vertices, const py::object& faces,
                                  const std::optional<std::array<double, 3>>& point) {
-  std::vector<glm::dvec3> points;
-  for (std::size_t n = 0; n < vertices.size(); ++n)
-    points.push_back(finite_point(vertices[n], fmt::format("vertices[{}]", n)));
+  const std::vector<glm::dvec3> points = rows_of<glm::dvec3>(vertices, "vertices");
   std::vector<mesh::CornerNumbers> numbers;
-  for (std::size_t n = 0; n < faces.size(); ++n) {
-    mesh::CornerNumbers& face = numbers.emplace_back();
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const std::int64_t number = faces[n][corner];
-      if (number < 0 || number >= static_cast<std::int64_t>(points.size()))
-        throw py::value_error(fmt::format("faces[{}, {}] is {}; expected the number of one of {} vertices", n, corner,
-                                          number, points.size()));
-      face[corner] = static_cast<std::uint32_t>(number);
-    }
+  for (const auto [i, j, k] : faces_of(faces)) {
+    const mesh::CornerNumbers& face = numbers.emplace_back(mesh::CornerNumbers{i, j, k});
+    const auto wrong = std::ranges::find_if(face, [&](std::uint32_t number) { return number >= points.size(); });
+    if (wrong != face.end())
+      throw py::value_error(fmt::format("faces[{}, {}] is {}; expected the number of one of {} vertices",
+                                        numbers.size() - 1, wrong - face.begin(), *wrong, points.size()));
   }
   return audit(io::mesh_of(points, numbers), point);
 }
