@@ -23,16 +23,18 @@ namespace {
 
 struct ConvertOptions {
   std::string from, to;
-  bool quiet = false, mesh = false, binary = false;
+  std::string triangles;  // how they come in: `mesh`, `single`, or empty: as the format has them
+  bool quiet = false, binary = false;
 };
 
 int import_scene(const ConvertOptions& options) {
-  io::format_to_read(options.from);  // its name is asked before the other file is made
+  const io::Format& format = io::format_to_read(options.from);  // its name is asked before the other file is made
   io::require_ending(options.to, io::json_endings, "a scene");
   io::OutputFile out(options.to);
   std::optional<Progress> progress(std::in_place, options.quiet, "import");
   io::Imported imported = io::read_any_format(options.from);
-  if (options.mesh) imported = io::gathered(std::move(imported), options.from);
+  if (options.triangles == "mesh" || (options.triangles.empty() && format.is_mesh))
+    imported = io::gathered(std::move(imported), options.from);
   io::rename_pictures(imported.scene.stage(), options.from, options.to);
   out.write(io::scene_text(imported.scene, imported.groups));
   out.commit();
@@ -63,12 +65,15 @@ void add_import(CLI::App& app, int& status) {
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
   command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json")->required();
-  command->add_flag("--mesh", options->mesh,
-                    "Gather triangles into meshes, whose points stand once: a shorter file, and less memory");
+  command
+      ->add_option("--triangles", options->triangles,
+                   "How triangles come in: gathered into a mesh, whose points stand once, or single, each an element\n"
+                   "that can be edited alone; without it as the format has them")
+      ->check(one_of("way", {"mesh", "single"}));
   add_quiet(*command, options->quiet);
   command->footer(
       exit_status("it is written; what is left out is named on the standard error", "the call or the file is bad") +
-      examples({"import still-life.nff -o imported.json"}));
+      examples({"import still-life.nff -o imported.json", "import bunny.obj -o bunny.json --triangles single"}));
   command->callback([options, &status] { status = import_scene(*options); });
 }
 

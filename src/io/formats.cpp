@@ -22,14 +22,15 @@ Imported import_json(const Source& source) {
 }
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
-constexpr Format all[] = {{".glb", read_gltf},
-                          {".gltf", read_gltf},
-                          {".json", import_json, write_json, false, true},
-                          {".nff", read_nff, nff_text, true},
-                          {".obj", read_obj, obj_text, true},
-                          {".ply", read_ply, ply_text, false, false, ply_bytes},
-                          {".pov", read_pov, pov_text, false, true},
-                          {".stl", read_stl, stl_text, false, false, stl_bytes}};
+constexpr Format all[] = {
+    {.ending = ".glb", .read = read_gltf, .is_mesh = true},
+    {.ending = ".gltf", .read = read_gltf, .is_mesh = true},
+    {.ending = ".json", .read = import_json, .write = write_json, .has_bodies = true},
+    {.ending = ".nff", .read = read_nff, .write = nff_text, .has_lines = true},
+    {.ending = ".obj", .read = read_obj, .write = obj_text, .has_lines = true, .is_mesh = true},
+    {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
+    {.ending = ".pov", .read = read_pov, .write = pov_text, .has_bodies = true},
+    {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }

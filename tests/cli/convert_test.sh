@@ -70,13 +70,13 @@ f 3 1 4
 TEXT
 # Groups come with it, and are the hierarchy where that is asked for.
 { sed '/^f/d' meshes/solid.obj; printf 'g base\nf 1 3 2\ng sides\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'; } >grouped.obj
-run 0 import grouped.obj -o grouped.json
+run 0 import grouped.obj -o grouped.json --triangles single
 empty err
 has grouped.json '"base":{"elementos":["grouped.obj:1"]'
 has grouped.json '"sides":{"elementos":["grouped.obj:2","grouped.obj:3","grouped.obj:4"]'
 run 0 stats grouped.json --engine bvh --hierarchy hand --no-times
 has out 'bvh by hand'
-run 0 import meshes/solid.obj -o solid.json
+run 0 import meshes/solid.obj -o solid.json --triangles single
 is err 'durero: meshes/solid.obj: 1 triangle left out: the vertices lie on one line'
 is solid.json '{"format":"durero-scene","version":1,
 "elementos":[
@@ -88,7 +88,7 @@ is solid.json '{"format":"durero-scene","version":1,
 { printf 'ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 5\n'
   printf 'property list uchar int vertex_indices\nend_header\n0 0 0\n0.1 0 0\n0 0.1 0\n0 0 0.1\n'
   printf '3 0 2 1\n3 0 0 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n'; } >solid.ply
-run 0 import solid.ply -o from_ply.json
+run 0 import solid.ply -o from_ply.json --triangles single
 sed 's/solid.ply/solid.obj/' from_ply.json >renamed.json
 same renamed.json solid.json
 run 0 check solid.json
@@ -100,23 +100,43 @@ refused 'solid.step: a format that is not known by this name; expected one that 
   export solid.json -o solid.step
 absent solid.step
 
+# Without the option, a format of meshes gives a mesh, and another format its triangles one by one.
+run 0 import meshes/solid.obj -o mesh.json
+is err 'durero: meshes/solid.obj: 1 triangle left out: the vertices lie on one line'
+has mesh.json '"mallas":[
+{"id":"solid.obj","puntos":[[0,0,0],[0,0.1,0],[0.1,0,0],[0,0,0.1]],"caras":[[0,1,2],[0,2,3],[2,1,3],[1,0,3]]}
+]'
+run 0 import meshes/solid.obj -o again.json --triangles mesh
+same again.json mesh.json
+run 0 trace mesh.json rays.txt
+has out '"elementos":["solid.obj:0","solid.obj:1","solid.obj:3"],"t":0.02,"point":[0,0,0]'
+run 0 import grouped.obj -o gathered.json
+has gathered.json '"base":{"elementos":["grouped.obj:0"]'
+printf 'p 3\n0 0 0\n1 0 0\n0 1 0\np 3\n0 0 0\n0 1 0\n0 0 1\n' >two.nff
+run 0 import two.nff -o two.json
+! grep -q mallas two.json || fail 'two.json has a mesh, expected single triangles'
+run 0 import two.nff -o two.json --triangles mesh
+has two.json '"mallas"'
+refused 'import: --triangles: "both": no such way; expected one of mesh, single' import two.nff -o three.json --triangles both
+absent three.json
+
 # Each format of meshes keeps the triangles: from one to the next, and back to the first text.
 for to in obj ply stl; do
   run 0 export solid.json -o "written.$to"
   is err "durero: written.$to: 4 names of elements left out: $(echo $to | tr a-z A-Z) has none"
-  run 0 import "written.$to" -o back.json
+  run 0 import "written.$to" -o back.json --triangles single
   run 0 export back.json -o again.obj
   same again.obj written.obj
 done
 run 0 export solid.json -o bytes.ply --binary
 is err 'durero: bytes.ply: 4 names of elements left out: PLY has none'
-run 0 import bytes.ply -o back.json
+run 0 import bytes.ply -o back.json --triangles single
 run 0 export back.json -o again.obj
 same again.obj written.obj
 run 0 export solid.json -o bytes.stl --binary
 has err 'durero: bytes.stl: 9 coordinates rounded: binary STL has binary32'
 [ "$(wc -c <bytes.stl)" -eq 284 ] || fail "bytes.stl has $(wc -c <bytes.stl) bytes, expected 84 and 50 for each facet"
-run 0 import bytes.stl -o back.json
+run 0 import bytes.stl -o back.json --triangles single
 run 0 export back.json -o again.stl --binary
 same again.stl bytes.stl
 refused 'bytes.obj: no format with a binary form by this name; expected one that ends in .ply or .stl' \
@@ -139,7 +159,7 @@ cat >scans/square.gltf <<'TEXT'
 "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4}],
 "bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{"byteLength":48,"uri":"square.bin"}]}
 TEXT
-run 0 import scans/square.gltf -o square.json
+run 0 import scans/square.gltf -o square.json --triangles single
 is err 'durero: scans/square.gltf: 1 use of a material left out: a scene has none of this kind'
 has square.json '"vertices":[[1,0,0.5],[0,0,0.5],[1,1,0.5]]'
 has square.json '"lid":{"elementos":["square.gltf:1","square.gltf:2"]}'
@@ -177,7 +197,7 @@ absent bad.json
 
 # Names that end in great letters are those of formats too; what is written ends as its format does, or not at all.
 cp meshes/solid.obj SOLID.OBJ
-run 0 import SOLID.OBJ -o solid.JSON
+run 0 import SOLID.OBJ -o solid.JSON --triangles single
 has solid.JSON '"id":"SOLID.OBJ:1"'
 cp scene.nff UPPER.NFF
 run 0 import UPPER.NFF -o upper

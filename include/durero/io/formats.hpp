@@ -36,6 +36,8 @@ struct Format {
   bool has_lines = false;
   /// Whether it has elements with bodies, such as instances.
   bool has_bodies = false;
+  /// Whether it is a format of meshes, which is read triangle by triangle.
+  bool is_mesh = false;
   /// Writes them as bytes and not as a text. Null where the format has no such form.
   Exported (*write_bytes)(const scene::Scene&, const scene::Groups&){};
 };
