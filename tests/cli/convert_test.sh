@@ -117,7 +117,7 @@ run 0 import two.nff -o two.json
 ! grep -q mallas two.json || fail 'two.json has a mesh, expected single triangles'
 run 0 import two.nff -o two.json --triangles mesh
 has two.json '"mallas"'
-refused 'import: --triangles: "both": no such way; expected one of mesh, single' import two.nff -o three.json --triangles both
+refused 'import: --triangles both: no such way; expected one of mesh, single' import two.nff -o three.json --triangles both
 absent three.json
 
 # Each format of meshes keeps the triangles: from one to the next, and back to the first text.
