@@ -1,9 +1,11 @@
 // durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it
 // stands for. durero check --mesh FILE [--point X,Y,Z]: audits the triangles of a file as one mesh.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "by_text.hpp"
@@ -15,8 +17,10 @@
 #include "durero/io/json/scene_check.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/mesh/mesh_report.hpp"
+#include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "losses.hpp"
+#include "mesh_picture.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 
@@ -24,7 +28,7 @@ namespace durero::cli {
 namespace {
 
 struct CheckOptions {
-  std::string scene, with, point, format = "text";
+  std::string scene, with, point, picture, format = "text";
   bool mesh = false, quiet = false;
 };
 
@@ -34,12 +38,29 @@ io::Imported imported(const std::string& path) {
   return io::read_any_format(path);
 }
 
+/// The picture of the findings. Throws std::domain_error, with the file's name, where there is none.
+std::string picture_of(const std::string& file, const io::SceneMesh& mesh, const io::MeshCheck& check) {
+  try {
+    return mesh_picture(mesh, check);
+  } catch (const std::domain_error& error) {
+    throw std::domain_error(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
 /// Runs the audit. What the reader leaves out, such as triangles without area, it says itself.
 int run_mesh(const CheckOptions& options) {
+  std::optional<io::OutputFile> picture;
+  if (!options.picture.empty()) {
+    io::require_ending(options.picture, io::png_endings, "a picture");
+    picture.emplace(options.picture);
+  }
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
   const io::Imported found = imported(options.scene);
-  const io::MeshCheck check = io::check_mesh(options.scene, io::mesh_of(found.scene), point_in(options.point));
+  const io::SceneMesh mesh = io::mesh_of(found.scene);
+  const io::MeshCheck check = io::check_mesh(options.scene, mesh, point_in(options.point));
+  if (picture) picture->write(picture_of(options.scene, mesh, check));
   progress.reset();
+  if (picture) picture->commit();
   io::print(options.format == "json"    ? mesh_check_json(check)
             : options.format == "sarif" ? mesh_check_sarif(check)
                                         : mesh_check_text(check));
@@ -86,13 +107,17 @@ void add_check(CLI::App& app, int& status) {
   command->add_option("--point", options->point, "With --mesh: a point, X,Y,Z, of which the side is told")
       ->needs(mesh)
       ->check(CLI::Validator(check_point, ""));
+  command
+      ->add_option("--picture", options->picture,
+                   "With --mesh: a picture of the mesh from two sides, with the findings marked, NAME.png")
+      ->needs(mesh);
   add_quiet(*command, options->quiet);
   command->footer(
       "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"
       "place; the first is the error on stderr. --with asks the text besides what the points of each element are.\n\n" +
       exit_status("every invariant holds, or the mesh has no fault", "otherwise", "the call or the file is bad") +
       examples({"check demo/still-life.json", "check demo/still-life.json --format json", "check --mesh bunny.ply",
-                "check --mesh bunny.ply --point 0,0.1,0"}));
+                "check --mesh bunny.ply --point 0,0.1,0", "check --mesh bunny.ply --picture findings.png"}));
   command->callback([options, &status] { status = run(*options); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/file_name.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/output/tone.hpp"
 #include "picture_size.hpp"
@@ -31,7 +32,7 @@ render::Fractal fractal_of(const FractalOptions& options) {
 
 int run(const FractalOptions& options) {
   const ThreadLimit limit(options.threads);
-  io::require_ending(options.out, std::array<std::string_view, 1>{".png"}, "a fractal");
+  io::require_ending(options.out, io::png_endings, "a fractal");
   io::OutputFile out(options.out);
   std::optional<Progress> progress(std::in_place, options.quiet, "fractal");
   const render::Picture picture = render::draw_fractal(fractal_of(options), *read_size(options.size), options.samples,

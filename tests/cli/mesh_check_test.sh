@@ -16,7 +16,7 @@ run 1 check --mesh tent.obj
 has out 'tent.obj: 5 triangles, 5 vertices, 1 piece, volume none'
 has out 'discordes: '
 has out 'uniones_en_t: tent.obj:1: (1,0,0) (0,0,0) (2,0,0): '
-run 0 import tent.obj -o tent.json
+run 0 import tent.obj -o tent.json --triangles single
 run 1 check --mesh tent.json --format json
 grep -o '"mended":\["[^]]*' out | sed 's/"mended":\["//; s/","/\n/g; s/"$//' | awk '/e\?=tent.obj:5/ && seen[$0]++ { next } 1' >mend
 run 0 edit tent.json --script mend -o mended.json
@@ -37,4 +37,22 @@ run 2 check mended.json --point 1,2,3
 run 1 check --mesh tent.obj --format sarif
 has out '"ruleId":"uniones_en_t"'
 run 2 check --mesh absent.obj
+
+# The picture of the findings: white, grey, red and yellow are in it, and of a mesh without findings neither of the last.
+run 1 check --mesh tent.obj --picture tent.png
+has out 'uniones_en_t: '
+run 0 check --mesh mended.json --picture mended.png
+[ "$(wc -c <tent.png)" -gt "$(wc -c <mended.png)" ] || fail 'tent.png is no larger than mended.png, expected marks in it'
+for name in tent mended; do
+  [ "$(head -c 24 $name.png | od -An -tx1 -j16 -N8 | tr -d ' ')" = 0000064000000320 ] || fail "$name.png is not of 1600 x 800"
+done
+refused 'findings.jpg: ".jpg" is no ending of a picture; expected a name that ends in .png' check --mesh tent.obj --picture findings.jpg
+absent findings.jpg
+printf '{"format":"durero-scene","version":1,"elementos":[]}' >empty.json
+refused 'empty.json: there is no triangle; expected some to draw' check --mesh empty.json --picture empty.png
+absent empty.png
+printf 'v 0 0 0\nv 1e300 0 0\nv 0 1e300 0\nf 1 2 3\n' >large.obj
+refused 'large.obj: half of the diagonal of its box is 7.07' check --mesh large.obj --picture large.png
+absent large.png
+run 2 check mended.json --picture mended.png
 finish

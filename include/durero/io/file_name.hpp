@@ -8,8 +8,9 @@
 
 namespace durero::io {
 
-/// The endings of what is written as JSON.
-inline constexpr std::array<std::string_view, 1> json_endings{".json"};
+/// @{ The endings of what is written as JSON, and as PNG.
+inline constexpr std::array<std::string_view, 1> json_endings{".json"}, png_endings{".png"};
+/// @}
 
 /// Whether a name ends so. An ending is a dot and small letters of ASCII or digits; the name's may be great ones.
 bool ends_in(std::string_view path, std::string_view ending) noexcept;
