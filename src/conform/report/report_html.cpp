@@ -117,6 +117,8 @@ std::string report_html(const Report& report) {
       title, style, report.tally.rays(), report.tally.gross(), report.tally.of(Verdict::off),
       report.tally.of(Verdict::skipped), as_markup(report.version));
   html += table_html(report.tally);
+  if (const std::string unasked = unasked_words(report); !unasked.empty())
+    html += fmt::format("<p>{}.</p>\n", as_markup(unasked));
   if (report.profile.directions == Directions::unchecked)
     html +=
         "<p><b>Warning</b>: v must be a unit vector, and nobody checks it: other rays get wrong answers without a "

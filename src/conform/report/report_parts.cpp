@@ -1,6 +1,7 @@
 #include "conform/report/report_parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,18 @@ std::string least_of(const Report& report, const Finding& finding) {
 std::string left_out_words(const Report& report) {
   if (report.not_minimised == 0) return "";
   return fmt::format("{} worst findings were not made small: their number or the time was over", report.not_minimised);
+}
+
+std::string unasked_words(const Report& report) {
+  std::vector<std::string_view> unasked;
+  for (const Family* family : chosen_families(report.options)) {
+    if (std::ranges::find(report.tally.families(), family, &FamilyTally::family) == report.tally.families().end())
+      unasked.push_back(family->name);
+  }
+  if (unasked.empty()) return "";
+  return fmt::format("{} no scene of these types of elements: {}",
+                     unasked.size() == 1 ? "1 family has" : fmt::format("{} families have", unasked.size()),
+                     fmt::join(unasked, ", "));
 }
 
 std::vector<const Finding*> findings_of(const FamilyTally& family) {

@@ -45,6 +45,9 @@ std::string least_of(const Report& report, const Finding& finding);
 /// "3 worst findings were not made small"; empty where none was left out.
 std::string left_out_words(const Report& report);
 
+/// "2 families have no scene of these types of elements: apex, rim"; empty where each has some.
+std::string unasked_words(const Report& report);
+
 /// The worst findings of a family, gross ones first.
 std::vector<const Finding*> findings_of(const FamilyTally& family);
 

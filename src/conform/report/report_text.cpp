@@ -66,6 +66,7 @@ std::string report_text(const Report& report) {
   text += fmt::format("{} rays: {} gross, {} off, {} skipped\n", tally.rays(), tally.gross(), tally.of(Verdict::off),
                       tally.of(Verdict::skipped));
   text += skipped_text(tally);
+  if (const std::string unasked = unasked_words(report); !unasked.empty()) text += unasked + "\n";
   if (report.profile.directions == Directions::unchecked)
     text += "warning: v must be a unit vector and nobody checks it: other rays get wrong answers without a word\n";
   for (const FamilyTally* family : failures_first(tally)) text += findings_text(report, *family);
