@@ -7,12 +7,23 @@
 namespace durero::conform {
 namespace {
 
+/// The radius of the ball of a triangle, which is made at a moderate scale, where no square overflows or vanishes.
+Dyadic radius_of_ball(scene::Triangle triangle) {
+  double greatest = 0;
+  for (const glm::dvec3& vertex : triangle.vertices)
+    for (int i = 0; i < 3; ++i) greatest = std::max(greatest, std::abs(vertex[i]));
+  const int k = std::ilogb(greatest);  // the vertices are not all 0
+  for (glm::dvec3& vertex : triangle.vertices)
+    for (int i = 0; i < 3; ++i) vertex[i] = std::ldexp(vertex[i], -k);
+  return number::shifted(Dyadic(surface::ball(triangle).radius), k);
+}
+
 template <class Shape>
 Dyadic size(const Shape& shape) {
   Dyadic radius;
   if constexpr (requires { shape.radio; }) radius = shape.radio;
   if constexpr (requires { shape.proporcion; }) radius = radius + Dyadic(shape.proporcion) * Dyadic(shape.altura);
-  if constexpr (requires { shape.vertices; }) radius = surface::ball(shape).radius;
+  if constexpr (requires { shape.vertices; }) radius = radius_of_ball(shape);
   return radius;
 }
 

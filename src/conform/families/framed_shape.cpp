@@ -86,6 +86,11 @@ std::vector<Tipo> types_that(bool (*holds)(Tipo)) {
   return types;
 }
 
+const std::vector<Tipo>& round_types() {
+  static const std::vector<Tipo> types = types_that([](Tipo tipo) { return !is_flat(tipo); });
+  return types;
+}
+
 }  // namespace
 
 double FramedShape::radius() const {
@@ -125,9 +130,12 @@ bool has_apex(Tipo tipo) {
 }
 
 Tipo any_type(Draws& random) {
-  static const std::vector<Tipo> types = types_that([](Tipo tipo) { return !is_flat(tipo); });
-  return random.any_type_of(types);
+  static const std::vector<Tipo> flat{Tipo::soy_disco, Tipo::soy_triangulo};
+  const bool has_round = std::ranges::any_of(round_types(), [&](Tipo tipo) { return random.allows(tipo); });
+  return random.any_type_of(has_round ? round_types() : flat);
 }
+
+Tipo any_round_type(Draws& random) { return random.any_type_of(round_types()); }
 
 Tipo any_unbounded_type(Draws& random) {
   static const std::vector<Tipo> types{Tipo::soy_plano};
@@ -214,6 +222,16 @@ void turn_to(FramedShape& shape, const glm::dvec3& d) {
   shape.e1 -= glm::dot(shape.e1, d) * d;
   shape.e1 /= std::sqrt(glm::dot(shape.e1, shape.e1));
   shape.e2 = glm::cross(d, shape.e1);
+}
+
+FramedShape moved(FramedShape shape, const glm::dvec3& by) {
+  if (shape.tipo != Tipo::soy_triangulo) {
+    shape.centro += by;
+    return shape;
+  }
+  scene::Corners vertices = shape.vertices;
+  for (glm::dvec3& vertex : vertices) vertex += by;
+  return are_corners(vertices) ? triangle(vertices, shape.lattice) : shape;
 }
 
 FramedShape scaled(FramedShape shape, int k) {

@@ -58,8 +58,10 @@ bool has_apex(model::Tipo tipo);
 /// Whether shapes of the type are a plane across d, or part of it.
 using surface::is_flat;
 
-/// A random type that is not flat.
+/// @{ A random type that is not flat. Where only flat ones are asked for, any_type draws a disc or a triangle instead.
 model::Tipo any_type(Draws& random);
+model::Tipo any_round_type(Draws& random);
+/// @}
 /// A random type without a bound: the plane.
 model::Tipo any_unbounded_type(Draws& random);
 /// A random type with an axis.
@@ -82,6 +84,9 @@ FramedShape closing_disc(const FramedShape& shape, bool at_base);
 
 /// Gives the shape another axis, and a frame around that. Precondition: e1 is not along d.
 void turn_to(FramedShape& shape, const glm::dvec3& d);
+
+/// The shape moved; a triangle whose vertices would then lie on one line stays where it is.
+FramedShape moved(FramedShape shape, const glm::dvec3& by);
 
 /// The shape with all lengths times 2^k, and without its shared points.
 FramedShape scaled(FramedShape shape, int k);

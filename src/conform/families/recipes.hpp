@@ -12,6 +12,7 @@ using ShapeSpan = std::span<const FramedShape>;
 
 // Scenes of one to three elements.
 FramedShapes some(Draws& random, int);
+FramedShapes some_round(Draws& random, int);
 FramedShapes some_axial(Draws& random, int);
 FramedShapes some_cylinders(Draws& random, int);
 FramedShapes some_cones(Draws& random, int);

@@ -169,14 +169,15 @@ DrawnRay on_surface(Draws& random, int percent_named, ShapeSpan shapes) {
   if (!shape.lattice && random.chance(1, 2)) ray = nudged(random, ray);
   if (random.integer(0, 99) >= percent_named) return ray;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const bool twin = shapes[i].centro == shape.centro && shapes[i].tipo == shape.tipo;
+    const bool twin =
+        shapes[i].centro == shape.centro && shapes[i].tipo == shape.tipo && shapes[i].vertices == shape.vertices;
     if (i == place || twin) ray.on.push_back(i);
   }
   return ray;
 }
 
 FramedShapes tangent(Draws& random, int) {
-  FramedShapes shapes = some(random, 0);
+  FramedShapes shapes = some_round(random, 0);
   if (!random.chance(1, 4)) return shapes;
   FramedShape shape;
   do shape = tilted_shape(random, any_axial_type(random));

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "conform/families/recipes.hpp"
 
@@ -21,9 +22,22 @@ DrawnRay ordinary_scaled(Draws& random, const FramedShape& shape, int k, int e) 
 
 double quarters(Draws& random, int half) { return random.integer(-4 * half, 4 * half) / 4.0; }
 
+glm::dvec3 on_grid(Draws& random, int half) {
+  const double x = quarters(random, half), y = quarters(random, half), z = quarters(random, half);
+  return {x, y, z};
+}
+
+FramedShape triangle_on_grid(Draws& random) {
+  for (;;) {
+    const glm::dvec3 a = on_grid(random, 3), b = on_grid(random, 3), c = on_grid(random, 3);
+    if (are_corners({a, b, c})) return triangle({a, b, c}, true);
+  }
+}
+
 }  // namespace
 
 FramedShapes some(Draws& random, int) { return one_to_three(random, any_type); }
+FramedShapes some_round(Draws& random, int) { return one_to_three(random, any_round_type); }
 FramedShapes some_axial(Draws& random, int) { return one_to_three(random, any_axial_type); }
 FramedShapes some_cylinders(Draws& random, int) {
   return one_to_three(random, [](Draws&) { return Tipo::soy_cilindro; });
@@ -51,7 +65,7 @@ FramedShapes large_offset(Draws& random, int log2_offset) {
   FramedShapes shapes = some(random, 0);
   // The farthest coordinate of each centre is at least 2^(log2_offset + 8) less the 300 of its place in the scene.
   const glm::dvec3 offset = std::ldexp(1, log2_offset + 8) * random.lattice_vector(4);
-  for (FramedShape& shape : shapes) shape.centro += offset;
+  for (FramedShape& shape : shapes) shape = moved(std::move(shape), offset);
   return shapes;
 }
 
@@ -67,8 +81,7 @@ FramedShapes huge_ratio(Draws& random, int log2_ratio) {
   FramedShape great = scaled(any_shape(random, any_type(random)), log2_ratio);
   great.centro = glm::dvec3(0);
   const FramedPoint near = surface_point(random, great);
-  great.centro = 32.0 * random.lattice_vector(16) - near.position;
-  shapes.push_back(great);
+  shapes.push_back(moved(std::move(great), 32.0 * random.lattice_vector(16) - near.position));
   return shapes;
 }
 
@@ -122,8 +135,11 @@ FramedShapes grid(Draws& random, int count) {
   FramedShapes shapes(static_cast<std::size_t>(count));
   for (FramedShape& shape : shapes) {
     shape = lattice_shape(random, any_type(random));
-    const double x = quarters(random, 3), y = quarters(random, 3), z = quarters(random, 3);
-    shape.centro = {x, y, z};
+    if (shape.tipo == Tipo::soy_triangulo) {
+      shape = triangle_on_grid(random);
+      continue;
+    }
+    shape.centro = on_grid(random, 3);
     shape.radio = shape.proporcion = random.integer(1, 8) / 4.0;
     shape.altura = random.integer(1, 16) / 4.0;
   }
@@ -131,9 +147,9 @@ FramedShapes grid(Draws& random, int count) {
 }
 
 DrawnRay grid(Draws& random, int, ShapeSpan) {
-  const double x = quarters(random, 5), y = quarters(random, 5), z = quarters(random, 5);
+  const glm::dvec3 p = on_grid(random, 5);
   const double power = random.signed_power(-2, 1);
-  return {{x, y, z}, power * random.lattice_vector(4)};
+  return {p, power * random.lattice_vector(4)};
 }
 
 }  // namespace durero::conform::recipes

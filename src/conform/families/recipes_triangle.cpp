@@ -85,12 +85,6 @@ FramedShape tilted_sliver(Draws& random, int minus_log2_height) {
   }
 }
 
-FramedShape moved(const FramedShape& shape, const glm::dvec3& by) {
-  scene::Corners vertices = shape.vertices;
-  for (glm::dvec3& vertex : vertices) vertex += by;
-  return are_corners(vertices) ? triangle(vertices, shape.lattice) : shape;
-}
-
 /// The sliver moved far from 0: along its length, where a lattice sliver stays exact. A tilted sliver that would be no
 /// triangle any more is not moved.
 FramedShape far_from_zero(Draws& random, const FramedShape& sliver) {

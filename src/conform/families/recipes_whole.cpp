@@ -24,11 +24,16 @@ struct Turn {
 /// The vector of length 1: it is rounded seven times at most, and its square is off by 7·2⁻⁵³ < 2⁻⁵⁰.
 glm::dvec3 unit(const glm::dvec3& v) { return v / std::sqrt(glm::dot(v, v)); }
 
-/// The shape turned about 0. Precondition: the shape is not flat.
+/// The shape turned about 0.
 FramedShape turned(FramedShape shape, const Turn& turn) {
+  if (shape.tipo == Tipo::soy_triangulo) {
+    scene::Corners vertices = shape.vertices;
+    for (glm::dvec3& vertex : vertices) vertex = turn(vertex);
+    return are_corners(vertices) ? triangle(vertices, false) : shape;
+  }
   shape.lattice = false;
   shape.centro = turn(shape.centro);
-  if (!is_axial(shape.tipo)) return shape;
+  if (!is_axial(shape.tipo) && !is_flat(shape.tipo)) return shape;
   shape.e1 = turn(shape.e1);
   turn_to(shape, unit(turn(shape.d)));
   return shape;

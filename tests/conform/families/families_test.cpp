@@ -236,6 +236,28 @@ TEST_CASE("scenes have elements of the types that are asked for, and a family th
   CHECK(has_scenes("near_axial", {soy_cilindro, soy_cono}));
 }
 
+TEST_CASE("a system of triangles or discs alone has the families that need no axis and no inside") {
+  using enum model::Tipo;
+  const std::set<std::string_view> none{"near_axial", "perpendicular", "near_generator", "second_nappe", "apex",
+                                        "rim",        "long_thin",     "inside",         "tangent",      "zero_b",
+                                        "in_surface", "flat",          "grazing",        "cap"};
+  const std::set<std::string_view> of_triangles{"edge", "sliver", "vertex"};
+  for (const model::Tipo tipo : {soy_triangulo, soy_disco}) {
+    for (const Family& family : families()) {
+      Count count;
+      for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const auto drawn = generate(family, seed, 24, {.tipos = {tipo}});
+        if (drawn) count += conform::count(family, drawn->the_case);
+      }
+      const bool has_none = none.contains(family.name) ||
+                            (tipo == soy_disco ? of_triangles.contains(family.name) : family.name == "disc");
+      INFO(family.name << ": " << count.members << " of " << count.rays);
+      CHECK((count.rays == 0) == has_none);
+      CHECK(20 * count.members >= 3 * count.rays);
+    }
+  }
+}
+
 TEST_CASE("solids are closed by discs of the model, and rays go to these and start within") {
   const CaseOptions options{.numbers = NumberFormat::binary32, .caps = Caps::solid};
   std::size_t solids = 0, to_discs = 0, at_rims = 0, inside = 0, rays = 0;

@@ -81,14 +81,16 @@ auto plain(Fault fault) {
   };
 }
 
+/// The certified tracer.
+auto exact_tracer(const scene::Scene& scene) {
+  return [tables = trace::Tables(scene)](const scene::Query& query) {
+    return claim_of(trace::first_hits(tables, std::span(&query, 1))[0]);
+  };
+}
+
 }  // namespace
 
 TEST_CASE("right tracers, exact and of plain arithmetic in both formats, are never called gross") {
-  const auto exact = [](const scene::Scene& scene) {
-    return [tables = trace::Tables(scene)](const scene::Query& query) {
-      return claim_of(trace::first_hits(tables, std::span(&query, 1))[0]);
-    };
-  };
   Tally of_exact, of_binary64, of_binary32;
   const auto check = [](Tally& all, const Tally& tally, const Family& family, const char* tracer) {
     INFO(family.name << ", " << tracer << ": " << tally.off << " off, " << tally.gross << " gross");
@@ -96,7 +98,7 @@ TEST_CASE("right tracers, exact and of plain arithmetic in both formats, are nev
     all.right += tally.right, all.off += tally.off;
   };
   for (const Family& family : families()) {
-    check(of_exact, judged(family, wide_profile(NumberFormat::binary64), seeds, exact), family, "exact");
+    check(of_exact, judged(family, wide_profile(NumberFormat::binary64), seeds, exact_tracer), family, "exact");
     check(of_binary64, judged(family, plain_profile(NumberFormat::binary64), seeds, plain<double>(Fault::none)), family,
           "binary64");
     check(of_binary32, judged(family, plain_profile(NumberFormat::binary32), seeds, plain<float>(Fault::none)), family,
@@ -144,6 +146,53 @@ TEST_CASE("each fault is caught by the families meant for it") {
   CHECK(faults().size() >= 50);
 }
 
+TEST_CASE("faults of scale, place and direction are seen where a system knows triangles alone") {
+  Profile profile = plain_profile(NumberFormat::binary64);
+  profile.least_size = 0x1p-200;  // a plain tracer of triangles takes fourth powers of lengths
+  profile.greatest_size = profile.greatest_coordinate = 0x1p200;
+  const auto judged_triangles = [&](const Family& family, const auto& answer) {
+    Tally tally;
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      const auto drawn = generate(family, seed, rays_a_scene, {.tipos = {model::Tipo::soy_triangulo}});
+      if (!drawn) continue;
+      const SuiteCase of = answered(family, drawn->the_case);
+      const auto first_hit = answer(of.the_case.scene);
+      for (std::size_t i = 0; i < of.truths.size(); ++i)
+        tally.add(judge(of, i, first_hit(of.the_case.rays[i]), profile).verdict);
+    }
+    return tally;
+  };
+  std::size_t right = 0;
+  for (const Family& family : families()) {
+    const Tally whole = judged_triangles(family, exact_tracer);
+    INFO(family.name << ": " << whole.off << " off, " << whole.gross << " gross");
+    CHECK(whole.off + whole.gross == 0);
+    right += whole.right;
+    // Products of such directions and normals overflow in plain arithmetic.
+    if (family.name == "degenerate_numbers") continue;
+    CHECK(judged_triangles(family, plain<double>(Fault::none)).gross == 0);
+  }
+  CHECK(right > 15'000);
+  using enum Fault;
+  const std::vector<FaultRow> seen{
+      {determinant_by_epsilon, "determinant above 1e-6", {"tiny", "scale", "degenerate_numbers"}},
+      {least_t_1e_3, "t at least 1e-3", {"near_origin", "tiny", "direction_scale"}},
+      {greatest_t_1e_6, "t at most 1e6", {"direction_scale", "distance_limit"}},
+      {negative_t, "behind the origin", {"generic", "rotation"}},
+      {origin_ignored, "origin ignored", {"generic", "on_surface"}},
+      {t_by_quotient_of_x, "t as (x − p.x)/v.x", {"axis_parallel"}},
+      {first_in_order, "first element in order", {"generic", "huge_ratio", "grid_snapped"}},
+      {triangle_one_sided, "triangle one-sided", {"generic", "far_origin", "large_offset"}},
+      {triangle_widened, "triangle widened by 1e-4", {"margin"}},
+  };
+  for (const FaultRow& row : seen) {
+    for (const std::string_view family : row.seen_by) {
+      INFO(row.name << ", " << family);
+      CHECK(judged_triangles(*find_family(family), plain<double>(row.fault)).gross > 0);
+    }
+  }
+}
+
 TEST_CASE("a tracer that lets rays through edges is seen where it claims to be watertight, and not gross otherwise") {
   Profile profile = plain_profile(NumberFormat::binary64);
   const Family& family = *find_family("vertex");
@@ -151,12 +200,7 @@ TEST_CASE("a tracer that lets rays through edges is seen where it claims to be w
   profile.watertight = true;
   const Tally leaky = judged(family, profile, seeds, plain<double>(Fault::triangle_without_edges));
   CHECK(leaky.gross > seeds * rays_a_scene / 4);
-  const auto exact = [](const scene::Scene& scene) {
-    return [tables = trace::Tables(scene)](const scene::Query& query) {
-      return claim_of(trace::first_hits(tables, std::span(&query, 1))[0]);
-    };
-  };
-  const Tally whole = judged(family, profile, seeds, exact);
+  const Tally whole = judged(family, profile, seeds, exact_tracer);
   CHECK(whole.gross + whole.off == 0);
   CHECK(whole.right > 1000);
 }
