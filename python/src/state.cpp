@@ -12,10 +12,10 @@
 
 namespace durero::python {
 
-Numbering::Numbering(const scene::Scene& scene) : size_(static_cast<std::int32_t>(scene.size())), singles_(scene::singles_by_name(scene)) {
-  scene.for_each_single([&](scene::ElementRef element, const auto&) {
-    numbers_[static_cast<std::size_t>(element.tipo)].push_back(0);
-  });
+Numbering::Numbering(const scene::Scene& scene)
+    : size_(static_cast<std::int32_t>(scene.size())), singles_(scene::singles_by_name(scene)) {
+  scene.for_each_single(
+      [&](scene::ElementRef element, const auto&) { numbers_[static_cast<std::size_t>(element.tipo)].push_back(0); });
   for (std::size_t i = 0; i < singles_.size(); ++i) {
     const auto [tipo, index] = singles_[i];
     numbers_[static_cast<std::size_t>(tipo)][index] = static_cast<std::int32_t>(i);

@@ -28,7 +28,7 @@ constexpr scene::Resolution view_size{800, 800};
 /// The sizes of what is drawn: the squares of lengths, and products of two, have then neither overflow nor underflow.
 constexpr double least_radius = 1e-70, greatest_radius = 1e70;
 /// The materials of the stage, by name.
-enum class Look : std::uint32_t { found, mark, sound };
+enum class MarkLook : std::uint32_t { found, mark, sound };
 
 std::vector<scene::Material> looks() {
   return {{.name = "found", .color = {0.8, 0.1, 0.06}, .k_a = 0.25, .k_d = 0.75},
@@ -37,12 +37,12 @@ std::vector<scene::Material> looks() {
 }
 
 /// A ball about the box of the vertices: its middle, and half of its diagonal.
-struct Ball {
+struct ViewBall {
   glm::dvec3 middle;
   double radius;
 };
 
-Ball ball_of(const std::vector<glm::dvec3>& vertices) {
+ViewBall ball_of(const std::vector<glm::dvec3>& vertices) {
   glm::dvec3 least = vertices.front(), greatest = least;
   for (const glm::dvec3& p : vertices) {
     least = glm::min(least, p);
@@ -87,11 +87,11 @@ class MarkedMesh {
       if (!model::Vertices::contains({model::Punto(p[i]), model::Punto(p[j]), model::Punto(p[k])})) continue;
       (named.contains(mesh.names[n]) ? found : sound).caras.push_back({i, j, k});
     }
-    add(std::move(found), Look::found);
-    add(std::move(sound), Look::sound);
+    add(std::move(found), MarkLook::found);
+    add(std::move(sound), MarkLook::sound);
   }
 
-  void add(scene::Mesh mesh, Look look) {
+  void add(scene::Mesh mesh, MarkLook look) {
     mesh.material = static_cast<std::uint32_t>(look);
     scene_.apply_total(scene::MeshEdit(scene::MeshAddition{std::move(mesh)}));
   }
@@ -111,7 +111,7 @@ class MarkedMesh {
   }
 
   void add(model::Operation operation) {
-    scene_.apply_total(scene::Edit{std::move(operation), static_cast<std::uint32_t>(Look::mark)});
+    scene_.apply_total(scene::Edit{std::move(operation), static_cast<std::uint32_t>(MarkLook::mark)});
   }
   model::Elemento next_name() { return model::Elemento(std::to_string(marks_++)); }
 
@@ -119,7 +119,7 @@ class MarkedMesh {
   static Key key_of(const glm::dvec3& place) { return {place.x, place.y, place.z}; }
   static glm::dvec3 place_of(const Key& key) { return {key[0], key[1], key[2]}; }
 
-  Ball ball_;
+  ViewBall ball_;
   scene::Scene scene_;
   std::set<Key> balls_;
   std::set<std::pair<Key, Key>> rods_;  // by their ends, the lesser one first

@@ -10,8 +10,8 @@ namespace durero::conform {
 namespace {
 
 using number::sign;
-using surface::exact::Parameter;
 using scene::Triangles;
+using surface::exact::Parameter;
 
 /// Whether the triangles are a closed mesh: every edge belongs to an even number of them.
 bool is_closed(const Triangles& triangles) {
