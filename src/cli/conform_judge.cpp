@@ -1,14 +1,25 @@
 // durero conform judge DIR HITS --profile P [--report DIR]: the hits of a program that anyone ran by hand.
+// durero conform judge --scene SCENE --rays RAYS HITS --profile P: those of one's own rays.
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "conform.hpp"
 #include "description.hpp"
 #include "durero/conform/ask/claims_file.hpp"
 #include "durero/conform/ask/system_file.hpp"
 #include "durero/conform/families/suite_file.hpp"
+#include "durero/conform/report/judged_rays.hpp"
 #include "durero/conform/report/report.hpp"
+#include "durero/io/json/scene_file.hpp"
+#include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "numbers.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
@@ -17,17 +28,56 @@ namespace {
 using namespace conform;
 
 struct ConformJudgeOptions {
-  std::string directory, hits, profile, report;
+  std::vector<std::string> files;  // the suite and the hits, or the hits alone
+  std::string scene, rays, format = "text", profile, report;
   std::string systems = default_systems();
   bool quiet = false;
+
+  const std::string& hits() const { return files.back(); }
 };
+
+/// Checks that the files and options go together. Throws std::invalid_argument.
+void check_together(const ConformJudgeOptions& options) {
+  const bool is_own = !options.scene.empty();
+  if (is_own != (options.files.size() == 1))
+    throw std::invalid_argument(is_own ? "HITS alone stands beside --scene; expected no suite"
+                                       : "HITS is missing; expected DIR and HITS, or --scene, --rays and HITS");
+  if (!is_own && options.format != "text")
+    throw std::invalid_argument("--format json is for one's own rays; expected --scene, or --report for a suite");
+}
+
+/// A user's scene and rays. Throws io::InputError, and std::invalid_argument of rays that no system is asked.
+SuiteCase read_own(const std::string& scene_file, const std::string& rays_file) {
+  scene::Scene scene = io::read_scene(io::read_source(scene_file));
+  std::vector<scene::Query> rays = io::read_rays(io::read_source(rays_file), scene);
+  try {
+    return own_case(std::move(scene), std::move(rays));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", rays_file, error.what()));
+  }
+}
+
+/// Judges the hits of a user's own rays.
+int run_own(const ConformJudgeOptions& options) {
+  const Profile profile = read_profile(options.profile, options.systems);
+  std::optional<Progress> progress(std::in_place, options.quiet, "judge");
+  SuiteCase of = read_own(options.scene, options.rays);
+  const std::vector<Claims> claims = read_claims(io::read_lines(options.hits()), {&of, 1});
+  answer(of);
+  Tally tally;
+  const std::vector<ClaimJudgement> judgements = tally.add(of, claims[0], profile);
+  progress.reset();
+  io::print(options.format == "json" ? judged_rays_json(of, claims[0], judgements)
+                                     : judged_rays_text(of, claims[0], judgements));
+  return tally.is_conformant() ? 0 : 1;
+}
 
 int run(const ConformJudgeOptions& options) {
   const Profile profile = read_profile(options.profile, options.systems);
   if (!options.report.empty()) require_room_for_reports(options.report);
   std::optional<Progress> progress(std::in_place, options.quiet, "judge: reading");
-  const Suite suite = read_suite(options.directory);
-  const std::vector<Claims> claims = read_claims(io::read_lines(options.hits), suite.cases);
+  const Suite suite = read_suite(options.files.front());
+  const std::vector<Claims> claims = read_claims(io::read_lines(options.hits()), suite.cases);
   progress.emplace(options.quiet, "judge", "scenes", suite.cases.size());
   Report report{.title = profile.system, .profile = profile, .options = suite.options};
   for (std::size_t i = 0; i < suite.cases.size(); ++i) {
@@ -43,23 +93,40 @@ int run(const ConformJudgeOptions& options) {
 }  // namespace
 
 void add_conform_judge(CLI::App& conform, int& status) {
-  auto* command = conform.add_subcommand("judge", "Judge the hits that a program gave for the rays of a suite");
+  auto* command =
+      conform.add_subcommand("judge", "Judge the hits that a program gave for the rays of a suite, or for its own");
   const auto options = std::make_shared<ConformJudgeOptions>();
-  command->add_option("DIR", options->directory, "The suite, as durero conform make wrote it")->required();
-  command->add_option("HITS", options->hits, "JSON lines, .csv or .npy; - is the standard input")->required();
+  command
+      ->add_option("FILE", options->files,
+                   "DIR HITS: the suite, as durero conform make wrote it, and the hits: JSON lines, .csv or .npy;\n"
+                   "- is the standard input. With --scene HITS alone")
+      ->required()
+      ->expected(1, 2);
+  auto* const scene = command->add_option("--scene", options->scene, "A scene of one's own (JSON)");
+  auto* const rays = command->add_option("--rays", options->rays, "The rays that the hits answer, in a text or a .npy");
+  scene->needs(rays);
+  rays->needs(scene);
+  command->add_option("--format", options->format, "How verdicts on one's own rays are printed; json: a line a ray")
+      ->check(one_of("format", {"text", "json"}))
+      ->capture_default_str();
   command->add_option("--profile", options->profile, "What the program claims: a system's name, or a file")->required();
   add_systems(*command, options->systems);
-  command->add_option("--report", options->report, "The folder for JSON, JUnit XML, SARIF and a page of HTML");
+  command->add_option("--report", options->report, "The folder for JSON, JUnit XML, SARIF and a page of HTML")
+      ->excludes(scene);
   add_quiet(*command, options->quiet);
   command->footer(
       "JSON lines: "
       "{\"case\":\"generic/0000\",\"ray\":0,\"outcome\":\"hit\",\"element\":\"e0\",\"t\":4,\"point\":[0,0,4]}; "
       "CSV: columns\n"
       "case, ray and any of outcome, element, t, x, y, z; .npy: t of every ray in the suite's order, inf for a miss.\n"
-      "A ray without a line is unanswered.\n\n" +
+      "A ray without a line is unanswered. Hits of one's own rays need no case.\n\n" +
       exit_status("no answer is off", "some is, or none was judged", "the call or a file is bad") +
-      examples({"conform judge suite hits.csv --profile embree"}));
-  command->callback([options, &status] { status = run(*options); });
+      examples({"conform judge suite hits.csv --profile embree",
+                "conform judge --scene demo/still-life.json --rays rays.txt hits.jsonl --profile mine.json"}));
+  command->callback([options, &status] {
+    check_together(*options);
+    status = options->scene.empty() ? run(*options) : run_own(*options);
+  });
 }
 
 }  // namespace durero::cli

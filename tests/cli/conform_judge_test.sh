@@ -108,4 +108,26 @@ refused 'nowhere' conform judge nowhere hits.jsonl --profile durero
 printf '{"a":1}' >changed && cp changed suite/rim/0000.hits.jsonl
 refused 'suite/rim/0000.hits.jsonl:1:3: ' conform judge suite hits.jsonl --profile durero
 
+# One's own scene and rays: the same verdicts, ray by ray.
+printf '{"format":"durero-scene","version":1,"elementos":[{"id":"ball","tipo":"esfera","centro":[0,0,5],"radio":1}]}' >own.json
+printf '0 0 0 0 0 1\n0 3 0 0 0 1\n' >own.txt
+printf '{"ray":0,"outcome":"hit","element":"ball","t":4}\n{"ray":1,"outcome":"miss"}\n' >own.jsonl
+run 0 conform judge --scene own.json --rays own.txt own.jsonl --profile durero
+is out '2 rays: 2 exact'
+printf '{"ray":0,"outcome":"miss"}\n' >own.jsonl
+run 1 conform judge --scene own.json --rays own.txt own.jsonl --profile durero
+has out '2 rays: 1 missed, 1 skipped'
+has out 'ray 0 missed: expected ball at t = 4, point (0, 0, 4); got a miss'
+has out 'ray 1 skipped: no answer'
+run 1 conform judge --scene own.json --rays own.txt own.jsonl --profile durero --format json
+lines out 2
+refused 'HITS alone stands beside --scene; expected no suite' \
+  conform judge suite own.jsonl --scene own.json --rays own.txt --profile durero
+refused 'HITS is missing; expected DIR and HITS, or --scene, --rays and HITS' conform judge own.jsonl --profile durero
+refused '--format json is for' conform judge suite own.jsonl --profile durero --format json
+run 2 conform judge --scene own.json own.jsonl --profile durero
+run 2 conform judge --scene own.json --rays own.txt own.jsonl --profile durero --report found
+printf '0 0 4 0 0 1 @ball\n' >named.txt
+refused 'named.txt: ray 0 names elements that it starts on' conform judge --scene own.json --rays named.txt own.jsonl --profile durero
+
 finish

@@ -96,7 +96,7 @@ def classes(claim_ids, families):
         "operation": {"unknown material": unknown_material_of_edit},
         "hit": {"unknown element": lambda h: not set(h["elementos"]) <= set(SCENE_IDS),
                 "no such ray": lambda h: h["ray"] > 2},
-        "claim": {"no such case": lambda c: c["case"] != "generic/0000", "no such ray": lambda c: c["ray"] > 1,
+        "claim": {"no such case": lambda c: c.get("case") != "generic/0000", "no such ray": lambda c: c["ray"] > 1,
                   "unknown element": lambda c: c.get("element", claim_ids[0]) not in claim_ids},
         "profile": {},
         "system": {"another name": lambda s: s["system"] != "mutant"},

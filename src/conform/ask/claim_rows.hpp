@@ -20,6 +20,8 @@ class ClaimRows {
   Claim& claim_on(std::size_t offset, std::size_t in_case, double ray);
 
   std::span<const SuiteCase> cases() const { return cases_; }
+  /// Whether each claim names its case: of a user's own rays there is one alone.
+  bool names_cases() const { return cases_.size() != 1 || cases_[0].family != &own_family; }
   const io::Source& source() const { return *source_; }
   std::vector<Claims> take() && { return std::move(claims_); }
 

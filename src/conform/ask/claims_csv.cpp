@@ -39,7 +39,7 @@ std::vector<CsvField> fields_of(const io::Source& source, const io::TextLine& li
 }
 
 /// The columns in the order in which the head names them.
-std::vector<Column> read_head(const io::Source& source, const io::TextLine& line) {
+std::vector<Column> read_head(const io::Source& source, const io::TextLine& line, bool names_cases) {
   std::vector<Column> head;
   for (const CsvField& field : fields_of(source, line)) {
     const auto* const known = std::ranges::find(columns, field.text);
@@ -53,6 +53,7 @@ std::vector<Column> read_head(const io::Source& source, const io::TextLine& line
     head.push_back(column);
   }
   for (const Column column : {ClaimColumns::in_case, ClaimColumns::ray}) {
+    if (column == ClaimColumns::in_case && !names_cases) continue;
     if (std::ranges::find(head, column) == head.end())
       source.fail(line.begin, "no column " + text::shown(columns[column]), "expected case and ray");
   }
@@ -94,7 +95,9 @@ void read_row(const io::TextLine& line, std::span<const Column> head, ClaimRows&
   row.fill({line.begin, {}});
   for (std::size_t i = 0; i < head.size(); ++i) row[head[i]] = fields[i];
   Claim claim = read_claim(source, line.begin, row);
-  const std::size_t number = rows.case_of(row[ClaimColumns::in_case].offset, row[ClaimColumns::in_case].text);
+  const CsvField& in_case = row[ClaimColumns::in_case];
+  const bool has_case = rows.names_cases() || !in_case.text.empty();
+  const std::size_t number = has_case ? rows.case_of(in_case.offset, in_case.text) : 0;
   if (!row[ClaimColumns::element].text.empty())
     claim.element = rows.element_of(row[ClaimColumns::element].offset, number, row[ClaimColumns::element].text);
   rows.claim_on(row[ClaimColumns::ray].offset, number, number_in(source, row[ClaimColumns::ray])) = claim;
@@ -106,7 +109,7 @@ void read_claims_csv(ClaimRows& rows) {
   io::Lines lines(rows.source().text());
   const auto first = lines.next();
   if (!first) rows.source().fail(0, "the file is empty", "expected a head that names the columns");
-  const std::vector<Column> head = read_head(rows.source(), *first);
+  const std::vector<Column> head = read_head(rows.source(), *first, rows.names_cases());
   while (const auto line = lines.next()) {
     if (line->begin != line->end) read_row(*line, head, rows);
   }

@@ -7,9 +7,9 @@ namespace {
 
 using io::json::Reader;
 
-enum ClaimKey : std::size_t { in_case, ray, outcome, element, t, point, why };
-constexpr std::string_view keys[] = {"case", "ray", "outcome", "element", "t", "point", "why"};
-constexpr std::size_t required = 3;
+enum ClaimKey : std::size_t { ray, outcome, in_case, element, t, point, why };
+constexpr std::string_view keys[] = {"ray", "outcome", "case", "element", "t", "point", "why"};
+constexpr std::size_t required = 2;
 
 /// The contents of a line: its claim, and the texts whose meaning depends on the case.
 struct ClaimLine {
@@ -54,7 +54,9 @@ void read_row(const io::json::Document& document, std::size_t at, ClaimRows& row
   in.object("a claim", keys, required,
             [&](std::size_t key) { read_part(in, static_cast<ClaimKey>(key), rows.source(), row); });
   check_claim(rows.source(), at, row.claim);
-  const std::size_t number = rows.case_of(row.case_at, row.case_name);
+  const bool has_case = row.case_at != 0;
+  if (!has_case && rows.names_cases()) rows.source().fail(at, "key \"case\" is missing in a claim", "expected it");
+  const std::size_t number = has_case ? rows.case_of(row.case_at, row.case_name) : 0;
   if (row.element_at != 0) row.claim.element = rows.element_of(row.element_at, number, row.element_name);
   rows.claim_on(row.ray_at, number, row.ray) = row.claim;
 }

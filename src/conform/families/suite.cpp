@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "conform/families/scattered.hpp"
 
@@ -41,6 +43,17 @@ SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uin
   DrawnCase drawn = generate(family, seed_of_case(options.seed, number), rays, of_cases(options)).value();
   for (scene::Query& ray : drawn.the_case.rays) ray.en.clear();
   return {&family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids)};
+}
+
+const Family own_family{"own", "rays that a user brings", "a scene and rays of one's own", {"none", 0, 0}};
+
+SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays) {
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (!rays[i].en.empty())
+      throw std::invalid_argument(
+          fmt::format("ray {} names elements that it starts on, as no system is told of them; expected none", i));
+  }
+  return {.family = &own_family, .the_case = {std::move(scene), std::move(rays)}};
 }
 
 void answer(SuiteCase& of) {

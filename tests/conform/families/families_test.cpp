@@ -236,6 +236,19 @@ TEST_CASE("scenes have elements of the types that are asked for, and a family th
   CHECK(has_scenes("near_axial", {soy_cilindro, soy_cono}));
 }
 
+/// Whether all the elements are the same triangle, or the same disc.
+bool are_one_surface(const scene::Scene& scene, const scene::ElementSet& elements) {
+  return std::ranges::all_of(elements, [&](scene::ElementRef e) {
+    return scene.visit(e, [&]<class Shape>(const Shape& shape) {
+      const Shape first = scene.shapes<Shape>()[elements[0].index];
+      if constexpr (requires { shape.vertices; })
+        return shape.vertices == first.vertices;
+      else
+        return shape.centro == first.centro;
+    });
+  });
+}
+
 TEST_CASE("a system of triangles or discs alone has the families that need no axis and no inside") {
   using enum model::Tipo;
   const std::set<std::string_view> none{"near_axial", "perpendicular", "near_generator", "second_nappe", "apex",
@@ -247,7 +260,9 @@ TEST_CASE("a system of triangles or discs alone has the families that need no ax
       Count count;
       for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const auto drawn = generate(family, seed, 24, {.tipos = {tipo}});
-        if (drawn) count += conform::count(family, drawn->the_case);
+        if (!drawn) continue;
+        count += conform::count(family, drawn->the_case);
+        for (const scene::Query& ray : drawn->the_case.rays) CHECK(are_one_surface(drawn->the_case.scene, ray.en));
       }
       const bool has_none = none.contains(family.name) ||
                             (tipo == soy_disco ? of_triangles.contains(family.name) : family.name == "disc");

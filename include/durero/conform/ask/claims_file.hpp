@@ -16,7 +16,7 @@
 /// .npy: float64 of shape (n,), the t of every ray of the suite in its order, or (n, 4), t and the point; t = ∞ is a
 /// miss.
 ///
-/// A ray without a line is unanswered.
+/// A ray without a line is unanswered. Of a user's own rays there is one case, which no line need name.
 
 #include <span>
 #include <string>

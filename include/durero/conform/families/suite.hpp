@@ -28,7 +28,7 @@ inline constexpr std::size_t rays_of_a_case = 16;
 
 /// A scene with its rays and its place in the suite, and the exact answers once answer() has found them.
 struct SuiteCase {
-  const Family* family = nullptr;     ///< one of families()
+  const Family* family = nullptr;     ///< one of families(), or own_family
   std::uint64_t number = 0;           ///< its number among the cases of its family, from 0
   int parameter = 0;                  ///< the parameter of the family, as drawn
   Case the_case;                      ///< the scene and its rays, which in a suite start on no elements
@@ -48,6 +48,13 @@ std::size_t cases(const SuiteOptions& options, const Family& family);
 /// of them; where an origin lies on one exactly, the answer is that of t > 0. Precondition: number < cases(options,
 /// family).
 SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number);
+
+/// The family of the cases that users bring: none of families(), and in no suite.
+extern const Family own_family;
+
+/// The case of a user's scene and rays, without its truths: `own/0000`. Throws std::invalid_argument where a ray names
+/// elements that it starts on, as no system is told of them.
+SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays);
 
 /// Answers the rays of the case exactly: each truth is that of truth().
 void answer(SuiteCase& of);
