@@ -24,6 +24,11 @@ refused 'conform run: --continue: it says nothing alone; expected --report with 
 printf 'system liar 1\n' >liar
 run 1 conform run 'command:cat liar' --profile durero --family generic --rays 64
 has out crashed
+! grep -q 'no scene of these types' out || fail 'a family is named that was asked'
+printf '%s' '{"format":"durero-profile","version":1,"system":"balls","profile":{"format":"binary64","tipos":["esfera"],"caps":"open",
+"measure":"parameter","directions":"any","inside":"exit_point","names_elements":true},"sources":[]}' >balls.json
+run 1 conform run 'command:cat liar' --profile balls.json --family generic,apex,rim --rays 16
+has out '2 families have no scene of these types of elements: apex, rim'
 run 2 conform run 'command:cat liar' --profile durero --family generic --rays 1280
 has err 'no answer to any ray of 20 scenes in a row'
 printf '#!/bin/sh\necho system liar 2\nwhile read -r w n; do [ "$w" = rays ] || continue; i=0; while [ $i -lt $n ]; do read -r x; echo miss; i=$((i+1)); done; done\n' >liar.sh
