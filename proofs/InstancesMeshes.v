@@ -1,4 +1,4 @@
-(** * InstancesMeshes: the theorems about meshes, on two triangles that share an edge
+(** * InstancesMeshes: the theorems about meshes, on two triangles that share an edge and on a tetrahedron
 
     An element is a list of numbers here, and the name of a face its number before the mesh's name: no two faces have one.
 
@@ -6,7 +6,7 @@
     two_faces           == the mesh of the unit square, cut along a diagonal *)
 From Coq Require Import Reals List Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Malla.
-From Durero Require Auditoria Meshes MeshClaims MainModels.
+From Durero Require Auditoria VolumeOfMesh Meshes MeshClaims MainModels.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -91,3 +91,58 @@ Proof. intros [[-> | ->] | ->] H; injection H as <-; unfold Auditoria.along; cbn
 Definition instance_of_faces_that_a_plane_parts_do_not_cross :=
   MainModels.faces_that_a_plane_parts_do_not_cross two_faces 0 1 (mk_Cara 0 1 2) (mk_Cara 0 2 3) (mk_Punto (-1) 1 0) 0
     eq_refl eq_refl the_first_lies_before the_second_lies_behind.
+
+(** The tetrahedron between the origin and the three unit points is closed, and its volume is a sixth, wherever it is. *)
+Definition tetrahedron : Red :=
+  mk_Red [mk_Punto 0 0 0; mk_Punto 1 0 0; mk_Punto 0 1 0; mk_Punto 0 0 1]
+    [mk_Cara 0 2 1; mk_Cara 0 1 3; mk_Cara 1 2 3; mk_Cara 0 3 2].
+Notation walks := (VolumeOfMesh.walks tetrahedron).
+
+Definition ways : list (nat * nat * nat) :=
+  [(0, 0, 2); (0, 2, 1); (0, 1, 0); (1, 0, 1); (1, 1, 3); (1, 3, 0); (2, 1, 2); (2, 2, 3); (2, 3, 1); (3, 0, 3); (3, 3, 2); (3, 2, 0)]%nat.
+Lemma ways_of_faces n i j : walks n i j <-> In (n, i, j) ways.
+Proof.
+  split.
+  - intros [c [N [E | [E | E]]]]; unfold numbered in N; cbn in N;
+      (destruct n as [| [| [| [| n]]]]; cbn in N; [injection N as <- .. | destruct n; discriminate]);
+      cbn in E; injection E as -> ->; cbn; tauto.
+  - cbn. intros H. repeat destruct H as [H | H]; try contradiction; injection H as <- <- <-;
+      (eexists; split; [reflexivity |]); unfold Auditoria.aristas; cbn; tauto.
+Qed.
+Lemma one_way_once m n i j : walks m i j -> walks n i j -> m = n.
+Proof.
+  rewrite !ways_of_faces. cbn. intros H H'.
+  repeat destruct H as [H | H]; try contradiction; injection H as <- <- <-;
+    repeat destruct H' as [H' | H']; try contradiction; congruence.
+Qed.
+Lemma each_way_back n i j : walks n i j -> exists m, m <> n /\ walks m j i.
+Proof.
+  rewrite ways_of_faces. cbn. intros H.
+  repeat destruct H as [H | H]; try contradiction; injection H as <- <- <-;
+    first [now exists 0%nat; split; [discriminate | apply ways_of_faces; cbn; tauto]
+          | now exists 1%nat; split; [discriminate | apply ways_of_faces; cbn; tauto]
+          | now exists 2%nat; split; [discriminate | apply ways_of_faces; cbn; tauto]
+          | now exists 3%nat; split; [discriminate | apply ways_of_faces; cbn; tauto]].
+Qed.
+Lemma the_tetrahedron_is_closed : VolumeOfMesh.abiertas tetrahedron ≡ ∅.
+Proof.
+  intros [i j]. split; [| intros []]. intros [_ [n H]]. cbn in H.
+  destruct (proj2 (H n) eq_refl) as [W | W]; destruct (each_way_back _ _ _ W) as [m [D B]];
+    apply D, H; [now right | now left].
+Qed.
+Lemma the_tetrahedron_agrees : VolumeOfMesh.discordes tetrahedron ≡ ∅.
+Proof.
+  intros [i j]. split; [| intros []]. intros [_ [m [n [D [W W']]]]]. exact (D (one_way_once _ _ _ _ W W')).
+Qed.
+Lemma the_volume_is_a_sixth : VolumeOfMesh.volumen tetrahedron (1 / 6).
+Proof.
+  apply VolumeOfMesh.volumen_is_total. split.
+  - intros c [n H] i Hi. apply dom_numbered. unfold below; cbn. unfold numbered in H; cbn in H.
+    destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];
+      destruct Hi as [[-> | ->] | ->]; cbn; lia.
+  - cbn. unfold VolumeOfMesh.det_of, VolumeOfMesh.det, Auditoria.determinante; cbn. lra.
+Qed.
+
+Definition instance_of_a_closed_mesh_has_one_volume :=
+  MainModels.a_closed_mesh_has_one_volume (mk_Punto 1 2 3) tetrahedron (1 / 6) the_tetrahedron_is_closed
+    the_tetrahedron_agrees the_volume_is_a_sixth.

@@ -7,7 +7,7 @@ From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims MeshesApart Beside Watertight Auditoria
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims MeshesApart Beside Watertight Auditoria VolumeOfMesh
   Instancias Solidos.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -459,6 +459,13 @@ Theorem faces_that_a_plane_parts_do_not_cross r m n a b d level :
   (forall i p, i ∈ Auditoria.esquinas b -> (i, p) ∈ Malla.numbered (Malla.puntos r) -> level <= Auditoria.along d p) ->
   (m, n) ∉ Auditoria.cruzadas r.
 Proof. exact (Auditoria.faces_that_a_plane_parts_do_not_cross r m n a b d level). Qed.
+
+(** Faces of which no edge is open, and no two walk an edge the same way, have a volume of their own: it is the same when all
+    their points are moved, though it is told by determinants from the origin. *)
+Theorem a_closed_mesh_has_one_volume o r m :
+  VolumeOfMesh.abiertas r ≡ ∅ -> VolumeOfMesh.discordes r ≡ ∅ ->
+  VolumeOfMesh.volumen r m -> VolumeOfMesh.volumen (VolumeOfMesh.moved o r) m.
+Proof. exact (VolumeOfMesh.a_closed_mesh_has_one_volume o r m). Qed.
 
 (** * Copies and solids *)
 
