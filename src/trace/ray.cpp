@@ -4,11 +4,8 @@
 
 namespace durero::trace {
 
-Ray::Ray(const model::Rayo& rayo)
-    : p(rayo.p().xyz()),
-      v(rayo.v().xyz()),
-      speed(speed_of(rayo.v().xyz())),
-      ordinary(ray_in_range<DoublePairs>(rayo.p().xyz(), rayo.v().xyz())) {}
+Ray::Ray(const glm::dvec3& from, const glm::dvec3& along)
+    : p(from), v(along), speed(speed_of(along)), ordinary(ray_in_range<DoublePairs>(from, along)) {}
 
 bool ordinary(scene::ShapeView element) {
   return element.visit([]<class Shape>(const Shape& shape) {

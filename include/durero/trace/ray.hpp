@@ -18,7 +18,9 @@ inline constexpr scene::ElementRef nothing{{}, std::numeric_limits<std::uint32_t
 /// A ray, the quantities that every test of it needs, and the element that it starts on, in one cache line.
 struct alignas(64) Ray {
   /// Makes the ray of the specification's; it starts on nothing.
-  explicit Ray(const model::Rayo& rayo);
+  explicit Ray(const model::Rayo& rayo) : Ray(rayo.p().xyz(), rayo.v().xyz()) {}
+  /// Makes the ray from p along v, which is not 0; it starts on nothing.
+  Ray(const glm::dvec3& from, const glm::dvec3& along);
 
   /// |v|², greater by 60u to 80u (u = 2⁻⁵³).
   double length_squared() const { return (v.x * v.x + v.y * v.y + v.z * v.z) * (1 + 0x1p-47 + 0x1p-50); }
