@@ -3,6 +3,17 @@
 #include "durero/trace/search.hpp"
 
 namespace durero::trace {
+namespace {
+
+void write_hit(scene::Hit& hit, scene::ElementRef e, const RoundedPoint& rounded) {
+  hit.resultado = model::Resultado::hit;
+  hit.t = rounded.t;
+  hit.punto = rounded.punto;
+  hit.elementos.clear();
+  hit.elementos.push_back(e);
+}
+
+}  // namespace
 
 void Certified::hit_own(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point) {
   Hits& hits = waiting_own_[static_cast<std::size_t>(e.tipo)];
@@ -26,12 +37,7 @@ void Certified::round(Hits& hits, Rounding rounding) {
 
 void Certified::write(std::uint32_t number, scene::ElementRef e, const RoundedPoint& rounded) {
   ++counts_.order[0];
-  scene::Hit& hit = hits_[number];
-  hit.resultado = model::Resultado::hit;
-  hit.t = rounded.t;
-  hit.punto = rounded.punto;
-  hit.elementos.clear();
-  hit.elementos.push_back(e);
+  write_hit(hits_[number], e, rounded);
 }
 
 /// The lane's result where it is certain; the later steps for this ray and element where it is not.
@@ -42,6 +48,25 @@ RoundedPoint Certified::rounded(const Hits& hits, std::size_t lane) {
   }
   const scene::Query& query = queries_[hits.queue.numbers[lane]];
   return Search(scene_, query.rayo, query.en, counts_).rounded_hit(hits.queue.elements[lane], hits.findings[lane]);
+}
+
+/// A lane where some step is not certain goes through the search of one ray.
+void FoundHits::finish() {
+  if (queue_.count == 0) return;
+  triage(queue_.packet, model::Tipo::soy_triangulo, findings_);
+  improve_and_round(queue_.packet, model::Tipo::soy_triangulo, findings_, rounded_);
+  for (std::size_t lane = 0; lane < queue_.count; ++lane) {
+    const std::uint32_t number = queue_.numbers[lane];
+    const scene::ElementRef e = queue_.elements[lane];
+    RoundedPoint rounded{true, rounded_.t[lane], {rounded_.x[lane], rounded_.y[lane], rounded_.z[lane]}};
+    if ((findings_.hit & rounded_.certain & 1u << lane) == 0) {
+      const scene::Query& query = queries_[number];
+      const Search search(scene_, query.rayo, query.en, counts_);
+      rounded = search.rounded_hit(e, search.meeting(e, no_limit));
+    }
+    write_hit(hits_[number], e, rounded);
+  }
+  queue_.count = 0;
 }
 
 }  // namespace durero::trace

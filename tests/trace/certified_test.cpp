@@ -6,6 +6,7 @@
 #include "support/elements.hpp"
 #include "support/property.hpp"
 #include "support/sanitized.hpp"
+#include "support/scenes.hpp"
 #include "support/shapes.hpp"
 #include "trace/triage.hpp"
 
@@ -132,5 +133,39 @@ TEST_CASE("hits of the element that a ray starts on are rounded once, in lanes")
       CHECK(answers[i] == surface::exact::rounded_hit(queries[i].rayo, t, {e}));
     }
     CHECK(counts.rounding[0] > 40);
+  }
+}
+
+TEST_CASE("hits whose triangles are known are rounded once, those that lanes cannot decide as well") {
+  Random random(7);
+  scene::Scene scene;
+  std::vector<scene::Query> queries;
+  std::vector<ElementRef> told;
+  for (int i = 0; i < 45; ++i) {
+    const std::array vertices{random.in_cube(1), random.in_cube(1), random.in_cube(1)};
+    const glm::dvec3 p = random.in_cube(3);
+    told.push_back(add(scene, scene::Triangle{vertices}));
+    // Some rays are aimed at a vertex, where binary64 leaves open whether they hit.
+    const glm::dvec3 at = i % 5 == 0 ? vertices[1] : (vertices[0] + vertices[1] + vertices[2]) / 3.0;
+    queries.push_back({ray(p, at - p)});
+  }
+  std::vector<scene::Hit> hits(queries.size());
+  trace::Counts counts;
+  trace::FoundHits found(scene, queries, hits, counts);
+  const trace::Tables tables(scene);
+  std::vector<bool> met(queries.size());
+  for (std::uint32_t i = 0; i < queries.size(); ++i) {
+    met[i] = !surface::exact::reach(scene, told[i], queries[i].rayo, {}).empty();
+    if (met[i]) found.push(i, tables, told[i]);
+  }
+  found.finish();
+  CHECK(std::ranges::count(met, true) > 36);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (!met[i]) {
+      CHECK(hits[i] == scene::Hit{});
+      continue;
+    }
+    const auto t = surface::exact::reach(scene, told[i], queries[i].rayo, {}).first();
+    CHECK(hits[i] == surface::exact::rounded_hit(queries[i].rayo, t, {told[i]}));
   }
 }

@@ -19,6 +19,13 @@ TEST_CASE("entries are picked by an order, or as they stand where there is none"
     CHECK(by_order[i] == 10 + static_cast<int>(order[1 + i]));
     CHECK(standing[i] == 11 + static_cast<int>(i));
   }
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(by_order.place(i) == order[1 + i]);
+    CHECK(standing.place(i) == i);
+  }
+  const std::vector<std::uint32_t> others{0, 3};
+  CHECK(by_order.at_places(others).size() == 2);
+  CHECK(by_order.at_places(others)[1] == 13);
   by_order[0] = 7;
   CHECK(all == std::vector{10, 11, 7, 13, 14});
 }

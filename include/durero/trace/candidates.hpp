@@ -20,6 +20,7 @@
 #include "durero/scene/scene.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/batch.hpp"
+#include "durero/trace/bundled.hpp"
 #include "durero/trace/certified.hpp"
 #include "durero/trace/search.hpp"
 
@@ -162,9 +163,39 @@ void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, st
   oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block, oneapi::tbb::simple_partitioner());
 }
 
+/// first_hit_among of some queries, batched in lanes.
+template <PairCandidates Source>
+void first_hits_in_lanes(const Source& source, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits,
+                         Counts& counts) {
+  Certified certified(source.scene(), queries, hits, counts);
+  Batch batch(source, queries, certified);
+  batch.answer();
+  certified.finish();
+  batch.for_each_alone([&](std::uint32_t number) {
+    hits[number] = first_hit_among(source, queries[number].rayo, queries[number].en, counts);
+  });
+  counts.element[0] += batch.decided();
+}
+
+/// The queries of a block whose first hits are not found in bundles; the others have theirs.
+template <PairCandidates Source>
+Unbundled without_bundled_hits(const Source& source, IndexedView<const scene::Query> queries,
+                               IndexedView<scene::Hit> hits) {
+  Counts unseen;
+  FoundHits found(source.scene(), queries, hits, unseen);
+  Unbundled left(source, queries, SingleSearch::nearest,
+                 [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
+                   const std::uint32_t own = rays.found(place);
+                   if (own == SingleRays::none) return void(hits[number] = {});
+                   found.push(number, source, {model::Tipo::soy_triangulo, own});
+                 });
+  found.finish();
+  return left;
+}
+
 /// first_hit_among of every query, in order, batched in lanes: for more than a few rays the fastest way to the same
-/// bytes. The result does not depend on the number of threads. `counts`, where given, is added to. Precondition: `hits`
-/// has a place for each query.
+/// bytes. The result does not depend on the number of threads. `counts`, where given, is added to, and no ray is then
+/// answered in a bundle, which has no pairs to count. Precondition: `hits` has a place for each query.
 template <PairCandidates Source>
 void first_hits_among(const Source& source, std::span<const scene::Query> queries, std::span<scene::Hit> hits,
                       Counts* counts) {
@@ -174,15 +205,12 @@ void first_hits_among(const Source& source, std::span<const scene::Query> querie
     Counts of_block;
     const auto block = picked(queries, order, begin, count);
     const auto answers = picked(hits, order, begin, count);
-    Certified certified(source.scene(), block, answers, of_block);
-    Batch batch(source, block, certified);
-    batch.answer();
-    certified.finish();
-    batch.for_each_alone([&](std::uint32_t number) {
-      answers[number] = first_hit_among(source, block[number].rayo, block[number].en, of_block);
-    });
-    of_block.element[0] += batch.decided();
-    if (counts == nullptr) return;
+    if (counts == nullptr) {
+      const Unbundled left = without_bundled_hits(source, block, answers);
+      if (!left.none()) first_hits_in_lanes(source, left.of(block), left.of(answers), of_block);
+      return;
+    }
+    first_hits_in_lanes(source, block, answers, of_block);
     const std::scoped_lock lock(adding);
     *counts += of_block;
   });

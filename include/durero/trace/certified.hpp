@@ -87,4 +87,33 @@ class Certified {
   RoundedPacket rounded_;
 };
 
+/// First hits whose elements are known, which wait to be computed and rounded in lanes.
+class FoundHits {
+ public:
+  /// The references must outlive it. Precondition: `hits` has a place for each query.
+  FoundHits(const scene::Scene& scene, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits,
+            Counts& counts)
+      : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
+
+  /// Adds the hit of a query on an element alone, by the source's name of it, on which its ray does not start.
+  /// Precondition: all elements that are added are triangles.
+  template <class Source>
+  void push(std::uint32_t number, const Source& source, scene::ElementRef own) {
+    queue_.push(source, number, Ray(queries_[number].rayo), own);
+    queue_.elements[queue_.count - 1] = source.element(own);
+    if (queue_.full()) finish();
+  }
+  /// Writes the hits that wait.
+  void finish();
+
+ private:
+  const scene::Scene& scene_;
+  IndexedView<const scene::Query> queries_;
+  IndexedView<scene::Hit> hits_;
+  Counts& counts_;
+  Queue queue_;
+  Findings findings_;
+  RoundedPacket rounded_;
+};
+
 }  // namespace durero::trace

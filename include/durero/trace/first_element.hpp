@@ -83,12 +83,23 @@ void first_elements_among(const Source& source, std::span<const scene::Query> qu
   for_each_block(queries.size(), [&](std::size_t begin, std::size_t count) {
     const auto block = picked(queries, order, begin, count);
     const auto answers = picked(elements, order, begin, count);
-    FirstElements kernel(answers);
-    Batch batch(source, block, kernel);
+    const Unbundled unbundled(
+        source, block, SingleSearch::nearest, [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
+          const std::uint32_t found = rays.found(place);
+          answers[number] =
+              found == SingleRays::none
+                  ? FirstElement{}
+                  : FirstElement{model::Resultado::hit, 1, source.element({model::Tipo::soy_triangulo, found})};
+        });
+    if (unbundled.none()) return;
+    const auto left = unbundled.of(block);
+    const auto own = unbundled.of(answers);
+    FirstElements kernel(own);
+    Batch batch(source, left, kernel);
     batch.answer();
     Counts unseen;
     batch.for_each_alone([&](std::uint32_t number) {
-      answers[number] = first_element(first_hit_among(source, block[number].rayo, block[number].en, unseen));
+      own[number] = first_element(first_hit_among(source, left[number].rayo, left[number].en, unseen));
     });
   });
 }

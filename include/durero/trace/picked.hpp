@@ -28,8 +28,12 @@ class IndexedView {
 
   /// @{ The operations of an array.
   std::size_t size() const noexcept { return size_; }
-  T& operator[](std::size_t i) const { return all_[places_ == nullptr ? i : places_[i]]; }
+  T& operator[](std::size_t i) const { return all_[place(i)]; }
   /// @}
+  /// The place of an entry in the whole array.
+  std::size_t place(std::size_t i) const { return places_ == nullptr ? i : places_[i]; }
+  /// A view of the entries at other places of the whole array.
+  IndexedView at_places(std::span<const std::uint32_t> places) const { return {all_, places}; }
 
  private:
   std::span<T> all_;

@@ -234,7 +234,13 @@ void occluded_segments_in_lanes(const Source& source, std::span<const scene::Que
   for_each_block(
       queries.size(),
       [&](std::size_t begin, std::size_t count) {
-        SegmentBatch(source, picked(queries, order, begin, count), picked(occluded, order, begin, count)).answer();
+        const auto block = picked(queries, order, begin, count);
+        const auto answers = picked(occluded, order, begin, count);
+        const Unbundled left(source, block, SingleSearch::any,
+                             [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
+                               answers[number] = rays.meets(place);
+                             });
+        if (!left.none()) SegmentBatch(source, left.of(block), left.of(answers)).answer();
       },
       most, 8 * threads);
 }
