@@ -181,6 +181,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     const ItemRange all = wide::part_of(items, room);
     const double extent = std::max({all.box.width(0), all.box.width(1), all.box.width(2)});
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
+    for (std::size_t axis = 0; axis < 3; ++axis) all_[axis] = {all.box.low[axis], all.box.high[axis]};
     const Tree tree = built(all, 0);
     nodes_.reserve(tree.size());
     append(nodes_, blocks, tree);
@@ -204,6 +205,16 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
       for (std::uint32_t lane = 0; lane < blocks[child.index].size; ++lane)
         every_rays_leaves_.push_back({first.tipo, first.index + lane});
     }
+  is_mesh_ = mostly_in_blocks();
+}
+
+bool WideBvh::mostly_in_blocks() const {
+  const auto in_range = [](const Range32& planes) { return double{planes.size()} <= trace::SingleRays::range; };
+  std::size_t alone = 0;
+  for (const WideNode& node : nodes_)
+    alone += static_cast<std::size_t>(std::ranges::count(node.children, ChildKind::element, &WideChild::kind));
+  return 16 * alone <= leaves_.blocks().size() && !nodes_.empty() && unbounded_.empty() && extraordinary_.empty() &&
+         std::ranges::all_of(all_, in_range);
 }
 
 Size WideBvh::size() const {

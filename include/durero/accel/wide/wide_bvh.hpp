@@ -15,7 +15,9 @@
 
 #include "durero/accel/structure.hpp"
 #include "durero/accel/wide/leaf_columns.hpp"
+#include "durero/accel/wide/mesh_traversal.hpp"
 #include "durero/accel/wide/wide_traversal.hpp"
+#include "durero/trace/bundled.hpp"
 #include "durero/trace/picked.hpp"
 
 namespace durero::accel {
@@ -60,6 +62,13 @@ class WideBvh {
   void ask_for_own(scene::ElementRef e) const { leaves_.ask_for_leaf(e); }
   void ask_for_shape(scene::ElementRef leaf) const { leaves_.ask_for_shape(leaf); }
   /// @}
+  /// @{ The operations of BundleSource (trace/bundled.hpp): bundles serve where nearly all elements are triangles in
+  /// blocks, within the range of binary32.
+  bool bundles() const noexcept { return is_mesh_; }
+  void search(trace::SingleSearch search, trace::SingleRays& rays) const {
+    accel::search({nodes(), leaves_.blocks(), all_, static_cast<float>(bundle_width * spacing_)}, search, rays);
+  }
+  /// @}
   /// The order of the queries that is traversed faster, for trace::order_of: by octant of the direction and by cell of
   /// the origin where the tree exceeds the cache and the queries are not coherent already; otherwise empty, which keeps
   /// the queries' own order.
@@ -74,6 +83,9 @@ class WideBvh {
   Size size() const;
 
  private:
+  static constexpr double bundle_width = 8;  // the greatest of a bundle in binary32, in spacings
+
+  bool mostly_in_blocks() const;
   template <class Bundles, class Limit, class Visitor>
   void pairs_in_columns(std::span<const trace::Ray> rays, Limit& limit, Visitor& take) const;
   template <class Limit, class Visit, class Count>
@@ -83,6 +95,8 @@ class WideBvh {
   LargeVector<WideNode> nodes_;
   LeafColumns leaves_;  // of the nodes, then of unbounded_
   double spacing_ = 0;
+  std::array<Range32, 3> all_{};  // the box of the root
+  bool is_mesh_ = false;          // nearly each element is a triangle in a block, within the range of binary32
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
   // The leaves that any ray may be tested against: of unbounded_, then of a tree of one node.
   std::vector<scene::ElementRef> every_rays_leaves_;
