@@ -149,6 +149,12 @@ TEST_CASE("hits whose triangles are known are rounded once, those that lanes can
     const glm::dvec3 at = i % 5 == 0 ? vertices[1] : (vertices[0] + vertices[1] + vertices[2]) / 3.0;
     queries.push_back({ray(p, at - p)});
   }
+  // t is halfway between two numbers of binary64, which only exact arithmetic tells.
+  for (const double k : {1.0, 3.0, 5.0, 7.0}) {
+    told.push_back(add(scene, scene::Triangle{{glm::dvec3(-9, -9, 3 * k), {9, -9, 3 * k}, {0, 9, 3 * k}}}));
+    const double half = 0x1p-53 * std::exp2(std::floor(std::log2(k)));
+    queries.push_back({ray({0.1, 0.2, -3 * half}, {0.125, 0.25, 3})});
+  }
   std::vector<scene::Hit> hits(queries.size());
   trace::Counts counts;
   trace::FoundHits found(scene, queries, hits, counts);

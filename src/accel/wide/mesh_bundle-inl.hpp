@@ -22,6 +22,7 @@
 #include <hwy/highway.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -163,13 +164,14 @@ HWY_INLINE unsigned met_boxes(Planes planes, const MeshBundle& bundle, float lim
   return box_bits(hn::Le(entry, hn::MulAdd(stretch.exit, in_all(grow32), in_all(tiny32))));
 }
 
+using BoxEntries = std::array<float, WideNode::width>;  // of the boxes of a node's children
+
 struct LanePlanePair {
   BoxLanes low, high;
 };
 
 /// met_boxes of a node's children.
-HWY_INLINE unsigned met_children(const WideNode& node, const MeshBundle& bundle, float limit,
-                                 std::array<float, WideNode::width>& entries) {
+HWY_INLINE unsigned met_children(const WideNode& node, const MeshBundle& bundle, float limit, BoxEntries& entries) {
   const BoxTag tag;
   unsigned met = 0;
   for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
@@ -227,14 +229,81 @@ HWY_INLINE std::uint64_t met_by_rays(const WideNode& node, std::size_t child, co
   return met;
 }
 
-/// The greatest limit of the bundle's rays.
-HWY_INLINE float farthest_of(const MeshBundle& bundle, const trace::SingleRays& rays) {
-  const BoxTag tag;
-  BoxLanes farthest = hn::Load(tag, &rays.limit[bundle.begin]);
-  for (std::size_t at = bundle.begin + hn::Lanes(tag); at < bundle.end; at += hn::Lanes(tag))
-    farthest = hn::Max(farthest, hn::Load(tag, &rays.limit[at]));
-  return hn::GetLane(hn::MaxOfLanes(tag, farthest));
-}
+/// The rays of a bundle as MeshWalk asks about them.
+class BundleBoxes {
+ public:
+  HWY_INLINE BundleBoxes(const MeshBundle& bundle, const BoxColumns& columns, const trace::SingleRays& rays)
+      : bundle_(bundle), columns_(columns), rays_(rays) {}
+
+  /// The children of a node whose boxes some ray may meet up to a limit, and lower bounds of the entries.
+  HWY_INLINE unsigned met(const WideNode& node, float limit, BoxEntries& entries) const {
+    return met_children(node, bundle_, limit, entries);
+  }
+  /// The rays that may meet a child's box, of a child that is met.
+  HWY_INLINE std::uint64_t met_by(const WideNode& node, std::size_t child) const {
+    return met_by_rays(node, child, bundle_, columns_, rays_);
+  }
+  /// The triangles of a block that some ray may meet up to a limit, of those in `which`.
+  HWY_INLINE unsigned met(const trace::TriangleBlock& block, std::uint64_t which, float limit) const {
+    return std::popcount(which) < few ? 0xff : met_triangles(block, bundle_, limit);
+  }
+  /// The greatest limit of the rays.
+  HWY_INLINE float farthest() const {
+    const BoxTag tag;
+    BoxLanes farthest = hn::Load(tag, &rays_.limit[bundle_.begin]);
+    for (std::size_t at = bundle_.begin + hn::Lanes(tag); at < bundle_.end; at += hn::Lanes(tag))
+      farthest = hn::Max(farthest, hn::Load(tag, &rays_.limit[at]));
+    return hn::GetLane(hn::MaxOfLanes(tag, farthest));
+  }
+
+ private:
+  static constexpr int few = 12;  // rays from which on it pays to ask about the triangles
+
+  const MeshBundle& bundle_;
+  const BoxColumns& columns_;
+  const trace::SingleRays& rays_;
+};
+
+/// One ray, likewise. The test of eight boxes is that of met_by_rays.
+class LoneBoxes {
+ public:
+  HWY_INLINE LoneBoxes(std::size_t place, const BoxColumns& columns, const trace::SingleRays& rays)
+      : place_(place), rays_(rays) {
+    const auto of = [&](const trace::SingleRays::Columns& column, std::size_t axis)
+                        HWY_ATTR { return in_all(column[axis][place]); };
+    for_each_axis([&](std::size_t axis) HWY_ATTR {
+      near_plane_[axis] = rays.v[axis][place] < 0 ? axis + 3 : axis;
+      inverse_[axis] = of(columns.inverse, axis);
+      near_[axis] = of(columns.near, axis), far_[axis] = of(columns.far, axis);
+    });
+  }
+
+  HWY_INLINE unsigned met(const WideNode& node, float limit, BoxEntries& entries) const {
+    const BoxTag tag;
+    unsigned met = 0;
+    for (std::size_t at = 0; at < WideNode::width; at += hn::Lanes(tag)) {
+      LaneStretch stretch{hn::Zero(tag), in_all(limit)};
+      for_each_axis([&](std::size_t axis) HWY_ATTR {
+        const auto& first = node.planes[near_plane_[axis]];
+        const auto& last = node.planes[2 * axis + 3 - near_plane_[axis]];
+        stretch.entry = hn::Max(stretch.entry, hn::MulSub(hn::Load(tag, &first[at]), inverse_[axis], near_[axis]));
+        stretch.exit = hn::Min(stretch.exit, hn::MulSub(hn::Load(tag, &last[at]), inverse_[axis], far_[axis]));
+      });
+      hn::StoreU(stretch.entry, tag, &entries[at]);
+      met |= box_bits(hn::Le(stretch.entry, stretch.exit)) << at;
+    }
+    return met;
+  }
+  HWY_INLINE std::uint64_t met_by(const WideNode&, std::size_t) const { return trace::SingleRays::bit(place_); }
+  HWY_INLINE unsigned met(const trace::TriangleBlock&, std::uint64_t, float) const { return 0xff; }
+  HWY_INLINE float farthest() const { return rays_.limit[place_]; }
+
+ private:
+  std::size_t place_;
+  const trace::SingleRays& rays_;
+  std::size_t near_plane_[3];
+  BoxLanes inverse_[3], near_[3], far_[3];
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace durero::accel

@@ -19,12 +19,12 @@ namespace {
 using trace::SingleRays;
 using trace::SingleSearch;
 
+constexpr std::size_t in_cache = std::size_t{1} << 20;  // bytes of a tree whose nodes are soon at hand
+constexpr float scattered = 4;  // bundles' widths, over which rays start that are no bundle, nor their halves
+
 /// The limit of a ray without a hit.
 template <SingleSearch search>
 constexpr float no_limit_of = search == SingleSearch::any ? 1 : HUGE_VALF;
-
-/// The rays from which on it pays to ask which triangles of a block the bundle may meet at all.
-constexpr int few = 12;
 
 /// A child on the stack: a lower bound of the bundle's entry into its box, its index, and, of a block, the rays that
 /// may meet its box; none of a node.
@@ -34,17 +34,14 @@ struct WaitingChild {
   std::uint64_t which;
 };
 
-/// A traversal by one bundle.
-template <SingleSearch search>
+/// A traversal by one bundle, or by one ray.
+template <SingleSearch search, class Boxes>
 class MeshWalk {
  public:
-  HWY_INLINE MeshWalk(const MeshTree& tree, const MeshBundle& bundle, SingleRays& rays)
-      : tree_(tree), bundle_(bundle), rays_(rays) {}
+  HWY_INLINE MeshWalk(const MeshTree& tree, const Boxes& boxes, SingleRays& rays)
+      : tree_(tree), boxes_(boxes), rays_(rays) {}
 
   void walk() {
-    std::array<float, WideNode::width> entries;
-    if (met_children(tree_.nodes[0], bundle_, limit_, entries) == 0) return;
-    set_columns(tree_, bundle_, rays_, columns_);
     open(tree_.nodes[0]);
     while (size_ > 0 && limit_ >= 0) {
       const WaitingChild child = waiting_[--size_];
@@ -60,16 +57,16 @@ class MeshWalk {
  private:
   /// Pushes the children of a node that the bundle meets, the nearest on top where the nearest hit is searched.
   HWY_INLINE void open(const WideNode& node) {
-    std::array<float, WideNode::width> entries;
+    BoxEntries entries;
     const std::size_t begin = size_;
-    for (unsigned met = met_children(node, bundle_, limit_, entries); met != 0; met &= met - 1) {
+    for (unsigned met = boxes_.met(node, limit_, entries); met != 0; met &= met - 1) {
       const auto place = static_cast<std::size_t>(std::countr_zero(met));
       const WideChild& child = node.children[place];
       std::uint64_t which = 0;
       if (child.kind == WideChild::Kind::node) {
         trace::ask_for(tree_.nodes[child.index]);
       } else {
-        which = met_by_rays(node, place, bundle_, columns_, rays_);
+        which = boxes_.met_by(node, place);
         if (which == 0) continue;
         if (child.kind == WideChild::Kind::element) {
           rays_.close(which, rays_.left);
@@ -88,20 +85,26 @@ class MeshWalk {
     const std::uint64_t which = child.which & rays_.open;
     if (which == 0) return;
     const trace::TriangleBlock& block = tree_.blocks[child.index];
-    const unsigned triangles = std::popcount(which) < few ? 0xff : met_triangles(block, bundle_, limit_);
+    const unsigned triangles = boxes_.met(block, which, limit_);
     if (triangles == 0) return;
     trace::screen(block, LeafColumns::first_of(child.index).index, triangles, which, search, rays_);
-    limit_ = farthest_of(bundle_, rays_);
+    limit_ = boxes_.farthest();
   }
 
   const MeshTree& tree_;
-  const MeshBundle& bundle_;
+  const Boxes& boxes_;
   SingleRays& rays_;
-  BoxColumns columns_;  // set where the bundle meets the tree at all
   float limit_ = no_limit_of<search>;
   std::size_t size_ = 0;
   std::array<WaitingChild, most_waiting> waiting_;  // only the first size_ are set
 };
+
+/// How far apart the first and the last of some rays start.
+HWY_INLINE float spread_of(const SingleRays& rays, const MeshBundle& some) {
+  float spread = 0;
+  for (const SingleRays::Column& p : rays.p) spread = std::max(spread, std::abs(p[some.end - 1] - p[some.begin]));
+  return spread;
+}
 
 /// The width of a bundle within the tree, up to a limit.
 HWY_INLINE float width_of(const MeshTree& tree, const MeshBundle& bundle, float limit) {
@@ -116,16 +119,45 @@ HWY_INLINE float width_of(const MeshTree& tree, const MeshBundle& bundle, float 
   return width;
 }
 
-/// Walks with the rays at some places, if they are narrow; else with each half of them; hands back what stays wide.
+/// Walks with a bundle, if it meets the tree.
+template <SingleSearch search>
+void walk_bundle(const MeshTree& tree, const MeshBundle& bundle, SingleRays& rays) {
+  BoxEntries entries;
+  if (met_children(tree.nodes[0], bundle, no_limit_of<search>, entries) == 0) return;
+  BoxColumns columns;
+  set_columns(tree, bundle, rays, columns);
+  const BundleBoxes boxes(bundle, columns, rays);
+  MeshWalk<search, BundleBoxes>(tree, boxes, rays).walk();
+}
+
+/// Walks with each of some rays alone; hands them back where the tree exceeds the cache, and each would wait for
+/// memory.
+template <SingleSearch search>
+void walk_alone(const MeshTree& tree, const MeshBundle& some, SingleRays& rays) {
+  std::uint64_t open = rays.open >> some.begin << some.begin;
+  if (some.end < SingleRays::size) open &= SingleRays::bit(some.end) - 1;
+  if (search == SingleSearch::any || tree.nodes.size_bytes() + tree.blocks.size_bytes() > in_cache)
+    return rays.close(open, rays.left);
+  BoxColumns columns;
+  set_columns(tree, some, rays, columns);
+  for (; open != 0; open &= open - 1) {
+    const LoneBoxes boxes(static_cast<std::size_t>(std::countr_zero(open)), columns, rays);
+    MeshWalk<search, LoneBoxes>(tree, boxes, rays).walk();
+  }
+}
+
+/// Walks with the rays at some places as a bundle, if they are narrow; else with each half of them, or alone.
 template <SingleSearch search>
 void walk_places(const MeshTree& tree, MeshBundle bundle, SingleRays& rays) {
+  float width = HUGE_VALF;
   if (bounded(rays, bundle)) {
     if constexpr (search == SingleSearch::any) turn_to_narrow(rays, bundle);
     invert(bundle);
-    if (width_of(tree, bundle, no_limit_of<search>) <= tree.narrow) return MeshWalk<search>(tree, bundle, rays).walk();
+    width = width_of(tree, bundle, no_limit_of<search>);
   }
+  if (width <= tree.narrow) return walk_bundle<search>(tree, bundle, rays);
   const std::size_t groups = (bundle.end - bundle.begin) / SingleRays::eight;
-  if (groups <= 1) return rays.close(std::uint64_t{0xff} << bundle.begin, rays.left);
+  if (groups <= 1 || spread_of(rays, bundle) > scattered * tree.narrow) return walk_alone<search>(tree, bundle, rays);
   const std::size_t middle = bundle.begin + (groups + 1) / 2 * SingleRays::eight;
   walk_places<search>(tree, {bundle.begin, middle, {}, {}, {}}, rays);
   walk_places<search>(tree, {middle, bundle.end, {}, {}, {}}, rays);

@@ -144,6 +144,19 @@ TEST_CASE("rays along the plane of the triangle that they start on have no neare
   check_each_alone(tree, queries);
 }
 
+TEST_CASE("rays that go anywhere are answered one by one in a small mesh, but for segments") {
+  Random random(8);
+  std::vector<scene::Query> queries;
+  for (int i = 0; i < 1000; ++i)
+    queries.push_back({ray(random.in_cube(1) + glm::dvec3(0.5, 0.5, 0), random.direction())});
+  const scene::Scene small = sheet(10, 1, {0, 0, 0}), large = sheet(100, 1, {0, 0, 0});
+  const WideBvh in_cache(small), beyond(large);
+  check_each_alone(in_cache, queries);
+  CHECK(answered(in_cache, queries, SingleSearch::nearest) > 0.95);
+  CHECK(answered(in_cache, queries, SingleSearch::any) < 0.1);
+  CHECK(answered(beyond, queries, SingleSearch::nearest) < 0.1);
+}
+
 TEST_CASE("few rays, and counts that are no multiple of eight, have their answers") {
   const scene::Scene scene = sheet(12, 1, {0, 0, 0});
   const WideBvh tree(scene);
