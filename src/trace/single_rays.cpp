@@ -189,6 +189,24 @@ void screen_any(const TriangleBlock& block, std::uint32_t first, unsigned triang
   screen_block<SingleSearch::any>(block, first, triangles, which, rays);
 }
 
+unsigned possible_in_block(const Ray& ray, const TriangleBlock& block, double limit) {
+  const auto nearest = [](double x) { return static_cast<float>(x); };
+  const auto rest = [&](double x) { return nearest(x - double{nearest(x)}); };
+  const auto everywhere = [](float x, float y, float z) HWY_ATTR { return Triple{all(x), all(y), all(z)}; };
+  const glm::dvec3 &p = ray.p, &v = ray.v;
+  const double p_size = std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+  const LaneRays lanes{
+      everywhere(nearest(p.x), nearest(p.y), nearest(p.z)), everywhere(rest(p.x), rest(p.y), rest(p.z)),
+      everywhere(nearest(v.x), nearest(v.y), nearest(v.z)), all(nearest(12.0 * u * ray.speed)),
+      all(nearest(8.0 * u * p_size + double{tiny})),        all(single_above(limit))};
+  unsigned possible = 0;
+  for (std::size_t at = 0; at < TriangleBlock::size; at += singles()) {
+    Screened s;
+    if (screened(triangles_of(block, at), lanes, s)) possible |= bits_of(s.possible) << at;
+  }
+  return possible;
+}
+
 using WideTag = hn::CappedTag<double, SingleRays::eight>;
 using HalfTag = hn::Rebind<float, WideTag>;
 using Wide = hn::Vec<WideTag>;
@@ -233,6 +251,7 @@ namespace {
 HWY_EXPORT(round_rays);
 HWY_EXPORT(screen_nearest);
 HWY_EXPORT(screen_any);
+HWY_EXPORT(possible_in_block);
 }  // namespace
 
 bool round_to_single(SingleRays& rays) {
@@ -255,6 +274,20 @@ void screen(const TriangleBlock& block, std::uint32_t first, unsigned triangles,
   if (search == SingleSearch::nearest)
     return HWY_DYNAMIC_DISPATCH(screen_nearest)(block, first, triangles, which, rays);
   HWY_DYNAMIC_DISPATCH(screen_any)(block, first, triangles, which, rays);
+}
+
+bool in_single_range(const Ray& ray) {
+  bool good = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double v = std::abs(ray.v[axis]);
+    good &= std::abs(ray.p[axis]) <= SingleRays::range && v <= SingleRays::range;
+    good &= v == 0 || v >= 1 / SingleRays::range;
+  }
+  return good;
+}
+
+unsigned possible_hits(const Ray& ray, const TriangleBlock& block, double limit) {
+  return HWY_DYNAMIC_DISPATCH(possible_in_block)(ray, block, limit);
 }
 
 }  // namespace durero::trace

@@ -323,3 +323,43 @@ TEST_CASE("a segment that ends on a triangle, or starts there unannounced, does 
   REQUIRE(surface::exact::occluded_segment(some.scene, nearly[0].rayo));
   check_any(some, nearly, 0xff, answered);
 }
+
+TEST_CASE("what a ray may meet in a block has all that it meets up to the limit, and no empty lane") {
+  Random random(9);
+  std::size_t hits = 0, possible = 0, beyond = 0;
+  for (int turn = 0; turn < 300; ++turn) {
+    const double scale = turn % 3 == 0 ? 0x1p26 : 1;
+    const SomeTriangles some = some_triangles(random, scale * random.in_cube(2), turn % 2 == 0 ? scale : 0.01 * scale);
+    for (const scene::Query& query : rays_towards(random, some, scale * random.in_cube(4), scale)) {
+      const trace::Ray traced(query.rayo);
+      REQUIRE(trace::in_single_range(traced));
+      const unsigned lanes = trace::possible_hits(traced, some.block, trace::no_limit);
+      REQUIRE((lanes & ~used_lanes(some.block)) == 0);
+      for (std::size_t lane = 0; lane < trace::TriangleBlock::size; ++lane) {
+        possible += lanes >> lane & 1;
+        if (!some.block.has(lane)) continue;
+        const scene::ElementRef e{model::Tipo::soy_triangulo, some.block.elements[lane]};
+        const surface::exact::Reach reach = surface::exact::reach(some.scene, e, query.rayo);
+        if (reach.empty()) continue;
+        const double t = surface::exact::rounded_hit(query.rayo, reach.first(), {e}).t;
+        ++hits;
+        REQUIRE((lanes >> lane & 1) != 0);
+        REQUIRE((trace::possible_hits(traced, some.block, t) >> lane & 1) != 0);
+        beyond += (trace::possible_hits(traced, some.block, 0.99 * t) >> lane & 1) == 0;
+      }
+    }
+  }
+  CHECK(hits > 1000);
+  CHECK(possible < 2 * hits);
+  CHECK(beyond > hits / 2);
+}
+
+TEST_CASE("the test in binary32 serves rays within range, with components 0 as well") {
+  const auto serves = [](const glm::dvec3& p, const glm::dvec3& v) {
+    return trace::in_single_range(trace::Ray(ray(p, v)));
+  };
+  CHECK(serves({0, 1e-300, 0x1p30}, {0, 0x1p-30, -0x1p30}));
+  CHECK_FALSE(serves({0, 0, 0}, {0, 0x1p-31, 1}));
+  CHECK_FALSE(serves({0, 0, 0}, {0, 0x1p31, 1}));
+  CHECK_FALSE(serves({0, -0x1p31, 0}, {0, 1, 1}));
+}

@@ -13,6 +13,7 @@
 #include "durero/scene/query.hpp"
 #include "durero/trace/packet.hpp"
 #include "durero/trace/picked.hpp"
+#include "durero/trace/single_rays.hpp"
 
 namespace durero::trace {
 
@@ -42,9 +43,10 @@ class Batch {
   /// The batch keeps references to its arguments, which must outlive it.
   Batch(const Source& source, IndexedView<const scene::Query> queries, Kernel& kernel)
       : source_(source), kernel_(kernel), nearest_(queries.size()) {
-    const bool none_apart = source.extraordinary().empty();
+    const bool none_apart = source.extraordinary().empty(), of_single = has_single_blocks(source);
     rays_ = rays_of(source, queries, [&](std::size_t i, const scene::Query& query, const Ray& ray) {
       nearest_[i].alone = !ray.ordinary || query.en.size() > most_starts || !none_apart;
+      nearest_[i].single = of_single && in_single_range(ray);
       some_start_ |= !nearest_[i].alone && ray.start() != nothing;
     });
   }
@@ -91,7 +93,7 @@ class Batch {
     typename Kernel::Point point{};
     scene::ElementRef own{};
     std::uint32_t tested = 0;
-    bool alone = false, on_start = false;
+    bool alone = false, on_start = false, single = false;  // single: the test in binary32 serves
   };
 
   static void count(Nearest& nearest) {
@@ -156,15 +158,16 @@ class Batch {
 
   /// Tests a ray against a block of triangles, the first of which has the name `first`.
   void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
+    Nearest& nearest = nearest_[number];
+    if constexpr (counted) nearest.tested += block.count();
+    if (nearest.single && possible_hits(rays_[number], block, nearest.point.high()) == 0) return;
     kernel_.triage(rays_[number], block, findings_);
     const unsigned others = ~lane_of(rays_[number].start(), first);  // than the triangle that the ray starts on
-    Nearest& nearest = nearest_[number];
     if ((findings_.undecided & others) != 0) nearest.alone = true;
     for (unsigned left = findings_.hit & others; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
       keep_nearest(nearest, {first.tipo, first.index + lane}, kernel_.point(findings_, lane));
     }
-    if constexpr (counted) nearest.tested += block.count();
   }
 
   void flush() {

@@ -14,6 +14,7 @@
 #include "durero/trace/candidates.hpp"
 #include "durero/trace/packet.hpp"
 #include "durero/trace/picked.hpp"
+#include "durero/trace/single_rays.hpp"
 
 namespace durero::trace {
 
@@ -144,6 +145,8 @@ class SegmentBatch {
   /// Tests a segment against a block of triangles, the first of which has the name `first`.
   void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
     if (!open_[number]) return;
+    const bool single = of_single_ && in_single_range(rays_[number]);
+    if (single && possible_hits(rays_[number], block, 1) == 0) return;
     triage(rays_[number], block, findings_);
     const unsigned others = ~lane_of(rays_[number].start(), first);  // than the triangle that the ray starts on
     for (unsigned left = (findings_.hit | findings_.undecided) & others; left != 0 && open_[number]; left &= left - 1) {
@@ -217,6 +220,7 @@ class SegmentBatch {
   IndexedView<bool> occluded_;
   std::vector<std::uint8_t> open_;  // the ray is not known to be occluded
   std::vector<Ray> rays_;
+  const bool of_single_ = has_single_blocks(source_);    // the test in binary32 serves
   bool some_start_ = false, some_start_untold_ = false;  // some ray starts on ray.start(); some ray starts without it
   Queues starts_{}, queues_{};                           // of the elements that rays start on; of candidates
   Findings findings_{};

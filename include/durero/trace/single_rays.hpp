@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 
 #include "durero/trace/finding.hpp"
+#include "durero/trace/ray.hpp"
 #include "durero/trace/triangle_block.hpp"
 
 namespace durero::trace {
@@ -86,5 +87,22 @@ enum class SingleSearch : std::uint8_t { nearest, any };
 /// open, and the triangles' coordinates within range.
 void screen(const TriangleBlock& block, std::uint32_t first, unsigned triangles, std::uint64_t which,
             SingleSearch search, SingleRays& rays);
+
+/// Whether the triangles in a source's blocks are within range: source.single_blocks(), where it has blocks.
+template <class Source>
+bool has_single_blocks(const Source& source) {
+  if constexpr (requires { source.single_blocks(); }) {
+    return source.single_blocks();
+  } else {
+    return false;
+  }
+}
+
+/// Whether the test in binary32 serves a ray: its numbers are within range, where components of the direction may be 0.
+bool in_single_range(const Ray& ray);
+
+/// The triangles of a block that a ray may meet at 0 < t ≤ limit, a bit each; the test in binary32 proves that it
+/// misses the others. Preconditions: in_single_range(ray), and the triangles' coordinates are within range.
+unsigned possible_hits(const Ray& ray, const TriangleBlock& block, double limit);
 
 }  // namespace durero::trace

@@ -205,16 +205,16 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
       for (std::uint32_t lane = 0; lane < blocks[child.index].size; ++lane)
         every_rays_leaves_.push_back({first.tipo, first.index + lane});
     }
-  is_mesh_ = mostly_in_blocks();
+  const auto fits = [](const Range32& planes) { return double{planes.size()} <= trace::SingleRays::range; };
+  in_range_ = !nodes_.empty() && std::ranges::all_of(all_, fits);
+  is_mesh_ = in_range_ && mostly_in_blocks();
 }
 
 bool WideBvh::mostly_in_blocks() const {
-  const auto in_range = [](const Range32& planes) { return double{planes.size()} <= trace::SingleRays::range; };
   std::size_t alone = 0;
   for (const WideNode& node : nodes_)
     alone += static_cast<std::size_t>(std::ranges::count(node.children, ChildKind::element, &WideChild::kind));
-  return 16 * alone <= leaves_.blocks().size() && !nodes_.empty() && unbounded_.empty() && extraordinary_.empty() &&
-         std::ranges::all_of(all_, in_range);
+  return 16 * alone <= leaves_.blocks().size() && unbounded_.empty() && extraordinary_.empty();
 }
 
 Size WideBvh::size() const {

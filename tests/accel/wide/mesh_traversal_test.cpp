@@ -152,6 +152,7 @@ TEST_CASE("rays that go anywhere are answered one by one in a small mesh, but fo
   const scene::Scene small = sheet(10, 1, {0, 0, 0}), large = sheet(100, 1, {0, 0, 0});
   const WideBvh in_cache(small), beyond(large);
   check_each_alone(in_cache, queries);
+  check_each_alone(beyond, queries);
   CHECK(answered(in_cache, queries, SingleSearch::nearest) > 0.95);
   CHECK(answered(in_cache, queries, SingleSearch::any) < 0.1);
   CHECK(answered(beyond, queries, SingleSearch::nearest) < 0.1);

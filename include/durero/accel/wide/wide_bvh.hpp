@@ -62,9 +62,10 @@ class WideBvh {
   void ask_for_own(scene::ElementRef e) const { leaves_.ask_for_leaf(e); }
   void ask_for_shape(scene::ElementRef leaf) const { leaves_.ask_for_shape(leaf); }
   /// @}
-  /// @{ The operations of BundleSource (trace/bundled.hpp): bundles serve where nearly all elements are triangles in
-  /// blocks, within the range of binary32.
+  /// @{ The operations of BundleSource (trace/bundled.hpp), and whether blocks are for tests in binary32: bundles serve
+  /// where nearly all elements are triangles in blocks, within the range of binary32.
   bool bundles() const noexcept { return is_mesh_; }
+  bool single_blocks() const noexcept { return in_range_; }
   void search(trace::SingleSearch search, trace::SingleRays& rays) const {
     accel::search({nodes(), leaves_.blocks(), all_, static_cast<float>(bundle_width * spacing_)}, search, rays);
   }
@@ -96,6 +97,7 @@ class WideBvh {
   LeafColumns leaves_;  // of the nodes, then of unbounded_
   double spacing_ = 0;
   std::array<Range32, 3> all_{};  // the box of the root
+  bool in_range_ = false;         // of the tests in binary32
   bool is_mesh_ = false;          // nearly each element is a triangle in a block, within the range of binary32
   std::vector<scene::ElementRef> unbounded_, extraordinary_;
   // The leaves that any ray may be tested against: of unbounded_, then of a tree of one node.
