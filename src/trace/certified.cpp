@@ -9,13 +9,16 @@ void write_hit(scene::Hit& hit, scene::ElementRef e, const RoundedPoint& rounded
   hit.resultado = model::Resultado::hit;
   hit.t = rounded.t;
   hit.punto = rounded.punto;
-  hit.elementos.clear();
-  hit.elementos.push_back(e);
+  if (hit.elementos.size() == 1) {  // as in nearly all hits that are written over
+    hit.elementos[0] = e;
+  } else {
+    hit.elementos.assign(1, e);
+  }
 }
 
 }  // namespace
 
-void Certified::hit_own(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point) {
+void Certified::hit_own(std::uint32_t number, const RayNumbers& ray, scene::ElementRef e, const Point& point) {
   Hits& hits = waiting_own_[static_cast<std::size_t>(e.tipo)];
   hits.findings.set(hits.queue.count, point.finding);
   hits.queue.push(scene_, number, ray, e);

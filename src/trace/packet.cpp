@@ -47,7 +47,10 @@ HWY_INLINE unsigned not_missed(const BoundedQuadratic<Lanes>& f, unsigned some) 
   return some & ~bits(f.F < -f.B_error);
 }
 
-void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeView of, ColumnFindings& findings) {
+/// Stores find(quadratic) for the rays in `which`, but of lanes that skip(quadratic, used) answers true for.
+template <class Skip, class Find>
+HWY_INLINE void find_in_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeView of,
+                                ColumnFindings& findings, Skip skip, Find find) {
   of.visit([&]<class Shape>(const Shape& shape) HWY_ATTR {
     const LaneElement<Shape::tipo> element = in_every_lane(shape);
     for (std::size_t eight = 0; which != 0; ++eight, which >>= Packet::size) {
@@ -59,11 +62,25 @@ void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeVie
         const auto used = static_cast<unsigned>(which >> at & ((1u << lanes()) - 1));
         const LaneRay some{load(rays.p, place), load(rays.v, place), Lanes::load(&rays.speed[place])};
         const BoundedQuadratic<Lanes> f = quadratic<Lanes>(element, some);
-        if (not_missed<Shape::tipo>(f, used) == 0) continue;
-        keep(f, found_in_lanes<Shape::tipo>(f), at, own);
+        if (!skip(Of<Shape::tipo>(), f, used)) keep(f, find(Of<Shape::tipo>(), f), at, own);
       }
     }
   });
+}
+
+void triage_columns(const RayColumns& rays, std::uint64_t which, scene::ShapeView of, ColumnFindings& findings) {
+  find_in_columns(
+      rays, which, of, findings,
+      []<model::Tipo tipo>(Of<tipo>, const BoundedQuadratic<Lanes>& f, unsigned used)
+          HWY_ATTR { return not_missed<tipo>(f, used) == 0; },
+      []<model::Tipo tipo>(Of<tipo>, const BoundedQuadratic<Lanes>& f) HWY_ATTR { return found_in_lanes<tipo>(f); });
+}
+
+void triage_columns_from(const RayColumns& rays, std::uint64_t which, scene::ShapeView of, ColumnFindings& findings) {
+  find_in_columns(
+      rays, which, of, findings, [](auto, const BoundedQuadratic<Lanes>&, unsigned used) HWY_ATTR { return used == 0; },
+      []<model::Tipo tipo>(Of<tipo>, const BoundedQuadratic<Lanes>& f)
+          HWY_ATTR { return found_in_lanes_from<tipo>(f); });
 }
 
 /// The triangles of a block from lane `at` on, widened exactly.
@@ -119,6 +136,7 @@ namespace {
 
 HWY_EXPORT(triage_packet);
 HWY_EXPORT(triage_columns);
+HWY_EXPORT(triage_columns_from);
 HWY_EXPORT(triage_block);
 HWY_EXPORT(triage_packet_from);
 HWY_EXPORT(starting_in_columns);
@@ -136,6 +154,9 @@ void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView elemen
 }
 void triage(const Ray& ray, const TriangleBlock& block, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_block)(ray, block, findings);
+}
+void triage_from(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings) {
+  HWY_DYNAMIC_DISPATCH(triage_columns_from)(rays, which, element, findings);
 }
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
   HWY_DYNAMIC_DISPATCH(triage_packet_from)(packet, tipo, findings);

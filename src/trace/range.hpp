@@ -19,6 +19,10 @@ inline auto speed_of(const Vector& v) {
   return abs(v.x) + abs(v.y) + abs(v.z);
 }
 
+/// @{ The least and the greatest magnitude of ordinary numbers, of which 0 is one too.
+inline constexpr double least_ordinary = 0x1p-100, greatest_ordinary = 0x1p100;
+/// @}
+
 /// Two binary64 in a register, and two truth values.
 struct DoublePairs {
   using Pair [[gnu::vector_size(16)]] = double;
@@ -35,7 +39,7 @@ struct DoublePairs {
 template <class Pairs>
 inline typename Pairs::Truths pair_in_range(typename Pairs::Pair x) {
   const typename Pairs::Pair size = Pairs::magnitudes(x);
-  const typename Pairs::Truths above = size >= 0x1p-100, below = size <= 0x1p100, zero = size == 0;
+  const typename Pairs::Truths above = size >= least_ordinary, below = size <= greatest_ordinary, zero = size == 0;
   return (above & below) | zero;
 }
 

@@ -5,7 +5,7 @@
 namespace durero::trace {
 
 Ray::Ray(const glm::dvec3& from, const glm::dvec3& along)
-    : p(from), v(along), speed(speed_of(along)), ordinary(ray_in_range<DoublePairs>(from, along)) {}
+    : RayNumbers{from, along, speed_of(along)}, ordinary(ray_in_range<DoublePairs>(from, along)) {}
 
 bool ordinary(scene::ShapeView element) {
   return element.visit([]<class Shape>(const Shape& shape) {

@@ -120,6 +120,9 @@ struct Plain {
   };
 
   static void triage(const Packet& packet, model::Tipo tipo, Firsts& firsts) { first(packet, tipo, firsts); }
+  static std::pair<double, double> bounds(const Firsts& firsts, std::size_t lane) {
+    return {firsts.t[lane], firsts.t[lane]};
+  }
   static Point point(const Firsts& firsts, std::size_t lane) { return {firsts.t[lane]}; }
 
   void miss(std::uint32_t number) const { hits[number] = {}; }

@@ -26,6 +26,9 @@ struct Recorder {
   static void triage(const trace::Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage(packet, tipo, findings);
   }
+  static std::pair<double, double> bounds(const Findings& findings, std::size_t lane) {
+    return {findings.low(lane), findings.high(lane)};
+  }
   static Point point(const Findings& findings, std::size_t lane) { return {findings.t[lane], findings.error[lane]}; }
   void miss(std::uint32_t number) { CHECK(missing.insert(number).second); }
   void hit(std::uint32_t number, const trace::Ray& ray, const trace::Tables& tables, ElementRef own,

@@ -23,7 +23,7 @@ TEST_CASE("hits that the kernel is told of are written in their places, rounded 
     for (int i = 0; i < count; ++i) queries.push_back({*rays(moderate()), {}});
     std::vector<scene::Hit> answers(queries.size());
     trace::Counts counts;
-    trace::Certified certified(scene, queries, answers, counts);
+    trace::Certified certified(scene, queries, answers, counts, true);
     const trace::Tables tables(scene);
     std::vector<ElementRef> told(queries.size());
     std::vector<bool> met(queries.size());
@@ -82,7 +82,7 @@ TEST_CASE("points of a plane across an axis are rounded without exact arithmetic
       queries.push_back({ray({0.1 * i + 3, 5 - 0.03 * i, 4 + 0.07 * i}, {-1 - 0.01 * i, -0.9, -1.1 + 0.001 * i}), {}});
     std::vector<scene::Hit> answers(queries.size());
     trace::Counts counts;
-    trace::Certified certified(scene, queries, answers, counts);
+    trace::Certified certified(scene, queries, answers, counts, true);
     const trace::Tables tables(scene);
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
       const trace::Ray traced(queries[i].rayo);
@@ -119,7 +119,7 @@ TEST_CASE("hits of the element that a ray starts on are rounded once, in lanes")
     }
     std::vector<scene::Hit> answers(queries.size());
     trace::Counts counts;
-    trace::Certified certified(scene, queries, answers, counts);
+    trace::Certified certified(scene, queries, answers, counts, true);
     for (std::uint32_t i = 0; i < queries.size(); ++i) {
       const trace::Ray traced(queries[i].rayo);
       const trace::RootEstimate finding =

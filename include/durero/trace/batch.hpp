@@ -21,11 +21,13 @@ namespace durero::trace {
 ///   Findings              the result of its triage(packet, tipo, findings) in lanes, with the bits hit and undecided;
 ///   Point                 a hit's record, made by point(findings, lane): its parameter is in low() … high(), both ∞ by
 ///                         default;
+///   bounds(findings, lane)
+///                         low() and high() of that record, before it is made;
 ///   triage(columns, which, shape, findings by groups of eight)
 ///                         for a source that offers rays in columns;
 ///   triage(ray, block, findings)
 ///                         for a source that offers blocks of triangles;
-///   counted               true, if the tested pairs are to be counted;
+///   counted               a member, if pairs may be counted: whether the tested pairs are;
 ///   hit(number, ray, source, own, point)
 ///                         called with a ray's nearest point, its number in the block, and the source's name of the
 ///                         element;
@@ -37,12 +39,13 @@ namespace durero::trace {
 ///                         called in place of hit where the nearest point lies on the element e that the ray starts on.
 template <class Source, class Kernel>
 class Batch {
-  static constexpr bool counted = requires { Kernel::counted; };
+  static constexpr bool countable = requires { &Kernel::counted; };
 
  public:
   /// The batch keeps references to its arguments, which must outlive it.
   Batch(const Source& source, IndexedView<const scene::Query> queries, Kernel& kernel)
       : source_(source), kernel_(kernel), nearest_(queries.size()) {
+    if constexpr (countable) counted_ = kernel.counted;
     const bool none_apart = source.extraordinary().empty(), of_single = has_single_blocks(source);
     rays_ = rays_of(source, queries, [&](std::size_t i, const scene::Query& query, const Ray& ray) {
       nearest_[i].alone = !ray.ordinary || query.en.size() > most_starts || !none_apart;
@@ -78,9 +81,10 @@ class Batch {
     }
   }
 
-  /// The number of pairs of a ray and an element that the lanes decided, without the rays that are left alone.
+  /// The number of pairs of a ray and an element that the lanes decided, without the rays that are left alone; 0 where
+  /// they are not counted.
   std::uint64_t decided() const noexcept
-    requires(counted)
+    requires(countable)
   {
     return decided_;
   }
@@ -96,8 +100,10 @@ class Batch {
     bool alone = false, on_start = false, single = false;  // single: the test in binary32 serves
   };
 
-  static void count(Nearest& nearest) {
-    if constexpr (counted) ++nearest.tested;
+  /// Counts a test of each ray of these bits, whose numbers begin there.
+  void count(std::uint64_t which, const std::uint32_t* numbers) {
+    if (!counted_) return;
+    for (; which != 0; which &= which - 1) ++nearest_[numbers[std::countr_zero(which)]].tested;
   }
 
   void tell_hit(std::uint32_t number, const Nearest& nearest) {
@@ -124,9 +130,9 @@ class Batch {
   void test_start(Queue& queue) {
     if (queue.count == 0) return;
     kernel_.triage_from(queue.packet, queue.elements[0].tipo, findings_);
+    count((1u << queue.count) - 1, queue.numbers.data());
     for (std::size_t lane = 0; lane < queue.count; ++lane) {
       Nearest& nearest = nearest_[queue.numbers[lane]];
-      count(nearest);
       nearest.alone = (findings_.undecided >> lane & 1) != 0;
       nearest.on_start = (findings_.hit >> lane & 1) != 0;
       if (nearest.on_start) nearest.point = kernel_.point(findings_, lane);
@@ -159,14 +165,14 @@ class Batch {
   /// Tests a ray against a block of triangles, the first of which has the name `first`.
   void take(std::uint32_t number, const TriangleBlock& block, scene::ElementRef first) {
     Nearest& nearest = nearest_[number];
-    if constexpr (counted) nearest.tested += block.count();
+    if (counted_) nearest.tested += block.count();
     if (nearest.single && possible_hits(rays_[number], block, nearest.point.high()) == 0) return;
     kernel_.triage(rays_[number], block, findings_);
     const unsigned others = ~lane_of(rays_[number].start(), first);  // than the triangle that the ray starts on
     if ((findings_.undecided & others) != 0) nearest.alone = true;
     for (unsigned left = findings_.hit & others; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(left));
-      keep_nearest(nearest, {first.tipo, first.index + lane}, kernel_.point(findings_, lane));
+      keep_nearest(nearest, {first.tipo, first.index + lane}, findings_, lane);
     }
   }
 
@@ -178,7 +184,7 @@ class Batch {
     if (queue.count == 0) return;
     kernel_.triage(queue.packet, queue.elements[0].tipo, findings_);
     const unsigned used = (1u << queue.count) - 1;
-    for (std::size_t lane = 0; lane < queue.count; ++lane) count(nearest_[queue.numbers[lane]]);
+    count(used, queue.numbers.data());
     keep(findings_, used, queue.numbers.data(), [&](std::size_t lane) { return queue.elements[lane]; });
     queue.count = 0;
   }
@@ -190,12 +196,11 @@ class Batch {
     if (some_start_) which &= ~starting_on(rays, which, own);
     if (which == 0) return 0;
     source_.visit(own, [&](const auto& shape) { kernel_.triage(rays, which, shape, of_columns_); });
+    count(which, numbers.data());
     std::uint64_t changed = 0;
     for (std::uint64_t eights = eights_of(which); eights != 0; eights &= eights - 1) {
       const auto at = static_cast<std::size_t>(std::countr_zero(eights));
       const auto used = static_cast<unsigned>(which >> at & ((1u << Packet::size) - 1));
-      for (unsigned left = used; left != 0; left &= left - 1)
-        count(nearest_[numbers[at + static_cast<std::size_t>(std::countr_zero(left))]]);
       const auto& findings = of_columns_[at / Packet::size];
       keep(findings, used, &numbers[at], [&](std::size_t) { return own; });
       changed |= std::uint64_t{(findings.hit | findings.undecided) & used} << at;
@@ -210,14 +215,16 @@ class Batch {
       nearest_[numbers[std::countr_zero(left)]].alone = true;
     for (unsigned left = findings.hit & used; left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      keep_nearest(nearest_[numbers[lane]], name(lane), kernel_.point(findings, lane));
+      keep_nearest(nearest_[numbers[lane]], name(lane), findings, lane);
     }
   }
 
-  static void keep_nearest(Nearest& nearest, scene::ElementRef own, const typename Kernel::Point& point) {
-    if (point.low() > nearest.point.high()) return;
-    if (!(point.high() < nearest.point.low())) nearest.alone = true;
-    nearest.point = point;
+  void keep_nearest(Nearest& nearest, scene::ElementRef own, const typename Kernel::Findings& findings,
+                    std::size_t lane) const {
+    const auto [low, high] = kernel_.bounds(findings, lane);
+    if (low > nearest.point.high()) return;
+    if (!(high < nearest.point.low())) nearest.alone = true;
+    nearest.point = kernel_.point(findings, lane);
     nearest.own = own;
     nearest.on_start = false;
   }
@@ -227,6 +234,7 @@ class Batch {
   std::vector<Ray> rays_;
   std::vector<Nearest> nearest_;
   bool some_start_ = false;  // whether some ray that is not left alone starts on an element
+  bool counted_ = false;     // whether the tested pairs are counted
   Queues queues_{};
   typename Kernel::Findings findings_{};
   std::array<typename Kernel::Findings, RayColumns::size / Packet::size> of_columns_{};

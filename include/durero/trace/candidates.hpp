@@ -163,11 +163,11 @@ void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, st
   oneapi::tbb::parallel_for(std::size_t{0}, blocks, answer_block, oneapi::tbb::simple_partitioner());
 }
 
-/// first_hit_among of some queries, batched in lanes.
+/// first_hit_among of some queries, batched in lanes. `of_pairs` says whether the tested pairs are counted.
 template <PairCandidates Source>
 void first_hits_in_lanes(const Source& source, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits,
-                         Counts& counts) {
-  Certified certified(source.scene(), queries, hits, counts);
+                         Counts& counts, bool of_pairs) {
+  Certified certified(source.scene(), queries, hits, counts, of_pairs);
   Batch batch(source, queries, certified);
   batch.answer();
   certified.finish();
@@ -207,10 +207,10 @@ void first_hits_among(const Source& source, std::span<const scene::Query> querie
     const auto answers = picked(hits, order, begin, count);
     if (counts == nullptr) {
       const Unbundled left = without_bundled_hits(source, block, answers);
-      if (!left.none()) first_hits_in_lanes(source, left.of(block), left.of(answers), of_block);
+      if (!left.none()) first_hits_in_lanes(source, left.of(block), left.of(answers), of_block, false);
       return;
     }
-    first_hits_in_lanes(source, block, answers, of_block);
+    first_hits_in_lanes(source, block, answers, of_block, true);
     const std::scoped_lock lock(adding);
     *counts += of_block;
   });

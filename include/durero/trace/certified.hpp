@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
@@ -17,23 +18,21 @@ namespace durero::trace {
 /// A kernel of Batch. It writes each hit into its query's place, and counts the decisions of each step.
 class Certified {
  public:
-  static constexpr bool counted = true;  ///< the pairs are counted, into `counts`
-  using Findings = trace::Findings;      ///< the result of triage
+  using Findings = trace::Findings;  ///< the result of triage
   /// A hit's record.
   struct Point {
     RootEstimate finding{Decision::miss, no_limit};  ///< by triage
-    /// @{ Bounds of the parameter.
-    // Their own roundings are covered: the triage's error exceeds its need by three roundings of t (`quotient`).
+    /// @{ Bounds of the parameter, as Findings has them.
     double low() const { return finding.hi - finding.error; }
     double high() const { return finding.hi + finding.error; }
     /// @}
   };
 
   /// The kernel keeps references to its arguments, which must outlive it. Precondition: `hits` has a place for each
-  /// query.
+  /// query. `of_pairs` says whether pairs are counted; the other counts are always added to.
   Certified(const scene::Scene& scene, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits,
-            Counts& counts)
-      : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
+            Counts& counts, bool of_pairs)
+      : counted(of_pairs), scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
 
   /// @{ The functions that Batch calls.
   static void triage(const Packet& packet, model::Tipo tipo, Findings& findings) {
@@ -48,22 +47,34 @@ class Certified {
   static void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage_from(packet, tipo, findings);
   }
+  static std::pair<double, double> bounds(const Findings& findings, std::size_t lane) {
+    return {findings.low(lane), findings.high(lane)};
+  }
   static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
 
-  void miss(std::uint32_t number) { hits_[number] = {}; }
+  void miss(std::uint32_t number) {
+    scene::Hit& hit = hits_[number];
+    hit.resultado = model::Resultado::miss;
+    hit.t = 0;
+    hit.punto = glm::dvec3(0);
+    hit.elementos.clear();
+  }
   template <class Source>
-  void hit(std::uint32_t number, const Ray& ray, const Source& source, scene::ElementRef own, const Point& point) {
+  void hit(std::uint32_t number, const RayNumbers& ray, const Source& source, scene::ElementRef own,
+           const Point& point) {
     Hits& hits = waiting_[static_cast<std::size_t>(own.tipo)];
     hits.findings.set(hits.queue.count, point.finding);
     hits.queue.push(source, number, ray, own);
     hits.queue.elements[hits.queue.count - 1] = source.element(own);
     if (hits.queue.full()) round(hits, improve_and_round);
   }
-  void hit_own(std::uint32_t number, const Ray& ray, scene::ElementRef e, const Point& point);
+  void hit_own(std::uint32_t number, const RayNumbers& ray, scene::ElementRef e, const Point& point);
   /// @}
 
   /// Writes the hits that still wait for a packet to fill. Precondition: the batch has answered.
   void finish();
+
+  const bool counted;  ///< whether the pairs are counted
 
  private:
   /// Hits of one type that wait to be rounded in lanes.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "durero/scene/hit.hpp"
 #include "durero/trace/candidates.hpp"
@@ -34,8 +35,7 @@ class FirstElements {
    public:
     Point() = default;  ///< no hit: both bounds are ∞
     /// The bounds of a hit by triage.
-    explicit Point(const RootEstimate& by_triage)
-        : low_(by_triage.hi - by_triage.error), high_(by_triage.hi + by_triage.error) {}
+    Point(const Findings& by_triage, std::size_t lane) : low_(by_triage.low(lane)), high_(by_triage.high(lane)) {}
     double low() const { return low_; }    ///< the lower bound
     double high() const { return high_; }  ///< the upper bound
 
@@ -60,7 +60,10 @@ class FirstElements {
   static void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage_from(packet, tipo, findings);
   }
-  static Point point(const Findings& findings, std::size_t lane) { return Point(findings[lane]); }
+  static std::pair<double, double> bounds(const Findings& findings, std::size_t lane) {
+    return {findings.low(lane), findings.high(lane)};
+  }
+  static Point point(const Findings& findings, std::size_t lane) { return Point(findings, lane); }
   void miss(std::uint32_t number) { elements_[number] = {}; }
   template <class Source>
   void hit(std::uint32_t number, const Ray&, const Source& source, scene::ElementRef own, const Point&) {

@@ -36,7 +36,7 @@ struct Packet {
 
   /// Sets a lane to a ray and an element.
   template <class Shape>
-  void set(std::size_t lane, const Ray& ray, const Shape& shape) {
+  void set(std::size_t lane, const RayNumbers& ray, const Shape& shape) {
     set(p, lane, ray.p);
     set(v, lane, ray.v);
     speed[lane] = ray.speed;
@@ -66,7 +66,7 @@ struct Queue {
 
   /// Adds a pair; shapes.visit(e, f) gives f the geometry. Precondition: the queue is not full.
   template <class Shapes>
-  void push(const Shapes& shapes, std::uint32_t number, const Ray& ray, scene::ElementRef e) {
+  void push(const Shapes& shapes, std::uint32_t number, const RayNumbers& ray, scene::ElementRef e) {
     shapes.visit(e, [&](const auto& shape) { packet.set(count, ray, shape); });
     numbers[count] = number;
     elements[count] = e;
@@ -105,6 +105,11 @@ struct Findings {
     const Decision verdict = has(hit) ? Decision::hit : has(undecided) ? Decision::undecided : Decision::miss;
     return {verdict, t[lane], 0, error[lane], {at_root[lane], at_root_error[lane], A[lane], A_error[lane]}};
   }
+  /// @{ Bounds of the parameter of a lane's hit.
+  // Their own roundings are covered: the triage's error exceeds its need by three roundings of t (`quotient`).
+  double low(std::size_t lane) const { return t[lane] - error[lane]; }
+  double high(std::size_t lane) const { return t[lane] + error[lane]; }
+  /// @}
   /// Sets a lane to a finding. Precondition: the finding is a hit by triage.
   void set(std::size_t lane, const RootEstimate& finding) {
     hit |= 1u << lane;
@@ -141,6 +146,10 @@ struct RayColumns {
   static constexpr std::uint64_t number(scene::ElementRef own) {
     return std::uint64_t{static_cast<std::uint8_t>(own.tipo)} << 32 | own.index;
   }
+  /// The element of that number.
+  static constexpr scene::ElementRef element(std::uint64_t number) {
+    return {static_cast<model::Tipo>(number >> 32), static_cast<std::uint32_t>(number)};
+  }
   /// Sets a place to a ray, without the element that it starts on.
   void set(std::size_t place, const Ray& ray) {
     p[0][place] = ray.p.x, p[1][place] = ray.p.y, p[2][place] = ray.p.z;
@@ -175,6 +184,8 @@ void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView elemen
 
 /// triage of eight pairs whose rays start on their elements. A plane, disc or triangle is never hit.
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings);
+/// The same of one element for the rays in `which`, all of which start on it, as triage has it of those that do not.
+void triage_from(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings);
 
 /// t and the point of a hit in each lane, rounded once; they mean something only in certain lanes.
 struct RoundedPacket {

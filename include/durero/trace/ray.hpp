@@ -15,8 +15,14 @@ namespace durero::trace {
 /// The name of no element.
 inline constexpr scene::ElementRef nothing{{}, std::numeric_limits<std::uint32_t>::max()};
 
+/// The numbers of a ray that its tests use.
+struct RayNumbers {
+  glm::dvec3 p, v;  ///< origin and direction, as stored
+  double speed;     ///< V ≥ |v|
+};
+
 /// A ray, the quantities that every test of it needs, and the element that it starts on, in one cache line.
-struct alignas(64) Ray {
+struct alignas(64) Ray : RayNumbers {
   /// Makes the ray of the specification's; it starts on nothing.
   explicit Ray(const model::Rayo& rayo) : Ray(rayo.p().xyz(), rayo.v().xyz()) {}
   /// Makes the ray from p along v, which is not 0; it starts on nothing.
@@ -29,9 +35,7 @@ struct alignas(64) Ray {
   /// 16u·(|p.x| + |p.y| + |p.z|), for the filter (trace/filter.hpp).
   double allowance() const { return 0x1p-49 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)); }
 
-  glm::dvec3 p, v;  ///< origin and direction, as stored
-  double speed;     ///< V ≥ |v|
-  bool ordinary;    ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
+  bool ordinary;  ///< every component is 0 or of magnitude 2⁻¹⁰⁰ … 2¹⁰⁰
 
   /// @{ The element that the ray starts on, by the name that a source of candidates has for it; `nothing` unless told.
   scene::ElementRef start() const { return {start_tipo_, start_index_}; }

@@ -14,8 +14,12 @@
 
 #include "accel/wide/wide_split.hpp"
 #include "durero/surface/surfaces.hpp"
+#include "durero/trace/few.hpp"
 
 namespace durero::accel {
+
+static_assert(trace::FewCandidates<WideBvh>);
+
 namespace {
 
 using ChildKind = WideChild::Kind;

@@ -70,6 +70,11 @@ class WideBvh {
     accel::search({nodes(), leaves_.blocks(), all_, static_cast<float>(bundle_width * spacing_)}, search, rays);
   }
   /// @}
+  /// All leaves, for trace::FewCandidates, of a tree of one node without extraordinary elements; otherwise none.
+  std::span<const scene::ElementRef> all_leaves() const noexcept {
+    if (nodes_.size() > 1 || !extraordinary_.empty()) return {};
+    return every_rays_leaves_;
+  }
   /// The order of the queries that is traversed faster, for trace::order_of: by octant of the direction and by cell of
   /// the origin where the tree exceeds the cache and the queries are not coherent already; otherwise empty, which keeps
   /// the queries' own order.
