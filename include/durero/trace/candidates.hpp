@@ -5,6 +5,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <concepts>
@@ -150,10 +151,11 @@ std::optional<std::vector<surface::exact::ElementPoint>> points_between_among(co
 /// Calls answer(begin, count) for blocks that make up `size` queries, on as many threads as the calling thread may use.
 /// The size of a block grows with the number of queries, because a larger block holds more coherent rays: from 256 to
 /// `most`, and to a `not_fewer`-th of the queries, which leaves several blocks to each thread. A free thread takes the
-/// next block, so that none waits long for another at the end.
+/// next block, so that none waits long for another at the end. A thread that may use no other takes `most` at once.
 template <class Answer>
 void for_each_block(std::size_t size, Answer answer, std::size_t most = 4096, std::size_t not_fewer = 64) {
-  const std::size_t block_size = std::clamp<std::size_t>(size / not_fewer, 256, most);
+  const bool is_alone = oneapi::tbb::this_task_arena::max_concurrency() == 1;
+  const std::size_t block_size = is_alone ? most : std::clamp<std::size_t>(size / not_fewer, 256, most);
   const std::size_t blocks = (size + block_size - 1) / block_size;
   const auto answer_block = [&](std::size_t block) {
     const std::size_t begin = block * block_size;

@@ -34,6 +34,8 @@ class IndexedView {
   std::size_t place(std::size_t i) const { return places_ == nullptr ? i : places_[i]; }
   /// A view of the entries at other places of the whole array.
   IndexedView at_places(std::span<const std::uint32_t> places) const { return {all_, places}; }
+  /// Whether the order is the view's own.
+  bool is_permuted() const noexcept { return places_ != nullptr; }
 
  private:
   std::span<T> all_;
@@ -77,8 +79,8 @@ void ask_for(const T& object) {
 /// @}
 
 /// The rays of some queries, in order; also(number, query, ray) is called with each. A ray is told the one element that
-/// it starts on, if it is ordinary, starts on one alone, and the source has no extraordinary elements. Queries and the
-/// elements that they start on are prefetched some rays ahead.
+/// it starts on, if it is ordinary, starts on one alone, and the source has no extraordinary elements. The elements
+/// that they start on are prefetched some rays ahead, and so are permuted queries; others come in the order of memory.
 template <class Source, class Also>
 std::vector<Ray> rays_of(const Source& source, IndexedView<const scene::Query> queries, Also also) {
   constexpr std::size_t ahead = 16;
@@ -86,7 +88,7 @@ std::vector<Ray> rays_of(const Source& source, IndexedView<const scene::Query> q
   std::vector<Ray> rays;
   rays.reserve(queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (i + 2 * ahead < queries.size()) ask_for(queries[i + 2 * ahead]);
+    if (queries.is_permuted() && i + 2 * ahead < queries.size()) ask_for(queries[i + 2 * ahead]);
     if (i + ahead < queries.size() && !queries[i + ahead].en.empty()) source.ask_for_own(queries[i + ahead].en[0]);
     const scene::Query& query = queries[i];
     Ray& ray = rays.emplace_back(query.rayo);
