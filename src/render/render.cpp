@@ -61,7 +61,7 @@ void draw(const View& view, const Samples& samples, const Progress& progress, Pi
     case Sampling::stratified:
     case Sampling::net:
     case Sampling::independent:
-      by_tiles(size, side_of_tile(view.scene.size()), progress,
+      by_tiles(size, side_of_tile(view.scene.size(), size), progress,
                [&](const auto& pixels) { drawn.add(pixels, sampled(view, samples, pixels)); });
       return;
     case Sampling::statistical: {

@@ -24,15 +24,26 @@ inline std::vector<scene::Pixel> pixels_of_tile(scene::Resolution picture, scene
   return pixels;
 }
 
-/// The side of a tile of a scene with so many elements. The data of 256 rays fit the nearer caches; among many elements
-/// four times as many rays gain more, since more of them stay together.
-constexpr std::uint32_t side_of_tile(std::size_t elements) { return elements > 64 ? 32 : 16; }
+/// The number of tiles of that side.
+constexpr std::uint32_t tiles(std::uint32_t side, scene::Resolution picture) {
+  return ((picture.width + side - 1) / side) * ((picture.height + side - 1) / side);
+}
+
+/// The side of a tile of a scene with so many elements. The data of 256 rays fit the nearer caches. Among many elements
+/// more rays gain more, since rays to one light come closer together; but some tiles are left to each thread.
+constexpr std::uint32_t side_of_tile(std::size_t elements, scene::Resolution picture) {
+  constexpr std::uint32_t enough = 48;
+  if (elements <= 64) return 16;
+  std::uint32_t side = 128;
+  while (side > 32 && tiles(side, picture) < enough) side /= 2;
+  return side;
+}
 
 /// Calls draw(pixels) for each tile of that side, as by_rows does for rows.
 template <class Draw>
 void by_tiles(scene::Resolution picture, std::uint32_t side, const Progress& progress, Draw&& draw) {
-  const std::uint32_t across = (picture.width + side - 1) / side, down = (picture.height + side - 1) / side;
-  by_rows(across * down, progress, [&](std::uint32_t i) {
+  const std::uint32_t across = (picture.width + side - 1) / side;
+  by_rows(tiles(side, picture), progress, [&](std::uint32_t i) {
     draw(pixels_of_tile(picture, {i % across, i / across}, side));
   });
 }

@@ -35,6 +35,10 @@ std::unique_ptr<const engine::Engine> engine_of(const scene::Scene& scene, const
   return frame.prepare ? frame.prepare(scene) : engine::find(engine::default_engine)->prepare(scene);
 }
 
+/// The number of samples from which on an engine answers them on one thread: other threads have other parts of the
+/// picture, and rays that are not divided are answered in longer bundles.
+constexpr std::size_t many = 1 << 10;
+
 /// The colours that the rays of these samples bring.
 std::vector<PathRadiance> brought_by(const scene::PrimaryRays& rays, const Follower& follower,
                                      std::span<const EyeSample> samples) {
@@ -47,7 +51,9 @@ std::vector<PathRadiance> brought_by(const scene::PrimaryRays& rays, const Follo
                                        : rays.ray_at(point.x, point.y)});
     sources.push_back(source);
   }
-  return follower.brought(queries, sources);
+  if (samples.size() < many) return follower.brought(queries, sources);
+  oneapi::tbb::task_arena alone(1);
+  return alone.execute([&] { return follower.brought(queries, sources); });
 }
 
 }  // namespace
