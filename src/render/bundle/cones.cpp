@@ -98,8 +98,8 @@ class ConeTracer {
 
   void meet(const ConePath& path, const scene::Query& query, const scene::Hit& hit, double share,
             glm::dvec3& sum) const {
-    std::optional<Look> varied;
-    const Encounter at = encounter_of(context_, query, hit, path.way, varied);
+    ElementLooks looks(context_);
+    const Encounter at = encounter_of(context_, query, hit, path.way, looks);
     const glm::dvec3 weight = path.weight * share;
     sum += weight * (at.look.emission + at.look.ambient);
     add_lights(at, weight, sum);

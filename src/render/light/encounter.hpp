@@ -13,6 +13,7 @@
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/surface/surfaces.hpp"
+#include "element_looks.hpp"
 #include "followed.hpp"
 #include "front.hpp"
 #include "media.hpp"
@@ -40,23 +41,22 @@ inline Tangents across(const Tangents& t, const glm::dvec3& n) {
   return {t.u - glm::dot(t.u, n) * n, t.v - glm::dot(t.v, n) * n};
 }
 
-/// The encounter of a hit, behind a way of that length. `varied` holds the look of a material with textures.
-/// Precondition: the hit has a point.
+/// The encounter of a hit, behind a way of that length. `looks` are those of the context, and hold the look of a
+/// material with textures. Precondition: the hit has a point.
 [[gnu::always_inline]] inline Encounter encounter_of(const TracingContext& context, const scene::Query& query,
-                                                     const scene::Hit& hit, double behind,
-                                                     std::optional<Look>& varied) {
+                                                     const scene::Hit& hit, double behind, ElementLooks& looks) {
   const scene::ElementRef element = front(context.scene, hit.elementos);
-  const auto index = context.scene.material(element);
+  const ElementLook& its = looks.of(element);
   glm::dvec3 n = context.engine.normal(context.scene, element, hit.punto);
   const glm::dvec3 d = unit(query.rayo.v().xyz());
   const bool enters = !(glm::dot(n, d) > 0);
   const double way = behind + glm::distance(query.rayo.p().xyz(), hit.punto);
-  const TexturedMaterial& worn = context.looks.of(index);
+  const TexturedMaterial& worn = *its.worn;
   const Look* look = &worn.plain;
-  glm::dvec3 facing = smooth_normal(context.scene, element, hit.punto, n);
+  glm::dvec3 facing = its.has_vertex_normals ? smooth_normal(context.scene, element, hit.punto, n) : n;
   if (!worn.is_bare()) {
     const TextureCoordinates coordinates = render::coordinates(context.scene, element, hit.punto);
-    if (worn.varies) look = &varied.emplace(worn.look(coordinates, way));
+    if (worn.varies) look = &looks.varied.emplace(worn.look(coordinates, way));
     if (worn.relief) {
       Tangents along = tangents(context.scene, element, coordinates);
       if (facing != n) along = across(along, facing);
@@ -65,7 +65,7 @@ inline Tangents across(const Tangents& t, const glm::dvec3& n) {
   }
   if (!enters) n = -n, facing = -facing;       // the side that the ray sees: cylinders and cones are open
   if (!(glm::dot(facing, d) < 0)) facing = n;  // a slope that is turned away is not seen
-  return {query, hit, element, index, *look, n, facing, d, way, enters};
+  return {query, hit, element, its.material, *look, n, facing, d, way, enters};
 }
 
 /// The colour that comes from a direction in which nothing stands.

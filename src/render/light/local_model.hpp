@@ -20,7 +20,7 @@ inline glm::dvec3 sent(const Encounter& at, const glm::dvec3& l, double cosine) 
   if (m.k_s > 0 && cosine > 0) {
     // r·v, both taken the other way around: l goes on from the mirror as −r, and d is −v.
     const double towards = glm::dot(mirrored(l, at.facing), at.d);
-    sum += glm::dvec3(m.k_s * std::pow(std::max(0.0, towards), m.e));
+    if (towards > 0 || m.e == 0) sum += glm::dvec3(m.k_s * std::pow(std::max(0.0, towards), m.e));
   }
   return sum;
 }

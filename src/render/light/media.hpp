@@ -1,6 +1,7 @@
 #pragma once
 /// The media that a ray is in are nested, one within the other.
 
+#include <compare>
 #include <cstdint>
 #include <string>
 
@@ -32,6 +33,7 @@ class Media {
     if (enters) enter(material);
     return (was_in ? here : stage.materials[material].index) / index(stage);
   }
+  auto operator<=>(const Media&) const = default;
 
  private:
   std::u32string entered_;  // their numbers; the string holds a few in itself, without an allocation

@@ -69,7 +69,11 @@ struct WaitingLights {
 class PathTracer : public Tracer {
  public:
   explicit PathTracer(const TracingContext& context)
-      : context_(context), stage_(context.scene.stage()), emitters_(context.scene, context.engine), shadows_(context) {}
+      : context_(context),
+        stage_(context.scene.stage()),
+        emitters_(context.scene, context.engine),
+        looks_(context),
+        shadows_(context) {}
 
   void follow(std::span<const scene::Query> rays, std::span<const SampleSource> samples,
               std::span<PathRadiance> sums) override {
@@ -100,7 +104,7 @@ class PathTracer : public Tracer {
       sum.color += walk.weight * from_nowhere(stage_, query.rayo.v().xyz());
       return;
     }
-    const Encounter at = encounter_of(context_, query, hit, walk.way, varied_);
+    const Encounter at = encounter_of(context_, query, hit, walk.way, looks_);
     if (at.look.emission != glm::dvec3(0)) sum.color += walk.weight * at.look.emission * weight_of_direction(walk, at);
     const FarSide behind = far_side(walk, at);
     const Scattering scattering(at, behind.way.has_value());
@@ -209,7 +213,7 @@ class PathTracer : public Tracer {
       const WaitingLight& light = pointed_.waiting[i];
       if (hit.resultado != model::Resultado::hit || front(context_.scene, hit.elementos) != light.draw.element)
         continue;
-      const Encounter there = encounter_of(context_, pointed_.queries[i], hit, 0, varied_);
+      const Encounter there = encounter_of(context_, pointed_.queries[i], hit, 0, looks_);
       if (light.draw.is_sided && there.enters == light.draw.leaves) continue;
       sums_[light.ray].color += light.weight * there.look.emission;
     }
@@ -263,7 +267,7 @@ class PathTracer : public Tracer {
   WaitingLights even_, pointed_;  // that need no point of the emitter, and that do
   std::vector<scene::Hit> hits_, light_hits_;
   std::vector<trace::FirstElement> light_elements_;
-  std::optional<Look> varied_;
+  ElementLooks looks_;
   Shadows shadows_;
 };
 

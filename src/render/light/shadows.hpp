@@ -13,6 +13,7 @@
 #include "durero/scene/hit.hpp"
 #include "durero/scene/stage.hpp"
 #include "followed.hpp"
+#include "query_pool.hpp"
 
 namespace durero::render {
 
@@ -32,9 +33,9 @@ class AskedLights {
   /// Adds a query: whether the light of this number is seen from the start. The colour of the ray waits for the answer.
   void add(std::size_t light, const ShadowStart& from, const glm::dvec3& color, const glm::dvec3& to_light) {
     if (color == glm::dvec3(0)) return;
-    waiting_.push_back({from.ray, static_cast<std::uint32_t>(light), queries_[light].size(), from.way, color});
-    queries_[light].emplace_back(model::Rayo(model::Punto(from.hit.punto), model::Vector(to_light)),
-                                 from.hit.elementos);
+    QueryPool& queries = queries_[light];
+    waiting_.push_back({from.ray, static_cast<std::uint32_t>(light), queries.size(), from.way, color});
+    queries.push({model::Punto(from.hit.punto), model::Vector(to_light)}, from.hit.elementos);
   }
 
   /// Adds each colour to that of its ray where its light is seen, or what is left of it; no query waits after that.
@@ -44,7 +45,7 @@ class AskedLights {
   void add_seen(std::span<PathRadiance> sums, Unseen&& unseen, Left&& left) {
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       unseen_[i].resize(queries_[i].size());
-      unseen(std::span<const scene::Query>(queries_[i]), std::span<bool>(unseen_[i].data(), unseen_[i].size()));
+      unseen(queries_[i].all(), std::span<bool>(unseen_[i].data(), unseen_[i].size()));
     }
     for (const Waiting& one : waiting_) {
       if (!unseen_[one.light][one.place]) {
@@ -53,7 +54,7 @@ class AskedLights {
         sums[one.ray].color += share * one.color;
       }
     }
-    for (auto& of_light : queries_) of_light.clear();
+    for (QueryPool& of_light : queries_) of_light.clear();
     waiting_.clear();
   }
 
@@ -67,7 +68,7 @@ class AskedLights {
 
   std::vector<Waiting> waiting_;
   // of each light
-  std::vector<std::vector<scene::Query>> queries_;
+  std::vector<QueryPool> queries_;
   std::vector<boost::container::vector<bool>> unseen_;
 };
 

@@ -28,6 +28,8 @@ struct Look {
 
   /// Whether the look sends rays on, by mirroring or transparency.
   bool sends_rays_on() const noexcept { return k_ps > 0 || k_t > 0; }
+  /// Whether the look sends some part of a light towards some ray.
+  bool sends_light() const noexcept { return k_s > 0 || ((k_a != 0 || k_d != 0) && color != glm::dvec3(0)); }
 };
 
 /// A material with its textures. It refers to the stage.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -33,7 +34,10 @@ const std::vector<scene::TexelImage>& levels_of(const Texture& texture) {
   return *texture.image.levels;
 }
 
-bool is_even(double whole) { return std::fmod(whole, 2) == 0; }
+bool is_even(double whole) {
+  if (std::abs(whole) < 0x1p62) return (static_cast<std::int64_t>(whole) & 1) == 0;
+  return std::fmod(whole, 2) == 0;
+}
 
 glm::dvec3 mixed(const glm::dvec3& a, const glm::dvec3& b, double share) { return a * (1 - share) + b * share; }
 

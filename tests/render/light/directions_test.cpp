@@ -35,6 +35,18 @@ TEST_CASE("unit: also of what has no square in binary64; the same for every scal
   CHECK(render::unit({5e-324, 0, 0}) == glm::dvec3(1, 0, 0));
 }
 
+TEST_CASE("unit: the squares alone give the bits that a scale by a power of two gives") {
+  std::mt19937_64 bits(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int k = -1030; k <= 1000; k += 10)
+    for (int i = 0; i < 20; ++i) {
+      const auto drawn = [&](int apart) { return std::scalbn(number(bits), k - apart * (i % 4)); };
+      const double x = drawn(0), y = drawn(60), z = drawn(300);
+      for (const glm::dvec3& v : {glm::dvec3(x, y, z), glm::dvec3(y, z, x), glm::dvec3(z, x, y)})
+        CHECK(render::unit(v) == render::unit_of_any_length(v));
+    }
+}
+
 TEST_CASE("refraccion.def.1 in binary64: 28.1255° at 45° into 1.5, and back") {
   const double half_root = std::sqrt(0.5);
   const glm::dvec3 t = render::refracted({half_root, 0, -half_root}, up, 1 / 1.5).value();
