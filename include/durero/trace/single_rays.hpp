@@ -17,12 +17,12 @@ namespace durero::trace {
 
 /// Up to 64 rays that are answered together, and what is known of each. Sets of rays have a bit for each place.
 struct SingleRays {
-  static constexpr std::size_t size = 64;    ///< rays at most
-  static constexpr std::size_t eight = 8;    ///< rays that lanes test side by side
-  using Column = std::array<float, size>;    ///< a number of each ray
-  using Columns = std::array<Column, 3>;     ///< by axis
-  using Doubles = std::array<double, size>;  ///< a number of each ray, as stored
-  using Names = std::array<std::uint32_t, size>;
+  static constexpr std::size_t size = 64;         ///< rays at most
+  static constexpr std::size_t eight = 8;         ///< rays that lanes test side by side
+  using Column = std::array<float, size>;         ///< a number of each ray
+  using Columns = std::array<Column, 3>;          ///< by axis
+  using Doubles = std::array<double, size>;       ///< a number of each ray, as stored
+  using Names = std::array<std::uint32_t, size>;  ///< a name of each ray
 
   /// The greatest magnitude of coordinates, of rays and triangles, and of components of directions; the least magnitude
   /// of the latter is its inverse. Within this range nothing overflows in binary32, and the bounds allow for what
@@ -56,8 +56,11 @@ struct SingleRays {
   bool meets(std::size_t place) const { return (hit >> place & 1) != 0; }
   /// @}
 
-  std::size_t count = 0;                                      ///< the rays, at the first places
-  alignas(64) std::array<Doubles, 3> stored_p{}, stored_v{};  ///< origins and directions
+  std::size_t count = 0;  ///< the rays, at the first places
+  /// @{ Origins and directions, by axis.
+  alignas(64) std::array<Doubles, 3> stored_p{};
+  std::array<Doubles, 3> stored_v{};
+  /// @}
   /// @{ p to the nearest binary32, the rest of p, and v, each rounded once.
   Columns p{}, rest{}, v{};
   /// @}
