@@ -98,7 +98,7 @@ void add_conform_judge(CLI::App& conform, int& status) {
   const auto options = std::make_shared<ConformJudgeOptions>();
   command
       ->add_option("FILE", options->files,
-                   "DIR HITS: the suite, as durero conform make wrote it, and the hits: JSON lines, .csv or .npy;\n"
+                   "DIR HITS: the suite, as durero conform make wrote it, and the hits: JSON lines, .csv or .npy; "
                    "- is the standard input. With --scene HITS alone")
       ->required()
       ->expected(1, 2);

@@ -67,7 +67,7 @@ void add_import(CLI::App& app, int& status) {
   command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json")->required();
   command
       ->add_option("--triangles", options->triangles,
-                   "How triangles come in: gathered into a mesh, whose points stand once, or single, each an element\n"
+                   "How triangles come in: gathered into a mesh, whose points stand once, or single, each an element "
                    "that can be edited alone; without it as the format has them")
       ->check(one_of("way", {"mesh", "single"}));
   add_quiet(*command, options->quiet);

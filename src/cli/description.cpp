@@ -40,7 +40,7 @@ constexpr std::array rows = {
     ArgumentRow{"--picture", Kind::file, "PICTURE"},   ArgumentRow{"--towards", Kind::text, "X,Y,Z"},
     ArgumentRow{"--mirror", Kind::text, "NAME"},       ArgumentRow{"--of", Kind::text, "NAME"},
     ArgumentRow{"--tree", Kind::file, "DRAWING"},      ArgumentRow{"POINTS", Kind::file, "POINTS"},
-    ArgumentRow{"--point", Kind::text, "X,Y,Z"},
+    ArgumentRow{"--point", Kind::text, "X,Y,Z"},       ArgumentRow{"--rays", Kind::file, "RAYS"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.
