@@ -105,3 +105,14 @@ TEST_CASE("a ray that starts on several elements is answered by its start, thoug
   CHECK(hits[0].t == 1.5);
   CHECK(hits[0] == surface::exact::first_hit(scene, query.rayo, query.en));
 }
+
+TEST_CASE("a ray that starts on an element is answered by a nearer one as a ray from elsewhere") {
+  scene::Scene scene;
+  const ElementRef start = add(scene, scene::Sphere{{0, 0, 0}, 5}),
+                   inner = add(scene, scene::Sphere{{0.25, 0, 0.5}, 1});
+  const scene::Query query{{{0, 0, -5}, {0, 0, 3}}, {start}};
+  std::vector<scene::Hit> hits(1);
+  trace::first_hits_in_columns(Few(scene), {&query, 1}, hits);
+  CHECK(hits[0].elementos == scene::ElementSet{inner});
+  CHECK(hits[0] == surface::exact::first_hit(scene, query.rayo, query.en));
+}
