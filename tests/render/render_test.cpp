@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/edit.hpp"
 #include "durero/scene/stage.hpp"
 #include "render/lit_ball.hpp"
 #include "support/catch.hpp"
@@ -167,4 +170,24 @@ TEST_CASE(
   CHECK(share > 0.5);
   CHECK(lost <= reach.left_out);
   CHECK(reach.left_out < 1.2 * lost);  // no ray brings more than the lamp
+}
+
+TEST_CASE("elements of one type keep looks of their own, however many there are between them") {
+  scene::Scene scene;
+  scene.stage().materials = {{.name = "green", .k_d = 0, .emission = {0, 1, 0}},
+                             {.name = "red", .k_d = 0, .emission = {1, 0, 0}}};
+  scene.stage().camera = scene::Camera{{0, 0, -10}, {0, 0, 0}, {0, 1, 0}, 60};
+  scene.stage().resolution = scene::Resolution{64, 32};
+  constexpr int last = 256;  // a multiple of any number of places that looks may be kept in
+  for (int i = 0; i <= last; ++i) {
+    const model::Punto centro = i == 0      ? model::Punto(-3, 0, 0)
+                                : i == last ? model::Punto(3, 0, 0)
+                                            : model::Punto(0, 0, -100 - 3 * i);
+    const scene::Edit edit{model::Agregar_Esfera{model::Elemento(std::to_string(i)), centro, 1}, i == last ? 0u : 1u};
+    REQUIRE(scene.apply_total(edit).ok());
+  }
+  const render::Picture picture = render::render(scene, *engine::find("fast")->prepare(scene));
+  std::set<std::pair<double, double>> seen;
+  for (const glm::dvec3& color : picture.rgb) seen.insert({color.x, color.y});
+  CHECK(seen == std::set<std::pair<double, double>>{{0, 0}, {0, 1}, {1, 0}});
 }

@@ -98,7 +98,7 @@ TEST_CASE("the answers in columns are the exact ones") {
 
 TEST_CASE("a ray that starts on several elements is answered by its start, though its point is off them") {
   scene::Scene scene;
-  const ElementRef one = add(scene, scene::Sphere{{0, 0, 0}, 1}), other = add(scene, scene::Sphere{{0, 0, 0}, 1});
+  const ElementRef one = add(scene, scene::Sphere{{0, 0, 0}, 1}), other = add(scene, scene::Sphere{{0, 0, 0}, 3});
   const scene::Query query{{{0, 0, -0.75}, {0, 0, 1}}, {one, other}};
   std::vector<scene::Hit> hits(1);
   trace::first_hits_in_columns(Few(scene), {&query, 1}, hits);
