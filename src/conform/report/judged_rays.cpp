@@ -31,7 +31,9 @@ std::string judged_rays_text(const SuiteCase& of, std::span<const Claim> claims,
     const ClaimJudgement& is = judgements[i];
     if (is.verdict == Verdict::skipped) text += fmt::format("ray {} skipped: {}\n", i, is.clause);
     if (!is_failure(is.verdict)) continue;
-    text += fmt::format("ray {} {}\n", i, sentence({with_ray_alone(of, i), i, claims[i], is}));
+    const scene::Scene& scene = of.the_case.scene;
+    text += fmt::format("ray {} {}\n", i,
+                        sentence(is.verdict, truth_words(of.truths[i], scene), claim_words(claims[i], scene)));
     if (is.backward > 0) text += fmt::format("  backward error 2^{:.1f} of its unit\n", std::log2(is.backward));
   }
   return text;
@@ -45,8 +47,8 @@ std::string judged_rays_json(const SuiteCase& of, std::span<const Claim> claims,
     io::json::Writer out(text);
     out.begin_object().member("ray", i).member("verdict", name(is.verdict));
     if (is_failure(is.verdict)) {
-      const Finding finding{with_ray_alone(of, i), i, claims[i], is};
-      out.member("expected", truth_words(finding)).member("got", claim_words(finding));
+      const scene::Scene& scene = of.the_case.scene;
+      out.member("expected", truth_words(of.truths[i], scene)).member("got", claim_words(claims[i], scene));
     }
     if (is.verdict == Verdict::skipped) out.member("clause", is.clause);
     if (is.ulps != 0) out.member("ulps", is.ulps);

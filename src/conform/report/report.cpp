@@ -59,19 +59,20 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
   return text;
 }
 
-std::string claim_words(const Finding& finding) {
-  const Claim& claim = finding.claim;
+std::string claim_words(const Claim& claim, const scene::Scene& scene) {
   if (claim.outcome == Claim::Outcome::miss) return "a miss";
   if (claim.outcome != Claim::Outcome::hit) return claim.why.empty() ? std::string(name(claim.outcome)) : claim.why;
-  std::string words = claim.element ? finding.of.the_case.scene.name(*claim.element).name() : "a hit";
+  std::string words = claim.element ? scene.name(*claim.element).name() : "a hit";
   if (claim.t) words += " at t = " + io::number_text(*claim.t);
   if (claim.punto) words += (claim.t ? ", point " : " at ") + point_text(*claim.punto);
   return words;
 }
 
-std::string truth_words(const Finding& finding) {
-  return hit_words(finding.of.truths[0].hit, finding.of.the_case.scene);
-}
+std::string claim_words(const Finding& finding) { return claim_words(finding.claim, finding.of.the_case.scene); }
+
+std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene) { return hit_words(truth.hit, scene); }
+
+std::string truth_words(const Finding& finding) { return truth_words(finding.of.truths[0], finding.of.the_case.scene); }
 
 void require_room_for_reports(const std::string& folder) {
   std::error_code error;

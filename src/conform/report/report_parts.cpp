@@ -59,9 +59,12 @@ std::string question_of(const Finding& finding, const Profile& profile) {
   return question_text(finding.of, profile.caps, only);
 }
 
+std::string sentence(Verdict verdict, const std::string& expected, const std::string& got) {
+  return fmt::format("{}: expected {}; got {}", name(verdict), expected, got);
+}
+
 std::string sentence(const Finding& finding) {
-  return fmt::format("{}: expected {}; got {}", name(finding.judgement.verdict), truth_words(finding),
-                     claim_words(finding));
+  return sentence(finding.judgement.verdict, truth_words(finding), claim_words(finding));
 }
 
 std::string replay(const Report& report, const Finding& finding) {

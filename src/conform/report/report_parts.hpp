@@ -33,8 +33,10 @@ std::string verdict_words(Verdict verdict);
 /// The question of the finding's ray, as a system would read it.
 std::string question_of(const Finding& finding, const Profile& profile);
 
-/// `missed: expected e0 at t = 4, …; got a miss`
+/// @{ `missed: expected e0 at t = 4, …; got a miss`
+std::string sentence(Verdict verdict, const std::string& expected, const std::string& got);
 std::string sentence(const Finding& finding);
+/// @}
 /// The call that shows the ray and its exact answer.
 std::string replay(const Report& report, const Finding& finding);
 /// The call that reduces the failure to its smallest case; empty where the system was not asked by this program.

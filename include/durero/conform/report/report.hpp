@@ -47,10 +47,14 @@ std::vector<const FamilyTally*> failures_first(const Tally& tally);
 /// The options that make the case of a finding again, and its ray: `--case tiny/0007 --ray 12 --solids`.
 std::string replay_options(const SuiteOptions& options, const Finding& finding);
 
-/// The claim in a line without its end: the hit, "a miss", or the reason for neither.
+/// @{ The claim in a line without its end: the hit, "a miss", or the reason for neither.
+std::string claim_words(const Claim& claim, const scene::Scene& scene);
 std::string claim_words(const Finding& finding);
-/// The exact answer, in a line without its end. Precondition: the case was answered.
+/// @}
+/// @{ The exact answer, in a line without its end. Precondition: the case was answered.
+std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene);
 std::string truth_words(const Finding& finding);
+/// @}
 
 /// The report as a table with a row for each family and a column for each verdict, then the worst ray of each failing
 /// verdict with the call that replays it.
