@@ -10,11 +10,10 @@ namespace {
 /// The radius of the ball of a triangle, which is made at a moderate scale, where no square overflows or vanishes.
 Dyadic radius_of_ball(scene::Triangle triangle) {
   double greatest = 0;
-  for (const glm::dvec3& vertex : triangle.vertices)
-    for (int i = 0; i < 3; ++i) greatest = std::max(greatest, std::abs(vertex[i]));
+  for (const glm::dvec3& v : triangle.vertices)
+    greatest = std::max({greatest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   const int k = std::ilogb(greatest);  // the vertices are not all 0
-  for (glm::dvec3& vertex : triangle.vertices)
-    for (int i = 0; i < 3; ++i) vertex[i] = std::ldexp(vertex[i], -k);
+  for (glm::dvec3& vertex : triangle.vertices) vertex = times_power(vertex, -k);
   return number::shifted(Dyadic(surface::ball(triangle).radius), k);
 }
 

@@ -16,10 +16,8 @@ constexpr std::array coincidences{Coincidence::tangent, Coincidence::rim, Coinci
 }  // namespace
 
 DrawnRay scaled(DrawnRay ray, int k) {
-  for (int i = 0; i < 3; ++i) {
-    ray.p[i] = std::ldexp(ray.p[i], k);
-    ray.v[i] = std::ldexp(ray.v[i], k);
-  }
+  ray.p = times_power(ray.p, k);
+  ray.v = times_power(ray.v, k);
   return ray;
 }
 

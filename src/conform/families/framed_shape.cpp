@@ -73,10 +73,6 @@ bool is_finite(const scene::Corners& of) {
   });
 }
 
-glm::dvec3 times_power(const glm::dvec3& v, int k) {
-  return {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
-}
-
 /// The types for which the condition holds, in their order.
 std::vector<Tipo> types_that(bool (*holds)(Tipo)) {
   std::vector<Tipo> types;
@@ -222,6 +218,10 @@ void turn_to(FramedShape& shape, const glm::dvec3& d) {
   shape.e1 -= glm::dot(shape.e1, d) * d;
   shape.e1 /= std::sqrt(glm::dot(shape.e1, shape.e1));
   shape.e2 = glm::cross(d, shape.e1);
+}
+
+glm::dvec3 times_power(const glm::dvec3& v, int k) {
+  return {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
 }
 
 FramedShape moved(FramedShape shape, const glm::dvec3& by) {

@@ -85,6 +85,9 @@ FramedShape closing_disc(const FramedShape& shape, bool at_base);
 /// Gives the shape another axis, and a frame around that. Precondition: e1 is not along d.
 void turn_to(FramedShape& shape, const glm::dvec3& d);
 
+/// The vector times 2^k.
+glm::dvec3 times_power(const glm::dvec3& v, int k);
+
 /// The shape moved; a triangle whose vertices would then lie on one line stays where it is.
 FramedShape moved(FramedShape shape, const glm::dvec3& by);
 
