@@ -20,6 +20,7 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/oracle/sampled.hpp"
 #include "engines.hpp"
+#include "file_error.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 
@@ -76,7 +77,7 @@ int run(const AgreeOptions& options) {
   const io::Source file = io::read_source(options.scene);
   written::Written asked = read(options, file);
   const scene::Scene& scene = asked.scene;
-  try {
+  const auto judge = [&] {
     std::optional<Progress> progress(std::in_place, options.quiet, "agree", "rays", options.rays);
     const oracle::sampled::Oracle oracle(scene, options.fineness);
     const auto engine =
@@ -86,11 +87,10 @@ int run(const AgreeOptions& options) {
                                                    [&](std::uint64_t more) { progress->add(more); });
     progress.reset();
     return report(agreement, options, file, scene);
-  } catch (const std::domain_error& error) {  // the range of the oracle
-    throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
-  } catch (const std::length_error& error) {
-    throw std::length_error(fmt::format("{}: {}", options.scene, error.what()));
-  }
+  };
+  // The oracle has a range, and a limit of its memory.
+  return naming_file<std::domain_error>(options.scene,
+                                        [&] { return naming_file<std::length_error>(options.scene, judge); });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // durero check SCENE [--format F] [--with TEXT]: reads a scene, and evaluates every invariant of Escena on what it
 // stands for. durero check --mesh FILE [--point X,Y,Z]: audits the triangles of a file as one mesh.
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <memory>
@@ -19,6 +18,7 @@
 #include "durero/io/mesh/mesh_report.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "file_error.hpp"
 #include "losses.hpp"
 #include "mesh_picture.hpp"
 #include "numbers.hpp"
@@ -38,15 +38,6 @@ io::Imported imported(const std::string& path) {
   return io::read_any_format(path);
 }
 
-/// The picture of the findings. Throws std::domain_error, with the file's name, where there is none.
-std::string picture_of(const std::string& file, const io::SceneMesh& mesh, const io::MeshCheck& check) {
-  try {
-    return mesh_picture(mesh, check);
-  } catch (const std::domain_error& error) {
-    throw std::domain_error(fmt::format("{}: {}", file, error.what()));
-  }
-}
-
 /// Runs the audit. What the reader leaves out, such as triangles without area, it says itself.
 int run_mesh(const CheckOptions& options) {
   std::optional<io::OutputFile> picture;
@@ -58,7 +49,7 @@ int run_mesh(const CheckOptions& options) {
   const io::Imported found = imported(options.scene);
   const io::SceneMesh mesh = io::mesh_of(found.scene);
   const io::MeshCheck check = io::check_mesh(options.scene, mesh, point_in(options.point));
-  if (picture) picture->write(picture_of(options.scene, mesh, check));
+  if (picture) picture->write(naming_file<std::domain_error>(options.scene, [&] { return mesh_picture(mesh, check); }));
   progress.reset();
   if (picture) picture->commit();
   io::print(options.format == "json"    ? mesh_check_json(check)

@@ -1,7 +1,5 @@
 // durero conform judge DIR HITS --profile P [--report DIR]: the hits of a program that anyone ran by hand.
 // durero conform judge --scene SCENE --rays RAYS HITS --profile P: those of one's own rays.
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -19,6 +17,7 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "file_error.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 
@@ -50,11 +49,7 @@ void check_together(const ConformJudgeOptions& options) {
 SuiteCase read_own(const std::string& scene_file, const std::string& rays_file) {
   scene::Scene scene = io::read_scene(io::read_source(scene_file));
   std::vector<scene::Query> rays = io::read_rays(io::read_source(rays_file), scene);
-  try {
-    return own_case(std::move(scene), std::move(rays));
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{}: {}", rays_file, error.what()));
-  }
+  return naming_file<std::invalid_argument>(rays_file, [&] { return own_case(std::move(scene), std::move(rays)); });
 }
 
 /// Judges the hits of a user's own rays.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string_view>
@@ -63,6 +64,7 @@ class MarkedMesh {
     scene_.stage().materials = looks();
     add_faces(mesh, check);
     for (const io::MeshDefect& defect : check.findings) mark(defect.places);
+    engine_ = composed::prepared(*engine::find(engine::default_engine), scene_);
   }
 
   /// The picture from that side: `way` points from the middle towards the eye.
@@ -72,8 +74,7 @@ class MarkedMesh {
     stage.camera = {.eye = eye, .look_at = ball_.middle, .up = {0, 0, 1}, .fov_y = 40};
     stage.background = glm::dvec3(1);
     stage.directional_lights = {{ball_.middle - eye, glm::dvec3(0.7)}, {{1, 2, -3}, glm::dvec3(0.4)}};
-    const auto engine = composed::prepared(*engine::find(engine::default_engine), scene_);
-    return render::render(scene_, *engine, {}, {.size = view_size, .samples = {.most = 4}});
+    return render::render(scene_, *engine_, {}, {.size = view_size, .samples = {.most = 4}});
   }
 
  private:
@@ -121,6 +122,7 @@ class MarkedMesh {
 
   ViewBall ball_;
   scene::Scene scene_;
+  std::unique_ptr<const engine::Engine> engine_{};
   std::set<Key> balls_;
   std::set<std::pair<Key, Key>> rods_;  // by their ends, the lesser one first
   std::size_t marks_ = 0;

@@ -20,6 +20,7 @@
 #include "durero/render/output/tone.hpp"
 #include "durero/scene/camera.hpp"
 #include "engines.hpp"
+#include "file_error.hpp"
 #include "picture_size.hpp"
 #include "raster_techniques.hpp"
 #include "render_options.hpp"
@@ -90,11 +91,7 @@ struct RasterWork {
   /// Calls draw(), and adds the name of the scene to its errors.
   template <class Draw>
   auto in_words(const Draw& draw) const {
-    try {
-      return draw();
-    } catch (const std::domain_error& error) {
-      throw std::domain_error(fmt::format("{}: {}", options.scene, error.what()));
-    }
+    return naming_file<std::domain_error>(options.scene, draw);
   }
 };
 

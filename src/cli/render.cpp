@@ -24,6 +24,7 @@
 #include "durero/scene/motion.hpp"
 #include "durero/scene/stage.hpp"
 #include "engines.hpp"
+#include "file_error.hpp"
 #include "interrupted.hpp"
 #include "progress.hpp"
 #include "render_options.hpp"
@@ -43,9 +44,7 @@ class Drawing {
   template <class Draw>
   auto in_words(Draw&& draw) const {
     try {
-      return draw();
-    } catch (const std::domain_error& error) {
-      throw std::domain_error(fmt::format("{}: {}", options_.scene, error.what()));
+      return naming_file<std::domain_error>(options_.scene, draw);
     } catch (const std::out_of_range&) {
       const scene::Resolution size = size_of(options_, scene().stage());
       throw std::runtime_error(fmt::format("render: --crop {}: it is not inside the picture; expected pixels of {}x{}",
