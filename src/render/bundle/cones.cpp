@@ -69,17 +69,18 @@ class ConeTracer {
   /// The colour that a cone brings.
   glm::dvec3 brought(const ConePath& path) const {
     glm::dvec3 sum(0);
-    follow(path, sum);
+    ElementLooks looks(context_);
+    follow(path, looks, sum);
     return sum;
   }
 
  private:
-  void follow(const ConePath& path, glm::dvec3& sum) const {
+  void follow(const ConePath& path, ElementLooks& looks, glm::dvec3& sum) const {
     if (path.depth > context_.limits.max_depth) return;
     if (path.cone.half == 0) {
       const scene::Hit hit = engine::first_hit(engine_, path.axis);
       if (hit.resultado == model::Resultado::hit)
-        meet(path, path.axis, hit, 1, sum);
+        meet(path, path.axis, hit, 1, looks, sum);
       else
         sum += path.weight * from_nowhere(scene_.stage(), path.axis.rayo.v().xyz());
       return;
@@ -92,19 +93,18 @@ class ConeTracer {
       }
       const scene::Query query{{path.axis.rayo.p(), model::Vector(d)}, path.axis.en};
       meet(path, query, {model::Resultado::hit, part.t, path.cone.apex + part.t * d, {part.target->element()}},
-           part.share, sum);
+           part.share, looks, sum);
     }
   }
 
-  void meet(const ConePath& path, const scene::Query& query, const scene::Hit& hit, double share,
+  void meet(const ConePath& path, const scene::Query& query, const scene::Hit& hit, double share, ElementLooks& looks,
             glm::dvec3& sum) const {
-    ElementLooks looks(context_);
     const Encounter at = encounter_of(context_, query, hit, path.way, looks);
     const glm::dvec3 weight = path.weight * share;
     sum += weight * (at.look.emission + at.look.ambient);
     add_lights(at, weight, sum);
     const glm::dvec3 mirror = weight * (at.look.k_ps * at.look.M_PS);
-    if (mirror != glm::dvec3(0)) follow(mirrored_path(path.cone, at, mirror, path.depth + 1), sum);
+    if (mirror != glm::dvec3(0)) follow(mirrored_path(path.cone, at, mirror, path.depth + 1), looks, sum);
   }
 
   void add_lights(const Encounter& at, const glm::dvec3& weight, glm::dvec3& sum) const {

@@ -14,7 +14,7 @@
 
 namespace durero::render {
 
-/// What an element has for a picture, beside its shape.
+/// The look of an element: all that a picture needs of it beside its shape.
 struct ElementLook {
   const TexturedMaterial* worn = nullptr;
   std::optional<std::uint32_t> material{};  ///< its number

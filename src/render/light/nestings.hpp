@@ -30,8 +30,8 @@ class Nestings {
   /// Media::cross of a nesting.
   Crossing cross(std::uint32_t from, bool enters, std::uint32_t material) {
     KnownCrossing& known = known_[(std::size_t{from} * 8 + std::size_t{material} * 2 + enters) % known_.size()];
-    if (known.from != from || known.material != material || known.enters != enters)
-      known = {from, material, enters, found(from, enters, material)};
+    if (known.from != from || known.material != material)  // the place tells whether it enters
+      known = {from, material, found(from, enters, material)};
     return known.crossing;
   }
 
@@ -45,7 +45,6 @@ class Nestings {
   struct KnownCrossing {
     std::uint32_t from = std::numeric_limits<std::uint32_t>::max();  // no nesting's number
     std::uint32_t material = 0;
-    bool enters = false;
     Crossing crossing{};
   };
 
