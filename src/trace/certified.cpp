@@ -16,6 +16,10 @@ void write_hit(scene::Hit& hit, scene::ElementRef e, const RoundedPoint& rounded
   }
 }
 
+RoundedPoint lane_of(const RoundedPacket& rounded, std::size_t lane) {
+  return {true, rounded.t[lane], {rounded.x[lane], rounded.y[lane], rounded.z[lane]}};
+}
+
 }  // namespace
 
 void Certified::hit_own(std::uint32_t number, const RayNumbers& ray, scene::ElementRef e, const Point& point) {
@@ -47,7 +51,7 @@ void Certified::write(std::uint32_t number, scene::ElementRef e, const RoundedPo
 RoundedPoint Certified::rounded(const Hits& hits, std::size_t lane) {
   if ((rounded_.certain >> lane & 1) != 0) {
     ++counts_.rounding[0];
-    return {true, rounded_.t[lane], {rounded_.x[lane], rounded_.y[lane], rounded_.z[lane]}};
+    return lane_of(rounded_, lane);
   }
   const scene::Query& query = queries_[hits.queue.numbers[lane]];
   return Search(scene_, query.rayo, query.en, counts_).rounded_hit(hits.queue.elements[lane], hits.findings[lane]);
@@ -61,10 +65,10 @@ void FoundHits::finish() {
   for (std::size_t lane = 0; lane < queue_.count; ++lane) {
     const std::uint32_t number = queue_.numbers[lane];
     const scene::ElementRef e = queue_.elements[lane];
-    RoundedPoint rounded{true, rounded_.t[lane], {rounded_.x[lane], rounded_.y[lane], rounded_.z[lane]}};
+    RoundedPoint rounded = lane_of(rounded_, lane);
     if ((findings_.hit & rounded_.certain & 1u << lane) == 0) {
       const scene::Query& query = queries_[number];
-      const Search search(scene_, query.rayo, query.en, counts_);
+      const Search search(scene_, query.rayo, query.en, unseen_);
       rounded = search.rounded_hit(e, search.meeting(e, no_limit));
     }
     write_hit(hits_[number], e, rounded);

@@ -111,7 +111,7 @@ HWY_INLINE LaneRays ray_of(const SingleRays& rays, std::size_t i) {
   return {of(rays.p), of(rays.rest), of(rays.v), all(rays.rate[i]), all(rays.slack[i]), all(rays.limit[i])};
 }
 
-/// What is known of some pairs: a hit, whose parameter is in low … high, or perhaps a hit; the others are misses. Only
+/// The results of the test: a pair is a hit, whose parameter is in low … high, or perhaps a hit, or a miss. Only
 /// possible pairs have bounds.
 struct Screened {
   SingleMask possible, certain, known;  ///< known: the line crosses the triangle's plane in one point

@@ -2,6 +2,8 @@
 /// Coherent queries of a block are answered in bundles by a source that can, in binary32 (trace/single_rays.hpp). The
 /// other queries are left to Batch and SegmentBatch.
 
+#include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>

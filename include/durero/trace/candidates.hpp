@@ -183,8 +183,7 @@ void first_hits_in_lanes(const Source& source, IndexedView<const scene::Query> q
 template <PairCandidates Source>
 Unbundled without_bundled_hits(const Source& source, IndexedView<const scene::Query> queries,
                                IndexedView<scene::Hit> hits) {
-  Counts unseen;
-  FoundHits found(source.scene(), queries, hits, unseen);
+  FoundHits found(source.scene(), queries, hits);
   Unbundled left(source, queries, SingleSearch::nearest,
                  [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
                    const std::uint32_t own = rays.found(place);

@@ -102,9 +102,8 @@ class Certified {
 class FoundHits {
  public:
   /// The references must outlive it. Precondition: `hits` has a place for each query.
-  FoundHits(const scene::Scene& scene, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits,
-            Counts& counts)
-      : scene_(scene), queries_(queries), hits_(hits), counts_(counts) {}
+  FoundHits(const scene::Scene& scene, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits)
+      : scene_(scene), queries_(queries), hits_(hits) {}
 
   /// Adds the hit of a query on an element alone, by the source's name of it, on which its ray does not start.
   /// Precondition: all elements that are added are triangles.
@@ -121,7 +120,7 @@ class FoundHits {
   const scene::Scene& scene_;
   IndexedView<const scene::Query> queries_;
   IndexedView<scene::Hit> hits_;
-  Counts& counts_;
+  Counts unseen_{};
   Queue queue_;
   Findings findings_;
   RoundedPacket rounded_;

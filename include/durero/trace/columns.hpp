@@ -58,7 +58,7 @@ struct BlockedBits {
 /// Reads the findings of the segments in `which`: a point at t < 1 blocks.
 BlockedBits blocked_by(const ColumnFindings& findings, std::uint64_t which);
 
-/// Some queries in columns.
+/// Queries whose rays stand in columns.
 class QueryColumns {
  public:
   /// Takes the `count` queries from `begin` on. The bits of those that stand in columns; the others are left alone.

@@ -184,7 +184,7 @@ void triage(const RayColumns& rays, std::uint64_t which, scene::ShapeView elemen
 
 /// triage of eight pairs whose rays start on their elements. A plane, disc or triangle is never hit.
 void triage_from(const Packet& packet, model::Tipo tipo, Findings& findings);
-/// The same of one element for the rays in `which`, all of which start on it, as triage has it of those that do not.
+/// triage_from of one element for the rays in `which`, all of which start on it; findings stand as triage leaves them.
 void triage_from(const RayColumns& rays, std::uint64_t which, scene::ShapeView element, ColumnFindings& findings);
 
 /// t and the point of a hit in each lane, rounded once; they mean something only in certain lanes.
