@@ -89,7 +89,7 @@ TEST_CASE("a highlight falls with the cosine's power, and is not there behind") 
   CHECK(color(scene, Fake(above), down).x == Approx(1));
   scene.stage().lights = {{{10, -11, 0}, {1, 1, 1}}};
   CHECK(color(scene, Fake(above), down) == black);
-  // Where the mirrored light leads away from the eye the power is that of 0.
+  // The power is that of 0 where the mirrored light leads away from the eye.
   scene.stage().lights = {{{10, 2, 0}, {1, 1, 1}}};
   const model::Rayo slanting({2, 2, 0}, {-2, -1, 0});
   CHECK(color(scene, Fake(above), slanting).x == Approx(1));

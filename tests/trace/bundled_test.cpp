@@ -105,7 +105,7 @@ TEST_CASE("a source that cannot, few queries, and rays that are handed back all 
   CHECK(searches(false, queries_at(100, 2)) == 0);
   CHECK(searches(true, queries_at(7, 2)) == 0);
   CHECK(searches(true, odd) < 10);
-  // What is answered before is kept, and all that comes behind is left.
+  // Answers that were found before stay, and all queries behind them are left.
   std::vector<scene::Query> some = queries_at(64, 2);
   some.insert(some.end(), odd.begin(), odd.end());
   const ByParity source;

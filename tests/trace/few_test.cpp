@@ -57,7 +57,7 @@ static_assert(trace::FewCandidates<Few>);
 
 bool finite(const glm::dvec3& x) { return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z); }
 
-/// So many rays, and as many from hits, on whose elements they start.
+/// Queries: so many rays, and a ray from each of their hits, which starts on the elements there.
 std::vector<scene::Query> queries_of(const scene::Scene& scene, const Reals& numbers, int count) {
   std::vector<scene::Query> queries;
   for (int i = 0; i < count; ++i) {
