@@ -62,6 +62,10 @@ class OneDeeper {
   std::size_t& depth_;
 };
 
+[[noreturn]] void fail_too_many(const json::Reader& in, std::size_t at) {
+  in.fail(at, fmt::format("there are more than {} copies", most_bodies), "expected fewer");
+}
+
 [[noreturn]] void fail_within_itself(const json::Reader& in, std::size_t at, std::string_view name) {
   in.fail(at, fmt::format("{} is made of itself", text::shown(name)), "expected one that is made of others");
 }
@@ -144,6 +148,57 @@ void BodyReader::find_what_is_named() {
   for (const Kept& prototype : prototypes_) prototype_by_name_.emplace(prototype.name.value, &prototype);
   for (std::size_t i = 0; i < groups_.size(); ++i) group_by_name_.emplace(groups_[i].name.name, i);
   for (const MaterialUse& use : uses_) material_by_name_.emplace(use.element, use.material);
+}
+
+// Each prototype and element has at most the parts that the names in it say, which are counted before any is made.
+void BodyReader::require_few(const json::Reader& in) {
+  for (const std::deque<Kept>* all : {&prototypes_, &elements_})
+    for (const Kept& kept : *all)
+      if (parts_count(kept) > most_bodies) fail_too_many(in, kept.name.offset);
+}
+
+// What is too deep, or made of itself, counts as one part: it is refused when it is made.
+std::size_t BodyReader::parts_count(const Kept& kept) {
+  const auto [known, is_new] = counts_.emplace(&kept, 1);
+  if (!is_new || depth_ == most_within) return known->second;
+  const OneDeeper deeper(depth_);
+  std::size_t count = 1;
+  if (kept.tipo != nullptr && kept.tipo->make == make_instance) {
+    count = parts_count(kept.values[0]);
+  } else if (kept.tipo == nullptr && !kept.shape) {
+    count = 0;
+    for (const Kept& member : kept.members) count = std::min(count + parts_count(member), most_bodies + 1);
+  }
+  return known->second = count;
+}
+
+std::size_t BodyReader::parts_count(json::Reader in) {
+  if (depth_ == most_within) return 1;
+  const OneDeeper deeper(depth_);
+  if (in.kind() == json::TokenKind::string) return named_count(in.string("a name"));
+  if (auto group = in.member("group"))
+    return group->kind() == json::TokenKind::string ? group_count(group->string("group")) : 1;
+  const BodyTipo* const tipo = body_tipo(in);
+  auto copied = in.member("de");
+  return tipo != nullptr && tipo->make == make_instance && copied ? parts_count(*copied) : 1;
+}
+
+std::size_t BodyReader::named_count(std::string_view name) {
+  for (const ByName* all : {&prototype_by_name_, &element_by_name_})
+    if (const auto found = all->find(name); found != all->end()) return parts_count(*found->second);
+  return 1;
+}
+
+std::size_t BodyReader::group_count(std::string_view name) {
+  const auto found = group_by_name_.find(name);
+  if (found == group_by_name_.end()) return named_count(name);
+  const auto [known, is_new] = counts_.emplace(&found->second, 1);
+  if (!is_new || depth_ == most_within) return known->second;
+  const OneDeeper deeper(depth_);
+  const WrittenGroup& group = groups_[found->second];
+  std::size_t count = group.elementos.size();
+  for (const NamePlace& inner : group.groups) count = std::min(count + group_count(inner.name), most_bodies + 1);
+  return known->second = count;
 }
 
 void BodyReader::check_prototype(const json::Reader& in, const Kept& prototype) {
@@ -243,7 +298,7 @@ BodyParts BodyReader::parts(json::Reader in) {
     found = made(read(in, {.id = false, .material = false}));
   }
   count_ += found.size();
-  if (count_ > most_bodies) in.fail(at, fmt::format("there are more than {} copies", most_bodies), "expected fewer");
+  if (count_ > most_bodies) fail_too_many(in, at);
   return found;
 }
 

@@ -63,6 +63,12 @@ class BodyReader {
   void make_all(const json::Reader& in, Make&& make) {
     if (elements_.empty() && prototypes_.empty()) return;
     find_what_is_named();
+    bool are_few = false;
+    make([&] {
+      require_few(in);
+      are_few = true;
+    });
+    if (!are_few) return;
     for (const Kept& prototype : prototypes_) make([&] { check_prototype(in, prototype); });
     for (const Kept& element : elements_) make([&] { add(in, element); });
   }
@@ -90,6 +96,11 @@ class BodyReader {
   static Kept read(json::Reader& in, ShapeKeys has);
   static Kept read_prototype(json::Reader& in);
   void find_what_is_named();
+  void require_few(const json::Reader& in);
+  std::size_t parts_count(const Kept& kept);
+  std::size_t parts_count(json::Reader in);
+  std::size_t named_count(std::string_view name);
+  std::size_t group_count(std::string_view name);
   void check_prototype(const json::Reader& in, const Kept& prototype);
   void add(const json::Reader& in, const Kept& element);
   void add_part(const json::Reader& in, const Kept& element, std::string_view name, const BodyPart& part);
@@ -106,6 +117,7 @@ class BodyReader {
   ByName element_by_name_, prototype_by_name_;
   std::map<std::string, std::size_t, std::less<>> group_by_name_;  // names of its own: groups_ grows
   std::map<std::string_view, Placed<std::string_view>> material_by_name_;
+  std::map<const void*, std::size_t> counts_;  // of parts, known before any is made
   std::map<const Kept*, BodyParts> made_;
   std::set<const void*> in_work_;       // who names itself meets itself here
   std::deque<std::string> part_names_;  // what uses_ refer to
