@@ -4,60 +4,25 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "by_text.hpp"
 #include "colour.hpp"
 #include "commands.hpp"
 #include "description.hpp"
-#include "durero/io/file_name.hpp"
-#include "durero/io/formats.hpp"
 #include "durero/io/json/scene_check.hpp"
-#include "durero/io/json/scene_file.hpp"
-#include "durero/io/mesh/mesh_report.hpp"
-#include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
-#include "file_error.hpp"
-#include "losses.hpp"
-#include "mesh_picture.hpp"
+#include "mesh_audit.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
-struct CheckOptions {
-  std::string scene, with, point, picture, format = "text";
-  bool mesh = false, quiet = false;
+struct CheckOptions : AuditCall {
+  std::string with;
+  bool mesh = false;
 };
-
-/// The scene or mesh of a file, by its name.
-io::Imported imported(const std::string& path) {
-  if (path == "-" || io::ends_in(path, ".json")) return {io::read_scene(io::read_source(path)), {}};
-  return io::read_any_format(path);
-}
-
-/// Runs the audit. What the reader leaves out, such as triangles without area, it says itself.
-int run_mesh(const CheckOptions& options) {
-  std::optional<io::OutputFile> picture;
-  if (!options.picture.empty()) {
-    io::require_ending(options.picture, io::png_endings, "a picture");
-    picture.emplace(options.picture);
-  }
-  std::optional<Progress> progress(std::in_place, options.quiet, "check");
-  const io::Imported found = imported(options.scene);
-  const io::SceneMesh mesh = io::mesh_of(found.scene);
-  const io::MeshCheck check = io::check_mesh(options.scene, mesh, point_in(options.point));
-  if (picture) picture->write(naming_file<std::domain_error>(options.scene, [&] { return mesh_picture(mesh, check); }));
-  progress.reset();
-  if (picture) picture->commit();
-  io::print(options.format == "json"    ? mesh_check_json(check)
-            : options.format == "sarif" ? mesh_check_sarif(check)
-                                        : mesh_check_text(check));
-  name_losses(options.scene, found.lost);
-  return check.findings.empty() ? 0 : 1;
-}
 
 /// Checks the scene; by a Z text where one is named.
 io::SceneCheck checked(const CheckOptions& options) {
@@ -68,7 +33,7 @@ io::SceneCheck checked(const CheckOptions& options) {
 /// Runs the check. A file with an error is refused whatever the format. For programs, all its faults are printed
 /// before.
 int run(const CheckOptions& options) {
-  if (options.mesh) return run_mesh(options);
+  if (options.mesh) return audit_mesh(options);
   std::optional<Progress> progress(std::in_place, options.quiet, "check");
   const io::SceneCheck check = checked(options);
   progress.reset();

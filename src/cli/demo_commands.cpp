@@ -1,17 +1,20 @@
-// The demonstration's program: what demo/demo.sh calls, and no more, so that `./x demo` builds it soon. It reads no Z
-// text.
+// The demonstration's program: what demo/demo.sh calls, and no more, so that `./x demo` builds it soon. It reads
+// neither Z texts nor the formats of other programs.
 #include <stdexcept>
+#include <string>
 
 #include "by_text.hpp"
 #include "commands.hpp"
+#include "mesh_audit.hpp"
 
 namespace durero::cli {
 namespace {
 
-[[noreturn]] void refuse_text() {
-  throw std::invalid_argument(
-      "the demonstration's program reads no Z text; expected the whole program, which ./x build makes");
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument("the demonstration's program " + what +
+                              "; expected the whole program, which ./x build makes");
 }
+[[noreturn]] void refuse_text() { refuse("reads no Z text"); }
 
 }  // namespace
 
@@ -24,5 +27,6 @@ written::Written read_shapes_by_text(const io::Source&, const std::string&) { re
 io::SceneCheck check_by_text(const io::Source&, const std::string&) { refuse_text(); }
 std::unique_ptr<io::EditedScene> edited_by_text(const io::Source&, const std::string&) { refuse_text(); }
 Editor editor_by_spec() { refuse_text(); }
+int audit_mesh(const AuditCall&) { refuse("audits no mesh"); }
 
 }  // namespace durero::cli

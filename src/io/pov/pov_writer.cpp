@@ -20,7 +20,7 @@
 namespace durero::io {
 namespace {
 
-std::string text(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.y, v.z); }
+std::string bracketed(const glm::dvec3& v) { return fmt::format("<{}, {}, {}>", v.x, v.y, v.z); }
 
 /// So far away that a parallel light stands before all that a scene has: as far as POV-Ray sees, but for a tenth.
 constexpr double far_away = 1e6;
@@ -48,7 +48,7 @@ class PovWriter {
     if (stage.environment)
       write_sky(*stage.environment);
     else if (stage.background)
-      out_.text += fmt::format("background {{ rgb {} }}\n", text(*stage.background));
+      out_.text += fmt::format("background {{ rgb {} }}\n", bracketed(*stage.background));
     write_lights();
     for (const scene::Material& material : stage.materials) looks_.push_back(pov_attributes(material, patterns_, {}));
     write_elements();
@@ -69,9 +69,9 @@ class PovWriter {
                  y = (size.height - 1) / 2.0;
     const auto direction = [&](double across, double down) { return rays.ray_at(across, down).v().xyz(); };
     const scene::Camera& camera = *scene_.stage().camera;
-    out_.text += fmt::format("camera {{ location {} direction {} right {} up {}{} }}\n", text(camera.eye),
-                             text(direction(x, y)), text(direction(right, y) - direction(-0.5, y)),
-                             text(direction(x, -0.5) - direction(x, bottom)), lens_text(camera));
+    out_.text += fmt::format("camera {{ location {} direction {} right {} up {}{} }}\n", bracketed(camera.eye),
+                             bracketed(direction(x, y)), bracketed(direction(right, y) - direction(-0.5, y)),
+                             bracketed(direction(x, -0.5) - direction(x, bottom)), lens_text(camera));
   }
 
   /// POV-Ray's lens is half as wide as its aperture says.
@@ -79,7 +79,7 @@ class PovWriter {
     if (camera.aperture == 0) return "";
     const glm::dvec3 way = camera.look_at - camera.eye;
     const glm::dvec3 focus = camera.focus > 0 ? camera.eye + camera.focus * glm::normalize(way) : camera.look_at;
-    return fmt::format(" aperture {} focal_point {} blur_samples {} variance 0", 2 * camera.aperture, text(focus),
+    return fmt::format(" aperture {} focal_point {} blur_samples {} variance 0", 2 * camera.aperture, bracketed(focus),
                        blur_samples);
   }
 
@@ -96,8 +96,8 @@ class PovWriter {
       const glm::dvec3& d = light.direction;
       const double greatest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});  // whose square may overflow
       const glm::dvec3 from = -far_away * glm::normalize(d / greatest);
-      out_.text +=
-          fmt::format("light_source {{ {}, rgb {} parallel point_at <0, 0, 0> }}\n", text(from), text(light.color));
+      out_.text += fmt::format("light_source {{ {}, rgb {} parallel point_at <0, 0, 0> }}\n", bracketed(from),
+                               bracketed(light.color));
     }
   }
 
@@ -216,29 +216,33 @@ class PovWriter {
     return text;
   }
 
-  std::string shape_text(const scene::Sphere& s) { return fmt::format("sphere {{ {}, {} }}", text(s.centro), s.radio); }
+  std::string shape_text(const scene::Sphere& s) {
+    return fmt::format("sphere {{ {}, {} }}", bracketed(s.centro), s.radio);
+  }
   std::string shape_text(const scene::Plane& p) {
-    return fmt::format("plane {{ {}, 0 translate {} }}", text(p.vector), text(p.centro));
+    return fmt::format("plane {{ {}, 0 translate {} }}", bracketed(p.vector), bracketed(p.centro));
   }
   std::string shape_text(const scene::Disc& d) {
-    return fmt::format("disc {{ {}, {}, {} }}", text(d.centro), text(d.vector), d.radio);
+    return fmt::format("disc {{ {}, {}, {} }}", bracketed(d.centro), bracketed(d.vector), d.radio);
   }
   std::string shape_text(const scene::Triangle& t) {
-    return fmt::format("triangle {{ {}, {}, {} }}", text(t.vertices[0]), text(t.vertices[1]), text(t.vertices[2]));
+    return fmt::format("triangle {{ {}, {}, {} }}", bracketed(t.vertices[0]), bracketed(t.vertices[1]),
+                       bracketed(t.vertices[2]));
   }
   static std::string smooth_text(const scene::Triangle& t, const scene::VertexNormals& n) {
-    return fmt::format("smooth_triangle {{ {}, {}, {}, {}, {}, {} }}", text(t.vertices[0]), text(n[0]),
-                       text(t.vertices[1]), text(n[1]), text(t.vertices[2]), text(n[2]));
+    return fmt::format("smooth_triangle {{ {}, {}, {}, {}, {}, {} }}", bracketed(t.vertices[0]), bracketed(n[0]),
+                       bracketed(t.vertices[1]), bracketed(n[1]), bracketed(t.vertices[2]), bracketed(n[2]));
   }
   std::string shape_text(const scene::Cylinder& c) {
     const auto ends = ends_.of(c);
-    return ends ? fmt::format("cylinder {{ {}, {}, {}{} }}", text(ends->base), text(ends->top), ends->wide, caps())
+    return ends ? fmt::format("cylinder {{ {}, {}, {}{} }}", bracketed(ends->base), bracketed(ends->top), ends->wide,
+                              caps())
                 : "";
   }
   std::string shape_text(const scene::Cone& c) { return cone_text(ends_.of(c)); }
   std::string shape_text(const scene::TruncatedCone& c) { return cone_text(ends_.of(c)); }
   std::string cone_text(const std::optional<AxisEnds>& ends) const {
-    return ends ? fmt::format("cone {{ {}, {}, {}, {}{} }}", text(ends->base), ends->wide, text(ends->top),
+    return ends ? fmt::format("cone {{ {}, {}, {}, {}{} }}", bracketed(ends->base), ends->wide, bracketed(ends->top),
                               ends->narrow, caps())
                 : "";
   }
