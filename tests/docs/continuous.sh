@@ -13,7 +13,7 @@ echo "$*" >>"$HOME/calls"
 env | sed 's/=.*//' | sort >"$HOME/environment"
 pwd >"$HOME/folder"
 [ ! -e "$HOME/fails on $*" ] || { echo "$* fails"; exit 8; }
-[ "$*" = 'test --asan --program' ] || exit 0
+[ "$*" = 'test --asan --readers' ] || exit 0
 [ ! -e build ] || { echo 'a build is there'; exit 1; }
 mkdir -p build/asan/Testing/Temporary
 printf '# ninja log v5\n0\t1500\t7\tslow.o\tff\n0\t90000\t7\tquick.o\tff\n0\t20\t7\tquick.o\tff\n' >build/asan/.ninja_log
@@ -37,7 +37,7 @@ run() { # run WANTED_STATUS
 }
 
 run 0
-printf '%s\n' lint test 'test --systems' 'test --asan --program' | cmp -s - "$tmp/calls" || fail "other calls: $(cat "$tmp/calls")"
+printf '%s\n' lint test 'test --systems' 'test --asan --readers' | cmp -s - "$tmp/calls" || fail "other calls: $(cat "$tmp/calls")"
 [ "$(tail -n 1 "$tmp/said")" = 'Total Test time (real) =  1 sec' ] || fail "CTest's closing lines do not end the output"
 printf '%s\n' CI DURERO_UNITY HOME LANG PATH >"$tmp/wanted"
 grep -vE '^(PWD|DURERO_SPD|OLDPWD|SHLVL|_|[A-Z_]*(CA|CERT|SSL|CCACHE)[A-Z_]*|(http|https|no)_proxy)$' "$tmp/environment" |

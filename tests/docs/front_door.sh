@@ -114,6 +114,9 @@ grep -q ' coq' packages && fail "Coq was asked for"
 says called 'build/asan --output-on-failure'
 says called '-L cli|fuzz'
 grep -q 'preset asan --target durero replays$' tree/built || fail "it builds $(cat tree/built)"
+x 0 test --asan --readers
+says called '-L fuzz'
+grep -q 'preset asan --target replays$' tree/built || fail "it builds $(cat tree/built)"
 
 # How far a build is, on a terminal; and what failed of it.
 stub cmake 'echo cmake version 3.25.1; [ "$1" != --build ] || { echo "@30 300 61.0@ Building"; sleep 3; echo "@31 300 64.0@ Linking"; exit 1; }'
