@@ -7,10 +7,13 @@ shapes=$(sed -n 's/^using Shapes = std::tuple<\(.*\)>;$/\1/p' include/durero/sce
 [ -n "$shapes" ] || { echo "include/durero/scene/shapes.hpp:1: no line that names all Shapes"; exit 1; }
 types=$(git ls-files 'include/durero/model/tipo/*.hpp' | sed 's/.*\///; s/\.hpp$//' | sort | tr '\n' '|' | sed 's/|$//')
 named=$(mktemp) && listed=$(mktemp) && trap 'rm -f "$named" "$listed"' EXIT
-git ls-files 'include/*.hpp' 'include/*.h' 'src/*.hpp' 'src/*.cpp' 'python/*.cpp' 'python/*.hpp' 'python/*.py' | while read -r file; do
-  sed 's/^ *\(\/\/\|\*\|\/\*\).*//; s/ \/\/.*//; /^ *#/d; /^ *>>>/d' "$file" |
-    grep -qwE "$shapes|soy_($types)|((Agregar|Eliminar)_)?($(printf '%s' "$types" | sed 's/\(^\||\)\(.\)/\1\U\2/g'))" && echo "$file"
-done | sort >"$named"
+operations=$(printf '%s' "$types" | sed 's/\(^\||\)\(.\)/\1\U\2/g')
+git ls-files 'include/*.hpp' 'include/*.h' 'src/*.hpp' 'src/*.cpp' 'python/*.cpp' 'python/*.hpp' 'python/*.py' |
+  xargs awk -v shape="$shapes|soy_($types)|((Agregar|Eliminar)_)?($operations)" '
+    BEGIN { shape = "(^|[^A-Za-z0-9_])(" shape ")([^A-Za-z0-9_]|$)" }
+    FILENAME == found || /^ *#/ || /^ *>>>/ { next }
+    { sub(/^ *(\/\/|\*|\/\*).*/, ""); sub(/ \/\/.*/, "") }
+    $0 ~ shape { print found = FILENAME }' | sort >"$named"
 sed -n '/^| room /,/^$/s/^| \(`[^|]*`\) |.*/\1/p' "$page" | grep -o '`[^`]*`' | tr -d '`' | sort >"$listed"
 {
   while read -r file; do
