@@ -32,7 +32,9 @@
 ///
 /// Parameter. With |det| > 4·det_error the quotient of C and det errs by (C_error + |t|·det_error)/(|det| − det_error),
 /// at most 4/3·(…)/|det|. The factor 1.4 pays for the roundings of the bound. The inverse and the product round: 2u|t|;
-/// two more units allow for the roundings of t ± error.
+/// two more units allow for the roundings of t ± error, and `tiny` for what underflows in t and in the bound.
+///
+/// proofs/Screen.v proves these bounds, with fused operations and without (the_screen_of_triangles_is_right).
 
 #if defined(DURERO_TRACE_SCREEN_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_TRACE_SCREEN_INL_HPP_
@@ -137,8 +139,8 @@ HWY_INLINE bool screened(const LaneTriangles& of, const LaneRays& ray, Screened&
   const Singles C_error = hn::MulAdd(hn::Mul(all(12 * u), Q), of.product, all(tiny));
   const Singles inverse = hn::Div(all(1), size), t = hn::Mul(hn::Xor(inner(of.e2, q_e1), sign), inverse);
   const Singles t_size = hn::Abs(t);
-  const Singles t_error =
-      hn::MulAdd(hn::Mul(all(1.4F), inverse), hn::MulAdd(t_size, det_error, C_error), hn::Mul(all(4 * u), t_size));
+  const Singles t_error = hn::MulAdd(hn::Mul(all(1.4F), inverse), hn::MulAdd(t_size, det_error, C_error),
+                                     hn::MulAdd(all(4 * u), t_size, all(tiny)));
   result.low = hn::Sub(t, t_error), result.high = hn::Add(t, t_error);
   result.known = hn::Gt(size, hn::Mul(all(4), det_error));
   const SingleMask elsewhere = hn::Or(hn::Lt(result.high, hn::Zero(tag)), hn::Gt(result.low, ray.limit));

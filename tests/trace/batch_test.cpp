@@ -46,9 +46,9 @@ struct Starting : Recorder {
   static void triage_from(const trace::Packet& packet, model::Tipo tipo, Findings& findings) {
     trace::triage_from(packet, tipo, findings);
   }
-  void hit(std::uint32_t number, const trace::Ray&, const trace::Tables& tables, ElementRef own, const Point& point) {
+  void hit(std::uint32_t number, const trace::Ray&, const trace::Tables& tables, ElementRef e, const Point& point) {
     CHECK(rays.insert(number).second);
-    elements[number] = tables.element(own);
+    elements[number] = tables.element(e);
     at[number] = point.t;
   }
   void hit_own(std::uint32_t number, const trace::Ray&, ElementRef e, const Point& point) {

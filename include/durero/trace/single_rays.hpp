@@ -33,11 +33,11 @@ struct SingleRays {
 
   /// Removes all rays.
   void clear() { count = 0; }
-  /// Adds a ray from p along v that starts on the triangle `from`, or on none. Precondition: there are less than 64.
-  void push(const glm::dvec3& p, const glm::dvec3& v, std::uint32_t from) {
+  /// Adds a ray that starts on the triangle `from`, or on none. Precondition: there are less than 64.
+  void push(const glm::dvec3& origin, const glm::dvec3& direction, std::uint32_t from) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto i = static_cast<int>(axis);
-      stored_p[axis][count] = p[i], stored_v[axis][count] = v[i];
+      stored_p[axis][count] = origin[i], stored_v[axis][count] = direction[i];
     }
     start[count++] = from;
   }
