@@ -6,7 +6,7 @@
     two_faces           == the mesh of the unit square, cut along a diagonal *)
 From Coq Require Import Reals List Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Malla.
-From Durero Require Auditoria VolumeOfMesh Meshes MeshClaims MainModels.
+From Durero Require Auditoria VolumeOfMesh Pieces Meshes MeshClaims MainMeshes.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -58,7 +58,7 @@ Proof.
 Qed.
 
 Definition instance_of_the_conjectures_of_meshes_hold :=
-  conj two_faces_are_added (MainModels.the_conjectures_of_meshes_hold (list nat) names names_are_of_one_face).
+  conj two_faces_are_added (MainMeshes.the_conjectures_of_meshes_hold (list nat) names names_are_of_one_face).
 
 (** No element of these two scenes stands apart from the meshes, before the mesh is added and after. *)
 Theorem instance_of_meshes_stand_apart_from_the_other_elements : exists S S', Init_Mallas (list nat) names S
@@ -67,7 +67,7 @@ Theorem instance_of_meshes_stand_apart_from_the_other_elements : exists S S', In
   /\ Escena_eq (sueltas (list nat) names S) (sueltas (list nat) names S').
 Proof.
   destruct two_faces_are_added as [S [S' [I [A _]]]].
-  destruct (MainModels.meshes_stand_apart_from_the_other_elements (list nat) names names_are_of_one_face)
+  destruct (MainMeshes.meshes_stand_apart_from_the_other_elements (list nat) names names_are_of_one_face)
     as (scene & _ & _ & added & _).
   exists S, S'. split; [exact I | split; [exact A | split]].
   - apply scene. apply A.
@@ -89,7 +89,7 @@ Lemma the_second_lies_behind i p : i ∈ Auditoria.esquinas (mk_Cara 0 2 3) -> (
 Proof. intros [[-> | ->] | ->] H; injection H as <-; unfold Auditoria.along; cbn; lra. Qed.
 
 Definition instance_of_faces_that_a_plane_parts_do_not_cross :=
-  MainModels.faces_that_a_plane_parts_do_not_cross two_faces 0 1 (mk_Cara 0 1 2) (mk_Cara 0 2 3) (mk_Punto (-1) 1 0) 0
+  MainMeshes.faces_that_a_plane_parts_do_not_cross two_faces 0 1 (mk_Cara 0 1 2) (mk_Cara 0 2 3) (mk_Punto (-1) 1 0) 0
     eq_refl eq_refl the_first_lies_before the_second_lies_behind.
 
 (** The tetrahedron between the origin and the three unit points is closed, and its volume is a sixth, wherever it is. *)
@@ -144,5 +144,63 @@ Proof.
 Qed.
 
 Definition instance_of_a_closed_mesh_has_one_volume :=
-  MainModels.a_closed_mesh_has_one_volume (mk_Punto 1 2 3) tetrahedron (1 / 6) the_tetrahedron_is_closed
+  MainMeshes.a_closed_mesh_has_one_volume (mk_Punto 1 2 3) tetrahedron (1 / 6) the_tetrahedron_is_closed
     the_tetrahedron_agrees the_volume_is_a_sixth.
+
+(** Each edge of the tetrahedron has two faces, so that it bounds something; none of the two faces of the square is
+    degenerate. *)
+Lemma the_tetrahedron_is_a_mesh : tetrahedron ∈ Malla.
+Proof.
+  split; intros c [n H]; unfold numbered in H; cbn in H.
+  - intros i Hi. apply dom_numbered. unfold below; cbn.
+    destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];
+      destruct Hi as [[-> | ->] | ->]; cbn; lia.
+  - assert (T : forall i j k p q t, nth_error (puntos tetrahedron) i = Some p -> nth_error (puntos tetrahedron) j = Some q ->
+      nth_error (puntos tetrahedron) k = Some t -> terna tetrahedron (mk_Cara i j k) (mk_Terna p q t)) by (intros; now split).
+    destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];
+      (eexists; split; [apply T; reflexivity |]); unfold Vertices; cbn; lra.
+Qed.
+Lemma no_edge_of_it_is_multiple : Pieces.multiples tetrahedron ≡ ∅.
+Proof.
+  intros [i j]. split; [| intros []]. cbn. intros [_ (l & m & n & D & D' & D'' & L & M & N)].
+  destruct L as [L | L], M as [M | M], N as [N | N];
+    first [exact (D (one_way_once _ _ _ _ L M)) | exact (D' (one_way_once _ _ _ _ M N)) | exact (D'' (one_way_once _ _ _ _ N L))].
+Qed.
+Definition instance_of_what_has_neither_open_nor_multiple_edges_bounds :=
+  MainMeshes.what_has_neither_open_nor_multiple_edges_bounds tetrahedron the_tetrahedron_is_a_mesh the_tetrahedron_is_closed
+    no_edge_of_it_is_multiple.
+Definition instance_of_a_mesh_has_no_degenerate_face :=
+  MainMeshes.a_mesh_has_no_degenerate_face two_faces (proj1 two_faces_are_a_mesh).
+
+(** A face that stands twice, once each way round. *)
+Definition both_ways : Red := mk_Red (puntos two_faces) [mk_Cara 0 1 2; mk_Cara 1 0 2].
+Lemma both_ways_are_a_mesh : both_ways ∈ Malla.
+Proof.
+  assert (H : forall c, c ∈ ran (numbered (caras both_ways)) -> c = mk_Cara 0 1 2 \/ c = mk_Cara 1 0 2).
+  { intros c [n H]. unfold numbered in H. cbn in H. destruct n as [| [| n]]; cbn in H; [left; congruence | right; congruence |].
+    destruct n; discriminate. }
+  split; intros c C; apply H in C as [-> | ->].
+  1, 2: intros i Hi; apply dom_numbered; unfold below; cbn; destruct Hi as [[-> | ->] | ->]; cbn; lia.
+  - exists (mk_Terna (mk_Punto 0 0 0) (mk_Punto 1 0 0) (mk_Punto 1 1 0)). split; [now split |]. unfold Vertices; cbn. lra.
+  - exists (mk_Terna (mk_Punto 1 0 0) (mk_Punto 0 0 0) (mk_Punto 1 1 0)). split; [now split |]. unfold Vertices; cbn. lra.
+Qed.
+Lemma the_second_stands_twice : 1%nat ∈ Pieces.repetidas both_ways.
+Proof.
+  exists 0%nat, (mk_Cara 1 0 2), (mk_Cara 0 1 2). split; [lia |]. split; [reflexivity |]. split; [reflexivity |].
+  intros i. cbn. unfold Auditoria.esquinas, corners_of, union, single; cbn. tauto.
+Qed.
+Definition instance_of_a_face_that_stands_twice_shares_its_edges :=
+  MainMeshes.a_face_that_stands_twice_shares_its_edges both_ways 1 both_ways_are_a_mesh the_second_stands_twice.
+
+(** The middle of a side of one face is a corner of another. *)
+Definition junction : Red := mk_Red [mk_Punto 0 0 0; mk_Punto 2 0 0; mk_Punto 0 1 0; mk_Punto 1 0 0; mk_Punto 1 (-1) 0]
+  [mk_Cara 0 1 2; mk_Cara 0 3 4].
+Lemma the_middle_of_a_side_is_a_junction : (3%nat, 0%nat, 1%nat) ∈ Pieces.uniones_en_t junction.
+Proof.
+  split; [lia |]. split; [exists 0%nat; left; exists (mk_Cara 0 1 2); split; [reflexivity | now left] |].
+  split; [exists 1%nat, (mk_Cara 0 3 4); split; [reflexivity | left; now right] |].
+  exists (mk_Punto 0 0 0), (mk_Punto 2 0 0), (mk_Punto 1 0 0). repeat (split; [reflexivity |]).
+  split; [intros [= H]; lra |]. exists (1 / 2). unfold Rmas; cbn. repeat split; lra.
+Qed.
+Definition instance_of_a_junction_lies_on_a_face_of_its_edge :=
+  MainMeshes.a_junction_lies_on_a_face_of_its_edge junction 3 0 1 the_middle_of_a_side_is_a_junction.

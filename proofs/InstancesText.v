@@ -6,7 +6,7 @@
     not_there e         == e is no element of the seven *)
 From Coq Require Import ZArith Reals List Bool Lia Lra.
 From Durero Require Import Toolkit Especificacion Escena Operaciones Exacto InstanceScene InstanceSearch.
-From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata Distancias Instancias MainModels MainText.
+From Durero Require Tipos Surd Puntos Trazador Interseccion Printed ExactoEscena Retrieve Errata Distancias Instancias MainModels MainMeshes MainText.
 Import ListNotations.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -230,7 +230,7 @@ Qed.
 Theorem a_point_of_a_ray_is_put_by_the_map_that_mirrors :
   puesto Instancias.leaning (mk_Punto 1 0 1) (mk_Punto 2 3 8).
 Proof.
-  destruct (MainModels.the_conjectures_of_instances_hold nat) as (_ & _ & _ & Kept & _).
+  destruct (MainMeshes.the_conjectures_of_instances_hold nat) as (_ & _ & _ & Kept & _).
   destruct Instancias.a_ray_is_the_copy_of_a_ray as [Origin Direction].
   eapply (Kept _ _ _ _ _ 1 (proj1 Instancias.a_map_may_mirror)); [| | exact (conj Origin Direction) | ..];
     try (split; cbn; lra); cbn; lra.

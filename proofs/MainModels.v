@@ -1,5 +1,5 @@
-(** What is proved of the models beside the text, and nothing else: the executable oracle, the compact tables,
-    acceleration, with the tests of its boxes in floating point, and scenes with meshes. As in MainText.v, which has the names, each proof is a reference.
+(** What is proved of the models beside the text, and nothing else: the executable oracle, the compact tables, and
+    acceleration, with the tests of its boxes in floating point. As in MainText.v, which has the names, each proof is a reference.
 
     tables_ok, retrieve  == the compact tables' invariant, and the scene they represent *)
 From Coq Require Import Reals List.
@@ -7,8 +7,7 @@ From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
   Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
-  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams Malla Meshes MeshClaims MeshesApart Beside Watertight Auditoria VolumeOfMesh
-  Instancias Solidos.
+  Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -344,146 +343,3 @@ Theorem a_beam_keeps_what_its_high_side_holds px py qx qy cx cy t x0 x1 y0 y1 b 
   Beams.side 53 1024 px b py + Beams.slack64 b X Y <= C -> Beams.side 53 1024 cx b cy + Beams.slack64 b X Y <= C ->
   Beams.side 53 1024 x0 b (Beams.far_corner b y0 y1) <= C.
 Proof. exact (Beams.high_side64_keeps px py qx qy cx cy t x0 x1 y0 y1 b X Y C). Qed.
-
-(** * Scenes with meshes *)
-
-(** Of meshes, from spec/malla.tex, under any names of faces that are of one face each: a first scene exists; triangles of
-    different meshes have different names, and all are triangles of the scene; the operations are total; a mesh that was
-    added can be removed, which gives the scene before; to replace a mesh is to remove it and to add the other, and to move
-    a vertex is to replace the mesh by the moved one. *)
-Section Meshes.
-Variables (Elemento : Type) (nombre_cara : rel (Elemento * nat) Elemento).
-Hypothesis named : Malla.nombre_cara_def_1 Elemento nombre_cara.
-
-Theorem the_conjectures_of_meshes_hold :
-  Malla.Init_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.suyos_conj_1 Elemento nombre_cara
-  /\ Malla.de_malla_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Malla_Total_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Malla_Total_conj_1 Elemento nombre_cara
-  /\ Malla.Reemplazar_Malla_Total_conj_1 Elemento nombre_cara
-  /\ Malla.Mover_Vertice_Total_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Malla_conj_1 Elemento nombre_cara
-  /\ Malla.Reemplazar_Malla_conj_1 Elemento nombre_cara
-  /\ Malla.Mover_Vertice_conj_1 Elemento nombre_cara.
-Proof.
-  exact (conj (MeshClaims.a_first_scene_with_meshes_exists Elemento nombre_cara) (conj
-    (Meshes.different_meshes_have_different_names Elemento nombre_cara named) (conj
-    (Meshes.triangles_of_meshes_are_triangles Elemento nombre_cara) (conj (MeshClaims.adding_a_mesh_is_total Elemento
-    nombre_cara named) (conj (MeshClaims.removing_a_mesh_is_total Elemento nombre_cara named) (conj
-    (MeshClaims.replacing_a_mesh_is_total Elemento nombre_cara named) (conj (MeshClaims.moving_a_vertex_is_total
-    Elemento nombre_cara named) (conj (MeshClaims.adding_then_removing_a_mesh_is_the_identity Elemento nombre_cara
-    named) (conj (MeshClaims.replacing_is_removing_then_adding Elemento nombre_cara named)
-    (MeshClaims.moving_is_replacing_by_the_moved Elemento nombre_cara named)))))))))).
-Qed.
-
-(** And the operations of single elements are total beside meshes, which they leave as they are. *)
-Theorem single_elements_are_edited_beside_meshes :
-  Malla.Agregar_Esfera_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Cilindro_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Cono_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Tronco_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Plano_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Disco_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Triangulo_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Agregar_Elemento_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Esfera_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Cilindro_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Cono_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Tronco_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Plano_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Disco_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Triangulo_Mallas_conj_1 Elemento nombre_cara
-  /\ Malla.Eliminar_Elemento_Mallas_conj_1 Elemento nombre_cara.
-Proof.
-  exact (conj (Beside.Agregar_Esfera_Mallas_is_total Elemento nombre_cara) (conj
-    (Beside.Agregar_Cilindro_Mallas_is_total Elemento nombre_cara) (conj (Beside.Agregar_Cono_Mallas_is_total Elemento
-    nombre_cara) (conj (Beside.Agregar_Tronco_Mallas_is_total Elemento nombre_cara) (conj
-    (Beside.Agregar_Plano_Mallas_is_total Elemento nombre_cara) (conj (Beside.Agregar_Disco_Mallas_is_total Elemento
-    nombre_cara) (conj (Beside.Agregar_Triangulo_Mallas_is_total Elemento nombre_cara) (conj
-    (Beside.Agregar_Elemento_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Esfera_Mallas_is_total
-    Elemento nombre_cara) (conj (Beside.Eliminar_Cilindro_Mallas_is_total Elemento nombre_cara) (conj
-    (Beside.Eliminar_Cono_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Tronco_Mallas_is_total Elemento
-    nombre_cara) (conj (Beside.Eliminar_Plano_Mallas_is_total Elemento nombre_cara) (conj
-    (Beside.Eliminar_Disco_Mallas_is_total Elemento nombre_cara) (conj (Beside.Eliminar_Triangulo_Mallas_is_total
-    Elemento nombre_cara) (Beside.Eliminar_Elemento_Mallas_is_total Elemento nombre_cara)))))))))))))))).
-Qed.
-
-(** The elements of no mesh are a scene by themselves; with the meshes they say all, and any scene and any meshes go
-    together whose names are free; no operation on meshes changes them, and none on single elements a triangle of a mesh. *)
-Theorem meshes_stand_apart_from_the_other_elements :
-  Malla.sueltas_conj_1 Elemento nombre_cara
-  /\ Malla.sueltas_conj_2 Elemento nombre_cara
-  /\ Malla.sueltas_conj_3 Elemento nombre_cara
-  /\ Malla.sueltas_conj_4 Elemento nombre_cara
-  /\ Malla.sueltas_conj_5 Elemento nombre_cara
-  /\ Malla.sueltas_conj_6 Elemento nombre_cara
-  /\ Malla.sueltas_conj_7 Elemento nombre_cara
-  /\ Malla.sueltas_conj_8 Elemento nombre_cara.
-Proof.
-  exact (conj (MeshesApart.elements_of_no_mesh_are_a_scene Elemento nombre_cara) (conj
-    (MeshesApart.elements_and_meshes_say_all Elemento nombre_cara) (conj
-    (MeshesApart.elements_and_meshes_go_together Elemento nombre_cara named) (conj
-    (MeshesApart.adding_a_mesh_keeps_the_others Elemento nombre_cara named) (conj
-    (MeshesApart.removing_a_mesh_keeps_the_others Elemento nombre_cara named) (conj
-    (MeshesApart.replacing_a_mesh_keeps_the_others Elemento nombre_cara named) (conj
-    (MeshesApart.moving_a_vertex_keeps_the_others Elemento nombre_cara named)
-    (MeshesApart.single_elements_leave_meshes_alone Elemento nombre_cara)))))))).
-Qed.
-End Meshes.
-
-(** What makes a mesh watertight: an edge has one volume but for the sign, three signs decide what the line of a ray meets,
-    no line passes between two triangles that share an edge, and one that meets the one on that edge meets the other. *)
-Theorem no_line_passes_between_triangles_that_share_an_edge :
-  Malla.giro_conj_1 /\ Malla.giro_conj_2 /\ Malla.giro_conj_3 /\ Malla.giro_conj_4.
-Proof.
-  exact (conj Watertight.an_edge_turns_one_way (conj Watertight.three_signs_decide (conj Watertight.no_line_passes_between
-    Watertight.what_meets_the_edge_meets_both))).
-Qed.
-
-(** The audit of a mesh: a face that is turned over walks its edges the other way, and its determinant changes the sign; from
-    whichever corner it is walked, the determinant is the same. *)
-Theorem a_face_turned_over_is_audited_as_such :
-  (forall c i j, Auditoria.aristas (Auditoria.turned_over c) (i, j) <-> Auditoria.aristas c (j, i))
-  /\ (forall a b c : Punto,
-       Auditoria.determinante (mk_Terna b c a) = Auditoria.determinante (mk_Terna a b c)
-       /\ Auditoria.determinante (mk_Terna b a c) = - Auditoria.determinante (mk_Terna a b c)).
-Proof. exact (conj Auditoria.turned_over_walks_back Auditoria.determinant_alternates). Qed.
-
-(** Two faces do not cross where a plane has one of them on the one side and the other on the other, and no corner of the first
-    lies on it but those that both have. *)
-Theorem faces_that_a_plane_parts_do_not_cross r m n a b d level :
-  (m, a) ∈ Malla.numbered (Malla.caras r) -> (n, b) ∈ Malla.numbered (Malla.caras r) ->
-  (forall i p, i ∈ Auditoria.esquinas a -> (i, p) ∈ Malla.numbered (Malla.puntos r) ->
-    Auditoria.along d p <= level /\ (i ∉ Auditoria.esquinas b -> Auditoria.along d p < level)) ->
-  (forall i p, i ∈ Auditoria.esquinas b -> (i, p) ∈ Malla.numbered (Malla.puntos r) -> level <= Auditoria.along d p) ->
-  (m, n) ∉ Auditoria.cruzadas r.
-Proof. exact (Auditoria.faces_that_a_plane_parts_do_not_cross r m n a b d level). Qed.
-
-(** Faces of which no edge is open, and no two walk an edge the same way, have a volume of their own: it is the same when all
-    their points are moved, though it is told by determinants from the origin. *)
-Theorem a_closed_mesh_has_one_volume o r m :
-  VolumeOfMesh.abiertas r ≡ ∅ -> VolumeOfMesh.discordes r ≡ ∅ ->
-  VolumeOfMesh.volumen r m -> VolumeOfMesh.volumen (VolumeOfMesh.moved o r) m.
-Proof. exact (VolumeOfMesh.a_closed_mesh_has_one_volume o r m). Qed.
-
-(** * Copies and solids *)
-
-(** Of affine maps: the point that is put at a point is found by Cramer's rule, and a copy has the points whose originals are
-    in the set. Every ray is the copy of one; the parameter is kept, and so is what is nearest along a ray. The copy of a
-    union, of a copy and by the identity. Spheres, upright cylinders and upright cones are copies of those of one. What a ray
-    meets of an instance is what the moved ray meets of the original, whether it starts on it or not. *)
-Theorem the_conjectures_of_instances_hold (Elemento : Type) :
-  visto_conj_1 /\ copia_conj_1 /\ movido_conj_1 /\ movido_conj_2 /\ copia_conj_2 /\ copia_conj_3 /\ compuesto_conj_1
-  /\ compuesto_conj_2 /\ identidad_conj_1 /\ estirado_conj_1 /\ estirado_conj_2 /\ estirado_conj_3
-  /\ instancia_desde_conj_1 Elemento.
-Proof. exact (Instancias.the_conjectures_hold Elemento). Qed.
-
-(** Of solids: unions, intersections and differences are those of sets; a solid and the rest of space have one surface; the
-    surface of a solid sphere, plane or cylinder is that, with two lids; body and surface are closed. A ray meets the surface
-    first in a point, or runs along it from its origin on. *)
-Theorem the_conjectures_of_solids_hold :
-  cuerpo_conj_1 /\ interior_conj_1 /\ superficie_conj_1 /\ interior_conj_2 /\ cuerpo_conj_2 /\ interior_conj_3
-  /\ solido_esfera_conj_1 /\ solido_plano_conj_1 /\ solido_cilindro_conj_1 /\ superficie_conj_2
-  /\ superficie_desde_conj_1 /\ superficie_desde_conj_2.
-Proof. exact Solidos.the_conjectures_hold. Qed.
