@@ -96,7 +96,7 @@ TEST_CASE("a ray that starts on one element takes its name along, and one that s
 TEST_CASE("a source that cannot, few queries, and rays that are handed back all take no more bundles") {
   const auto searches = [](bool can, const std::vector<scene::Query>& queries) {
     const ByParity source{can};
-    const Unbundled left(source, queries, SingleSearch::nearest, [](auto...) {});
+    const Unbundled left(source, queries, SingleSearch::nearest, [](auto&&...) {});
     CHECK(places_left(left, queries).size() == queries.size());
     return source.searches;
   };
