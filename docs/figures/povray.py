@@ -54,10 +54,6 @@ def compare(durero, scene, folder):
     return (min(times) for times in zip(*turns))
 
 
-def vector(v):
-    return "<" + ", ".join(repr(float(x)) for x in v) + ">"
-
-
 def soft(text, side, attributes):
     """The text with so many points along a side of each light of some size, which `durero export` writes with nine."""
     changed, count = re.subn(r", 9, 9 jitter ", f", {side}, {side} {attributes} ", text)
@@ -66,12 +62,12 @@ def soft(text, side, attributes):
     return changed
 
 
-def blurred(text, scene, count, variance):
-    camera = scene["camera"]
-    towards = [b - a for a, b in zip(camera["eye"], camera["look_at"])]
-    focal = [a + camera["focus"] * d / math.hypot(*towards) for a, d in zip(camera["eye"], towards)]
-    lens = f"aperture {camera['aperture']} focal_point {vector(focal)} blur_samples {count} confidence 0.95 variance {variance}"
-    return re.sub(r"(camera \{ .*) \}", rf"\1 {lens} }}", text, count=1)
+def blurred(text, count, variance):
+    """The text with so many rays for a pixel, which `durero export` writes with 64."""
+    changed, times = re.subn(r" blur_samples 64 variance 0 ", f" blur_samples {count} confidence 0.95 variance {variance} ", text)
+    if times == 0:
+        sys.exit("durero export writes no lens with 64 rays a pixel; expected one in the depth of field")
+    return changed
 
 
 def picture(path):
@@ -147,11 +143,11 @@ def depth_of_field(durero, folder):
     for light in scene["lights"]:
         light.pop("sphere", None)
     pair = Equal(durero, folder, scene)
-    ways = [(f"{n} samples, variance {variance}", blurred(pair.bare, scene, n, variance)) for n in (7, 19, 37, 64, 128, 256)
+    ways = [(f"{n} samples, variance {variance}", blurred(pair.bare, n, variance)) for n in (7, 19, 37, 64, 128, 256)
             for variance in ("0", "1/128", "1/1000", "1/10000")]
     theirs = [(name, pair.there(text, ["-A"])) for name, text in ways]
     ours = [pair.here(n) for n in (16, 64, 144)]
-    truths = pair.here(4096)[1], pair.there(blurred(pair.bare, scene, 4096, "0"), ["-A"])[1]
+    truths = pair.here(4096)[1], pair.there(blurred(pair.bare, 4096, "0"), ["-A"])[1]
     pair.print("depth of field", ours, theirs, truths)
 
 
