@@ -163,13 +163,13 @@ TEST_CASE("enumerado.def.1: each point once, from a start on an element its othe
   REQUIRE(all);
   REQUIRE(all->size() == 3);
   for (const Encuentro& each : *all) CHECK(ante(escena, rayo, {}, each.e, each.punto));
-  CHECK(enumerado(escena, {{0, 0, 0}, {0, 0, 6}}, {}, true)->size() == 1);
-  CHECK(enumerado(escena, {{0, 0, 0}, {0, 0, 6}}, {}, false)->size() == 3);
-  CHECK(enumerado(escena, {{0, 0, 4}, {0, 0, 9}}, {esfera}, true)->size() == 2);
+  CHECK(enumerado(escena, {{0, 0, 0}, {0, 0, 6}}, {}, true).value().size() == 1);
+  CHECK(enumerado(escena, {{0, 0, 0}, {0, 0, 6}}, {}, false).value().size() == 3);
+  CHECK(enumerado(escena, {{0, 0, 4}, {0, 0, 9}}, {esfera}, true).value().size() == 2);
   CHECK_FALSE(enumerado(escena, {{0, 0, 6}, {1, 0, 0}}, {}, true));
   Escena tall = Init();
   apply(tall, Agregar_Cilindro{Elemento("tube"), {0, 0, 5}, 1, {0, 0, 1}, 2});
-  CHECK(enumerado(tall, {{1, 0, 0}, {0, 0, 5}}, {}, true)->empty());  // it runs along the tube beyond the light
+  CHECK(enumerado(tall, {{1, 0, 0}, {0, 0, 5}}, {}, true).value().empty());  // it runs along the tube beyond the light
   CHECK_FALSE(enumerado(tall, {{1, 0, 0}, {0, 0, 6}}, {}, true));
   CHECK_FALSE(enumerado(tall, {{1, 0, 0}, {0, 0, 5}}, {}, false));
 }
