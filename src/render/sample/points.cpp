@@ -1,7 +1,5 @@
 #include "points.hpp"
 
-#include <utility>
-
 namespace durero::render {
 namespace {
 
@@ -13,64 +11,49 @@ std::uint64_t mixed(std::uint64_t key) {
   return key ^ (key >> 31);
 }
 
+std::uint32_t low(std::uint64_t bits) { return static_cast<std::uint32_t>(bits); }
+
 std::uint32_t high(std::uint64_t bits) { return static_cast<std::uint32_t>(bits >> 32); }
 
 /// The coordinate from −1/2 that 32 binary digits give: the middle of the interval that they begin.
 double coordinate(std::uint32_t digits) { return (digits + 0.5) * 0x1p-32 - 0.5; }
 
-/// The number of digits that Owen's scrambling turns each by itself: no two of fewer than 2¹⁶ points have the same
-/// first 16 digits in one coordinate.
-constexpr int apart = 16;
-
-/// Owen's scrambling turns each digit or not by a coin of its own for the digits before it. The coins of the digits
-/// from `from` on are those of a binary tree, which has 2ʲ for the digit j places on: 63 for six digits, one word.
-template <int from, int... j>
-std::uint32_t turned(std::uint32_t digits, std::uint64_t key, std::integer_sequence<int, j...>) {
-  static_assert(sizeof...(j) <= 6);
-  const std::uint64_t own = std::uint64_t{digits} << (32 + from), before = from == 0 ? 0 : digits >> (32 - from) % 32;
-  const std::uint64_t coins = mixed(key ^ ((1U << from) | before));
-  const auto coin = [&](int at) { return coins >> ((1U << at) - 1 + (at == 0 ? 0 : own >> (64 - at) % 64)) & 1; };
-  return static_cast<std::uint32_t>(((coin(j) << (31 - from - j)) | ...));
+/// The second coordinate of Sobol's sequence, for the first of Van der Corput's, which is i itself: each coordinate is
+/// a number whose lowest digit stands first behind the point. Its digits are those of i times Pascal's triangle modulo
+/// 2, whose entry (j, b) is 1 where b has every binary digit of j (Lucas's theorem). So digit j is the sum of those
+/// digits, and each line takes those that differ from j in one place of its number.
+std::uint32_t pascal_digits(std::uint32_t i) {
+  i ^= i >> 1 & 0x55555555;
+  i ^= i >> 2 & 0x33333333;
+  i ^= i >> 4 & 0x0F0F0F0F;
+  i ^= i >> 8 & 0x00FF00FF;
+  return i ^ i >> 16;
 }
 
-/// The coins of the first 16 digits, in their places.
-std::uint32_t first_turned(std::uint32_t digits, std::uint64_t key) {
-  constexpr std::make_integer_sequence<int, 6> six;
-  constexpr std::make_integer_sequence<int, 5> five;
-  return turned<0>(digits, key, six) | turned<6>(digits, key, five) | turned<11>(digits, key, five);
+/// Scrambling of a coordinate whose lowest digit stands first: x becomes m·(x + s) modulo 2³², by a random number s and
+/// a random odd number m. No digit depends on those after it, so a net stays a net. Pairs of points go together as by
+/// Owen's scrambling: over all s the image of one point is any number, evenly; and if two points have k digits in
+/// common and differ in the next, their difference is 2ᵏ times an odd number, and over all m that of their images is
+/// any such number, evenly, whatever the image of the one. So the images have k digits in common and differ in the
+/// next, and the others are coins. A variance is a sum over pairs, hence it is that of Owen's scrambling. The fixed
+/// steps before and after turn digits by those before them, as Laine and Karras do (*Stratified Sampling for Stochastic
+/// Transparency*, 2011), which changes nothing of this: they keep the points from standing in arithmetic progressions.
+std::uint32_t scrambled(std::uint32_t x, std::uint64_t coins) {
+  x ^= x * 0x3D20ADEA;
+  x = (x + low(coins)) * (high(coins) | 1);
+  return x ^ x * 0x05526C56;
 }
 
-/// One draw of coins suffices for all digits after those that are turned by themselves.
-std::uint32_t scrambled(std::uint32_t digits, std::uint64_t key) {
-  const std::uint32_t leaf = (1U << apart) | (digits >> (32 - apart));
-  return digits ^ (first_turned(digits, key) | (high(mixed(key ^ leaf)) >> apart));
-}
-
-/// Van der Corput's sequence: the binary digits of i behind the point, the lowest first.
-std::uint32_t mirrored_digits(std::uint32_t i) {
+/// The binary digits turned round.
+std::uint32_t mirrored(std::uint32_t i) {
   i = (i >> 1 & 0x55555555) | (i & 0x55555555) << 1;
   i = (i >> 2 & 0x33333333) | (i & 0x33333333) << 2;
   i = (i >> 4 & 0x0F0F0F0F) | (i & 0x0F0F0F0F) << 4;
   return __builtin_bswap32(i);
 }
 
-/// The second coordinate of Sobol's sequence: the digits of i times Pascal's triangle modulo 2, whose entry (j, b) is 1
-/// where b has every binary digit of j (Lucas's theorem). So digit j is the sum of those digits, and each line takes
-/// those that differ from j in one place of its number.
-std::uint32_t pascal_digits(std::uint32_t i) {
-  i ^= i >> 1 & 0x55555555;
-  i ^= i >> 2 & 0x33333333;
-  i ^= i >> 4 & 0x0F0F0F0F;
-  i ^= i >> 8 & 0x00FF00FF;
-  i ^= i >> 16;
-  return mirrored_digits(i);
-}
-
-/// The shuffled number of a sample: turned digit by digit by those before it, the first digits stay together.
-std::uint32_t shuffled(std::uint32_t i, std::uint64_t key) {
-  const std::uint32_t digits = i << apart;
-  return (digits ^ first_turned(digits, key)) >> apart;
-}
+/// The shuffled number of a sample: scrambled from its highest digit on, so that blocks of 2ᵐ stay together.
+std::uint32_t shuffled(std::uint32_t i, std::uint64_t coins) { return mirrored(scrambled(mirrored(i), coins)); }
 
 }  // namespace
 
@@ -90,7 +73,8 @@ glm::dvec2 in_strata(std::uint32_t side, std::uint32_t i, std::uint64_t key) {
 }
 
 glm::dvec2 in_net(std::uint32_t i, std::uint64_t key) {
-  return {coordinate(scrambled(mirrored_digits(i), key)), coordinate(scrambled(pascal_digits(i), mixed(key)))};
+  return {coordinate(mirrored(scrambled(i, mixed(key)))),
+          coordinate(mirrored(scrambled(pascal_digits(i), mixed(key + 1))))};
 }
 
 glm::dvec2 SampleSource::pair(std::uint64_t dimension) const {
@@ -99,14 +83,14 @@ glm::dvec2 SampleSource::pair(std::uint64_t dimension) const {
     const std::uint64_t first = mixed(own ^ number);
     return {coordinate(high(first)) + 0.5, coordinate(high(mixed(first))) + 0.5};
   }
-  return in_net(shuffled(number, mixed(own + 1)), own) + 0.5;
+  return in_net(shuffled(number, mixed(own + 2)), own) + 0.5;
 }
 
 std::uint64_t of_meeting(std::uint64_t branch) { return mixed(branch) & ~std::uint64_t{0xFFFF}; }
 
 double time_of(std::uint32_t number, std::uint64_t seed) {
   const std::uint64_t key = mixed(seed);
-  return coordinate(scrambled(mirrored_digits(shuffled(number, mixed(key))), key)) + 0.5;
+  return coordinate(mirrored(scrambled(shuffled(number, mixed(key + 2)), mixed(key)))) + 0.5;
 }
 
 }  // namespace durero::render

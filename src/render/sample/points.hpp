@@ -16,8 +16,9 @@ glm::dvec2 in_grid(std::uint32_t side, std::uint32_t i);
 /// A point anywhere in part i of side × side equal squares.
 glm::dvec2 in_strata(std::uint32_t side, std::uint32_t i, std::uint64_t key);
 
-/// Point i of a (0, 2)-sequence in base 2, scrambled as Owen does: each point is anywhere in the pixel with equal
-/// probability, and of the first 2ᵐ one lies in each rectangle of 2^−a by 2^−b with a + b = m. Precondition: i < 2¹⁶.
+/// Point i of a (0, 2)-sequence in base 2, scrambled so that pairs of points go together as by Owen's scrambling: each
+/// point is anywhere in the pixel with equal probability, and of the first 2ᵐ one lies in each rectangle of 2^−a by
+/// 2^−b with a + b = m.
 glm::dvec2 in_net(std::uint32_t i, std::uint64_t key);
 
 /// A sample of a pixel gives pairs of random numbers, as many as are asked for. The pairs of one dimension, over the

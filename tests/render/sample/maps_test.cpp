@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "render/sample/points.hpp"
@@ -45,6 +46,19 @@ TEST_CASE("a disc is filled evenly: each circle within it has its share, and eac
   CHECK(mean_over_pairs([](auto pair) { return render::in_disc(pair).x * render::in_disc(pair).y; }) ==
         Approx(0).margin(0.001));
   CHECK(render::in_disc({0.5, 0.5}) == glm::dvec2(0));
+}
+
+TEST_CASE("a disc is the square by concentric rings, to four roundings, whatever the library's sine") {
+  const double pi = std::numbers::pi;
+  for (const double share : {-1.0, -0.9, -0.3, 0.0, 0.2, 0.75, 1.0})
+    for (const double radius : {-1.0, -0.5, 0.3, 1.0}) {
+      const glm::dvec2 along(radius * std::cos(pi / 4 * share), radius * std::sin(pi / 4 * share));
+      const auto is_at = [&](const glm::dvec2& square, const glm::dvec2& place) {
+        CHECK(glm::length(render::in_disc((square + 1.0) / 2.0) - place) < 0x1p-50);
+      };
+      if (std::abs(share) < 1) is_at({radius, radius * share}, along);
+      is_at({radius * share, radius}, {along.y, along.x});
+    }
 }
 
 TEST_CASE("a sphere is covered evenly: unit vectors, a third of the square along each axis") {

@@ -2,6 +2,8 @@
 
 #include <tbb/global_control.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <set>
@@ -92,6 +94,35 @@ TEST_CASE("a scrambled point is anywhere: its mean and its spread over the keys 
       CHECK(std::abs(squares[k] / keys - 1.0 / 12) < 0.0021);
     }
   }
+}
+
+TEST_CASE(
+    "two scrambled points share the digits that they shared, differ in the next, and in the others go their own ways") {
+  constexpr std::uint32_t keys = 32000, eighths = 8;
+  const auto eighth = [](double x) { return static_cast<std::uint32_t>(std::floor((x + 0.5) * eighths)); };
+  const auto shared = [](std::uint32_t a, std::uint32_t b) { return std::countl_zero((a ^ b) << 29 | 1U << 28); };
+  for (const auto& [i, j] : {std::pair(0U, 1U), {1U, 3U}, {0U, 2U}, {5U, 9U}, {6U, 14U}, {1000U, 3U}})
+    for (const int k : {0, 1}) {
+      CAPTURE(i, j, k);
+      std::array<std::array<int, eighths>, eighths> count{};
+      int together = 0;
+      for (std::uint32_t key = 0; key < keys; ++key) {
+        const std::uint64_t own = render::key_of(key, 7, 2);
+        const std::uint32_t a = eighth(render::in_net(i, own)[k]), b = eighth(render::in_net(j, own)[k]);
+        ++count[a][b];
+        if (key == 0) together = shared(a, b);
+      }
+      // Of the pairs of eighths with as many digits in common each is as likely as the others: five standard errors.
+      int pairs = 0;
+      for (std::uint32_t a = 0; a < eighths; ++a)
+        for (std::uint32_t b = 0; b < eighths; ++b) pairs += shared(a, b) == together;
+      const double even = double(keys) / pairs;
+      for (std::uint32_t a = 0; a < eighths; ++a)
+        for (std::uint32_t b = 0; b < eighths; ++b) {
+          const double expected = shared(a, b) == together ? even : 0;
+          CHECK(std::abs(count[a][b] - expected) <= 5 * std::sqrt(expected));
+        }
+    }
 }
 
 TEST_CASE("the factor is Student's t of one less than the blocks over their root") {
