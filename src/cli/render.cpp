@@ -77,6 +77,7 @@ class Drawing {
     if (tree) tree->commit();
     if (options_.min_weight) io::print(reach_text(reach));
     if (options_.is_statistical()) io::print(doubt_text(reach));
+    if (options_.is_allotted()) io::print(rays_text(reach) + "\n");
     out.commit();
     return 0;
   }
@@ -172,10 +173,14 @@ class Drawing {
         beams.tree.size(), depth, area.str(), beams.asked);
   }
 
+  static std::string rays_text(const render::PathStatistics& reach) {
+    return fmt::format("{:.3f} rays from the eye a pixel",
+                       static_cast<double>(reach.samples) / static_cast<double>(reach.pixels));
+  }
+
   std::string doubt_text(const render::PathStatistics& reach) const {
     const render::Samples& samples = frame_.samples;
-    return fmt::format("{:.3f} rays from the eye a pixel; {} of {} pixels not known within {} with confidence {}\n",
-                       static_cast<double>(reach.samples) / static_cast<double>(reach.pixels), reach.in_doubt,
+    return fmt::format("{}; {} of {} pixels not known within {} with confidence {}\n", rays_text(reach), reach.in_doubt,
                        reach.pixels, samples.width, samples.confidence);
   }
 

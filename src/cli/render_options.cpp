@@ -26,7 +26,7 @@ namespace durero::cli {
 namespace {
 
 /// The points of statistical sampling that names no number.
-constexpr std::uint32_t statistical_samples = 1024;
+constexpr std::uint32_t most_samples = 1024;
 
 std::string check_crop(const std::string& text) {
   const auto crop = numbers_in<4>(text, ',', read_side);
@@ -80,17 +80,16 @@ void add_depth_options(CLI::App& command, RenderOptions& options) {
 void add_sample_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option("--sampling", options.sampling,
-                  "Points of a pixel that rays go through: a grid, one in each square of a grid, a scrambled net, each "
-                  "by itself, "
-                  "or as many as it takes; without it, grid, and net for paths")
+                  "Points of a pixel that rays go through: a grid, one in each square of a grid, a scrambled net, of "
+                  "one as many as the pixels around ask for, each by itself, or as many as it takes; without it, grid, "
+                  "and net for paths")
       ->check(one_of("sampling", words(render::sampling_names)));
   command
-      .add_option(
-          "--samples", options.samples,
-          fmt::format(
-              "How many: in squares a square number; 1 without it; of statistical the most, {} without it; of a "
-              "preview how many passes",
-              statistical_samples))
+      .add_option("--samples", options.samples,
+                  fmt::format("How many: in squares a square number; 1 without it; of allotted and statistical the "
+                              "most, {} without it; of a "
+                              "preview how many passes",
+                              most_samples))
       ->check(whole_number(1, render::greatest_samples));
   command.add_option("--seed", options.seed, "Chooses among the random numbers; without it, 0")
       ->check(whole_number(0, std::numeric_limits<std::uint32_t>::max()));
@@ -199,9 +198,9 @@ void check_together(const RenderOptions& options) {
   refuse(
       in_squares && side != std::floor(side),
       fmt::format("--samples {}: no square number; expected 1, 4, 9, … or --sampling statistical", *options.samples));
-  refuse(options.is_statistical() && *options.samples < render::least_samples,
-         fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling statistical",
-                     *options.samples, render::least_samples));
+  refuse((options.is_statistical() || options.is_allotted()) && *options.samples < render::least_samples,
+         fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling {}", *options.samples,
+                     render::least_samples, options.sampling));
 }
 
 render::RenderSettings frame_of(const RenderOptions& options) {
@@ -214,7 +213,7 @@ render::RenderSettings frame_of(const RenderOptions& options) {
   frame.integrator = value_of_name<render::Integrator>(render::integrator_names, options.integrator);
   frame.shadows = value_of_name<render::ShadowRule>(render::shadow_rule_names, options.shadows);
   frame.samples.sampling = sampling_of(options);
-  frame.samples.most = options.samples.value_or(options.is_statistical() ? statistical_samples : 1);
+  frame.samples.most = options.samples.value_or(options.is_statistical() || options.is_allotted() ? most_samples : 1);
   frame.samples.seed = options.seed.value_or(0);
   frame.samples.width = options.width.value_or(frame.samples.width);
   frame.samples.confidence = options.confidence.value_or(frame.samples.confidence);

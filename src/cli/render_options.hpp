@@ -29,6 +29,7 @@ struct RenderOptions {
 
   bool is_exr() const { return io::ends_in(out, ".exr"); }
   bool is_statistical() const { return sampling == "statistical"; }
+  bool is_allotted() const { return sampling == "allotted"; }
 };
 
 /// The option --size of a command that draws.

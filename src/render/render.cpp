@@ -8,6 +8,7 @@
 
 #include "durero/contract/contract.hpp"
 #include "durero/scene/stage.hpp"
+#include "render/sample/allotment.hpp"
 #include "render/sample/by_rows.hpp"
 #include "render/sample/row.hpp"
 #include "render/sample/statistical.hpp"
@@ -64,6 +65,13 @@ void draw(const View& view, const Samples& samples, const Progress& progress, Pi
       by_tiles(size, side_of_tile(view.scene.size(), size), progress,
                [&](const auto& pixels) { drawn.add(pixels, sampled(view, samples, pixels)); });
       return;
+    case Sampling::allotted: {
+      const Allotment allotment(view, samples);
+      drawn.reach = allotment.around();
+      by_tiles(size, side_of_tile(view.scene.size(), size), progress,
+               [&](const auto& pixels) { drawn.add(pixels, allotment.row(pixels)); });
+      return;
+    }
     case Sampling::statistical: {
       const Statistical statistical(view, samples);
       drawn.reach = statistical.reach_of_corners();

@@ -171,6 +171,14 @@ for width in 0 1 -1 nan x; do
     render scene.json -o new.png --sampling statistical --width $width
 done
 
+run 0 render scene.json -o one.png --sampling allotted --samples 40 --threads 1
+lines out 1
+has out ' rays from the eye a pixel'
+run 0 render scene.json -o three.png --sampling allotted --samples 40 --threads 3 --engine exact
+same one.png three.png
+refused '--samples 3: too few to tell anything; expected 4 or more with --sampling allotted' \
+  render scene.json -o new.png --samples 3 --sampling allotted
+
 # Lens, shutter, a light of some size and gloss: the same bytes whatever the threads and the engine, others by another seed,
 # and the note of a picture draws it again.
 sed -e 's/"fov_y":\([0-9.]*\)/"fov_y":\1,"aperture":0.5,"shutter":1,"motion":[0.25,0,0]/' scene.json >blurred.json

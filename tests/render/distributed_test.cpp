@@ -140,8 +140,9 @@ TEST_CASE("a camera that moves past a thing at rest sees what a camera at rest s
 TEST_CASE("what is blurred has the same bytes for any threads, engine and crop, and others for another seed") {
   const scene::Scene scene = all_blurred();
   const auto engine = engine::find("fast")->prepare(scene), other = engine::find("bvh")->prepare(scene);
-  for (const render::Sampling sampling : {render::Sampling::grid, render::Sampling::stratified, render::Sampling::net,
-                                          render::Sampling::independent, render::Sampling::statistical})
+  for (const render::Sampling sampling :
+       {render::Sampling::grid, render::Sampling::stratified, render::Sampling::net, render::Sampling::allotted,
+        render::Sampling::independent, render::Sampling::statistical})
     for (const render::Integrator integrator : {render::Integrator::whitted, render::Integrator::path}) {
       render::RenderSettings frame{
           .size = scene::Resolution{24, 18}, .samples = {.sampling = sampling, .most = 16}, .integrator = integrator};

@@ -33,6 +33,7 @@ glm::dvec2 place_of(const Samples& samples, std::uint32_t side, std::uint32_t i,
       return in_net(i, key);
     case Sampling::independent:
       return SampleSource{key, i, true}.pair(0) - 0.5;
+    case Sampling::allotted:
     case Sampling::statistical:
       break;
   }

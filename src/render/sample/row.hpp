@@ -24,7 +24,8 @@ void add(PathRadiance& sum, const PathRadiance& more);
 /// Turns the sums over so many rays into means. Sums over one ray stay as they are.
 void divide(PathRadiance& sum, std::uint32_t rays);
 
-/// The row of these pixels of the crop, by grid or stratified samples. Precondition: the samples are not statistical.
+/// The row of these pixels of the crop, each by as many samples. Precondition: they are neither allotted nor
+/// statistical.
 PixelRow sampled(const View& view, const Samples& samples, std::span<const scene::Pixel> pixels);
 
 }  // namespace durero::render

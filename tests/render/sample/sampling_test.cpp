@@ -225,7 +225,7 @@ TEST_CASE("one sample in a grid is the picture of one ray, and more are the mean
 TEST_CASE("every sampling gives a pixel the same bytes, whatever the threads, the engine and the crop") {
   const scene::Scene scene = stage();
   const auto engine = engine::find("exact")->prepare(scene), other = engine::find("fast")->prepare(scene);
-  for (const Sampling sampling : {Sampling::grid, Sampling::stratified, Sampling::statistical}) {
+  for (const Sampling sampling : {Sampling::grid, Sampling::stratified, Sampling::allotted, Sampling::statistical}) {
     const render::Samples samples{.sampling = sampling, .most = 16, .width = 0.1};
     const render::RenderSettings whole{.size = scene::Resolution{24, 18}, .samples = samples};
     const render::Picture picture = render::render(scene, *engine, {}, whole);

@@ -14,30 +14,31 @@ enum class Sampling {
   grid,         ///< the centres of equal squares; one point is the centre of the pixel
   stratified,   ///< a random point in each of equal squares
   net,          ///< the points of a scrambled net, one after the other
+  allotted,     ///< of such points as many as the colours of the pixels around ask for
   independent,  ///< random points anywhere, each by itself
   statistical   ///< as many points as it takes to know the mean within a width, with a confidence
 };
 
 /// Their names, in the order of Sampling.
-inline constexpr std::array<std::string_view, 5> sampling_names{"grid", "stratified", "net", "independent",
-                                                                "statistical"};
+inline constexpr std::array<std::string_view, 6> sampling_names{"grid",     "stratified",  "net",
+                                                                "allotted", "independent", "statistical"};
 
 /// The points of each pixel.
 struct Samples {
   Sampling sampling = Sampling::grid;  ///< the way of choosing them
-  /// The number of points, a square number for grid and stratified; the greatest number for statistical, at least
-  /// least_samples.
+  /// The number of points, a square number for grid and stratified; the greatest number for allotted and statistical,
+  /// at least least_samples.
   std::uint32_t most = 1;
   double width = 0.05;  ///< statistical: the greatest half of the confidence interval of each linear component, above 0
   double confidence = 0.95;  ///< statistical: the confidence for the three components together, above 0 and below 1
   std::uint32_t seed = 0;    ///< chooses among the random numbers
 };
 
-/// @{ Statistical sampling parts the points of a pixel into so many blocks, whose means tell how far apart they are:
-/// one a point at first, `least_samples` of them, and `most_blocks` from so many points on.
+/// The least number of points of a pixel that is sampled as it needs.
 inline constexpr std::uint32_t least_samples = 4;
+/// Statistical sampling parts the points of a pixel into blocks, whose means tell how far apart they are: one a point,
+/// until there are so many.
 inline constexpr std::uint32_t most_blocks = 16;
-/// @}
 
 /// The greatest number of points of a pixel.
 inline constexpr std::uint32_t greatest_samples = 65536;
