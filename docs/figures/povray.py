@@ -87,8 +87,8 @@ class Equal:
         subprocess.run([durero, "export", "scene.json", "-o", "bare.pov"], cwd=folder, check=True, capture_output=True)
         self.bare = (folder / "bare.pov").read_text(encoding="utf-8")
 
-    def here(self, samples):
-        call = [self.durero, "render", "scene.json", "-o", "here.png", "--size", "{}x{}".format(*SMALL), "--sampling", "net",
+    def here(self, samples, sampling="net"):
+        call = [self.durero, "render", "scene.json", "-o", "here.png", "--size", "{}x{}".format(*SMALL), "--sampling", sampling,
                 "--samples", str(samples), "--threads", "1", "--quiet"]
         return min(seconds(call, self.folder) for _ in range(2)), picture(self.folder / "here.png")
 
@@ -99,16 +99,16 @@ class Equal:
 
     @staticmethod
     def print(title, ours, theirs, truths):
-        mine = [(t, rms(p, truths[0])) for t, p in ours]
+        mine = [(t, rms(p, truths[0]), name) for name, (t, p) in ours]
         other = sorted((rms(p, truths[1]), t, name) for name, (t, p) in theirs)
         best = [one for i, one in enumerate(other) if all(one[1] < two[1] and two[0] < one[0] for two in other[:i])]
         print(f"{title}: RMS error of 255 and seconds of a processor")
         for error, time, name in other:
             print(f"  POV-Ray {name}: {error:.2f}, {time:.2f}")
-        for time, error in mine:
+        for time, error, name in mine:
             they = time_for(best, error)
             there = f"POV-Ray {they:.2f}, ratio {they / time:.1f}" if they else "no picture of POV-Ray is so near"
-            print(f"  durero {error:.2f}, {time:.2f}: {there}", flush=True)
+            print(f"  durero {name}: {error:.2f}, {time:.2f}: {there}", flush=True)
 
 
 def time_for(line, error):
@@ -133,7 +133,7 @@ def soft_shadows(durero, folder):
             for options in (["+AM1", "+A0.1", "+R2"], ["+AM2", "+A0.05", "+R2"], ["+AM2", "+A0.01", "+R3"], ["+AM1", "+A0.0", "+R4"])
             for word in ("jitter", "jitter adaptive 1") for n in (3, 5, 9)]
     theirs = [(name, pair.there(text, options)) for name, text, options in ways]
-    ours = [pair.here(n) for n in (16, 64, 144)]
+    ours = [(f"net {n}", pair.here(n)) for n in (16, 64, 144)]
     truths = pair.here(4096)[1], pair.there(soft(pair.bare, 16, "jitter"), ["+AM1", "+A0.0", "+R6"])[1]
     pair.print("soft shadows", ours, theirs, truths)
 
@@ -146,7 +146,8 @@ def depth_of_field(durero, folder):
     ways = [(f"{n} samples, variance {variance}", blurred(pair.bare, n, variance)) for n in (7, 19, 37, 64, 128, 256)
             for variance in ("0", "1/128", "1/1000", "1/10000")]
     theirs = [(name, pair.there(text, ["-A"])) for name, text in ways]
-    ours = [pair.here(n) for n in (16, 64, 144)]
+    ours = [(f"{how} {n}", pair.here(n, how)) for how, counts in (("net", (16, 64, 144)), ("allotted", (48, 128, 256, 512, 1024)))
+            for n in counts]
     truths = pair.here(4096)[1], pair.there(blurred(pair.bare, 4096, "0"), ["-A"])[1]
     pair.print("depth of field", ours, theirs, truths)
 
