@@ -61,7 +61,6 @@ SuiteCase case_of(const scene::Scene& scene, const Rays& rays) {
     const scene::Query query{rays[i]};
     of.the_case.rays.push_back(query);
   }
-  of.truths.resize(rays.size());
   return of;
 }
 
@@ -74,11 +73,14 @@ py::list judge(const Scene& scene, const py::object& given, const Claims& claims
   const Numbering& numbering = state->numbering();
   std::vector<Claim> read;
   for (std::size_t i = 0; i < rays.size(); ++i) read.push_back(claims.of(i, numbering));
+  of.truths.resize(rays.size());
   std::vector<ClaimJudgement> judgements(rays.size());
+  const conform::SceneTruths truths(of.the_case.scene, rays.size());
+  const conform::CaseJudge judge(of, profile);
   for_each_block(rays.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      of.truths[i] = conform::truth(state->scene(), of.the_case.rays[i]);
-      judgements[i] = conform::judge(of, i, read[i], profile);
+      of.truths[i] = truths.of(of.the_case.rays[i]);
+      judgements[i] = judge.judge(i, read[i]);
     }
   });
   py::list all;

@@ -36,10 +36,14 @@ std::optional<Finding> failure_of(const System& system, const SuiteCase& of, con
   const auto judge_all = [&](const SuiteCase& asked, std::span<const Claim> claims) {
     tally.add(asked, claims, system.profile);
   };
-  const auto is_asked = [&](const SuiteCase& asked, std::size_t ray) {
-    return options.has_ray && ray != options.of.ray ? "another is asked" : outside(asked, ray, system.profile);
+  const auto clauses = [&](const SuiteCase& asked) {
+    std::vector<std::string> all = CaseJudge(asked, system.profile).outside();
+    for (std::size_t ray = 0; options.has_ray && ray < all.size(); ++ray) {
+      if (ray != options.of.ray) all[ray] = "another is asked";
+    }
+    return all;
   };
-  version = run_system(system, {1, [&](std::size_t) { return of; }, is_asked}, {}, judge_all, interrupted()).says;
+  version = run_system(system, {1, [&](std::size_t) { return of; }, clauses}, {}, judge_all, interrupted()).says;
   std::optional<Finding> worst;
   for (const FamilyTally& family : tally.families()) {
     for (const std::optional<Finding>& finding : family.worst) {

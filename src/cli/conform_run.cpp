@@ -59,8 +59,7 @@ struct Plan {
       answer(made);
       return made;
     };
-    return {places.size(), make,
-            [&profile](const SuiteCase& of, std::size_t ray) { return outside(of, ray, profile); }};
+    return {places.size(), make, [&profile](const SuiteCase& of) { return CaseJudge(of, profile).outside(); }};
   }
 };
 

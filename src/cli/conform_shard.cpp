@@ -38,7 +38,7 @@ RunCases run_cases(const std::vector<CasePlace>& places, const SuiteOptions& sui
     answer(of);
     return of;
   };
-  return {places.size(), make, [&](const SuiteCase& of, std::size_t ray) { return outside(of, ray, profile); }};
+  return {places.size(), make, [&](const SuiteCase& of) { return CaseJudge(of, profile).outside(); }};
 }
 
 Shards asked(const NamedCampaign& named, const ConformShardOptions& options) {

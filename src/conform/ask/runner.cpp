@@ -115,8 +115,9 @@ class Run {
     const std::size_t count = answered.of.the_case.rays.size();
     answered.claims.resize(count);
     std::vector<std::size_t> inside;
+    std::vector<std::string> outside = cases_->outside(answered.of);
     for (std::size_t ray = 0; ray < count; ++ray) {
-      answered.claims[ray].why = cases_->outside(answered.of, ray);
+      answered.claims[ray].why = std::move(outside[ray]);
       if (answered.claims[ray].why.empty()) inside.push_back(ray);
     }
     if (!asker.ask(answered.of, inside, answered.claims)) return std::nullopt;

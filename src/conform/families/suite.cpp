@@ -56,10 +56,6 @@ SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays) {
   return {.family = &own_family, .the_case = {std::move(scene), std::move(rays)}};
 }
 
-void answer(SuiteCase& of) {
-  const auto& [scene, rays] = of.the_case;
-  of.truths.clear();
-  for (const scene::Query& ray : rays) of.truths.push_back(truth(scene, ray));
-}
+void answer(SuiteCase& of) { of.truths = truths(of.the_case.scene, of.the_case.rays); }
 
 }  // namespace durero::conform

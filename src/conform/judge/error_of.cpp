@@ -144,11 +144,12 @@ double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& p
 
 double backward_error(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   double least_distance = infinity;
-  trial.scene.for_each([&](scene::ElementRef element, const auto& shape) {
-    if (!trial.names(claim, element)) return;
-    const Dyadic M = magnitude(shape, trial.ray.rayo, place.way);
-    if (number::sign(M) == 0) return;
-    least_distance = std::min(least_distance, distance(shape, place.punto, M));
+  trial.any_named(claim, [&](scene::ElementRef element) {
+    trial.scene.visit(element, [&](const auto& shape) {
+      const Dyadic M = magnitude(shape, trial.ray.rayo, place.way);
+      if (number::sign(M) != 0) least_distance = std::min(least_distance, distance(shape, place.punto, M));
+    });
+    return false;
   });
   return least_distance / unit(trial.profile.format);
 }

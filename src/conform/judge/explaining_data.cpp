@@ -20,7 +20,8 @@ namespace {
 std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& profile) {
   const Claim& claim = finding.claim;
   if (claim.outcome != Claim::Outcome::hit) return std::nullopt;
-  const ClaimContext trial(finding.of, 0, profile);
+  const SceneFacts facts(finding.of.the_case.scene, 1);
+  const ClaimContext trial(finding.of, 0, profile, facts);
   if (!place(trial, claim)) return std::nullopt;
   if (claim.punto) return claim.punto;
   const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
@@ -45,7 +46,8 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
 /// profile; the number of a hit, which is rounded, nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   if (claim.outcome != Claim::Outcome::miss) return is_right(of, claim, profile);
-  return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(ClaimContext(of, 0, profile));
+  const SceneFacts facts(of.the_case.scene, 1);
+  return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(ClaimContext(of, 0, profile, facts));
 }
 
 /// Whether the claim is right for some data off by that length besides, as far as exact arithmetic can tell.

@@ -7,9 +7,11 @@
 #include "conform/judge/allowance.hpp"
 #include "conform/judge/error_of.hpp"
 #include "conform/judge/limits.hpp"
+#include "conform/judge/outside.hpp"
 #include "conform/judge/robust.hpp"
 #include "conform/judge/trial.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/trace/candidates.hpp"
 #include "durero/trace/search.hpp"
 
 namespace durero::conform {
@@ -39,15 +41,6 @@ bool is_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedP
   return std::isfinite(M) && apart <= 7 * unit(trial.profile.format) * M;
 }
 
-/// The solids that the origin may lie inside.
-Elements solids_around_origin(const ClaimContext& trial) {
-  Elements around;
-  trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (trial.may_start_inside(element)) around.push_back(element);
-  });
-  return around;
-}
-
 /// Whether a ray from inside a solid may pass through its surface without a hit: the profile permits it, or the system
 /// answers the origin, and the origin is nearer than least_t.
 bool may_leave_unseen(const Profile& profile) {
@@ -58,14 +51,13 @@ bool may_leave_unseen(const Profile& profile) {
 /// the profile, and the zone of a closed mesh where the system claims to be watertight. Zones of solids that a ray from
 /// inside may leave unseen are left out.
 std::vector<Zone> walls(const ClaimContext& trial, double limit) {
-  std::vector<Zone> all = zones(trial.elements(), trial.ray, trial.precision(), limit);
-  if (trial.profile.watertight) {
-    if (const std::optional<Zone> mesh = zone_of_mesh(trial.scene, trial.ray.rayo, trial.precision()))
-      all.push_back(*mesh);
+  std::vector<Zone> all = zones(trial.elements(), trial.facts.tree(), trial.ray, trial.precision(), limit);
+  if (trial.profile.watertight && trial.facts.mesh()) {
+    if (const auto zone = zone_of(*trial.facts.mesh(), trial.ray.rayo, trial.precision())) all.push_back(*zone);
   }
   std::erase_if(all, [&](const Zone& zone) { return !is_within_limits(trial, zone); });
   if (!may_leave_unseen(trial.profile)) return all;
-  const Elements around = solids_around_origin(trial);
+  const Elements around = trial.solids_around_origin();
   std::erase_if(all, [&](const Zone& zone) {
     return std::find(around.begin(), around.end(), trial.body(zone.element)) != around.end();
   });
@@ -82,7 +74,7 @@ Verdict of_miss(const ClaimContext& trial) {
 template <class IsOrigin>
 bool is_origin_inside(const ClaimContext& trial, const Claim& claim, const IsOrigin& is_origin) {
   if (trial.profile.inside != Inside::origin) return false;
-  const Elements around = solids_around_origin(trial);
+  const Elements around = trial.solids_around_origin();
   return std::any_of(around.begin(), around.end(),
                      [&](ElementRef element) { return trial.names(claim, element) && is_origin(element); });
 }
@@ -93,8 +85,21 @@ bool may_be_of(const ClaimContext& trial, ElementRef element, const ClaimedPoint
          may_lie_on_ray(trial, element, place);
 }
 
+/// The elements that the claim may name and that the place may lie on.
+Elements elements_at(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
+  Elements at;
+  const NearBox near = near_box(trial, place);
+  trial.any_named(claim, [&](ElementRef element) {
+    const bool is_beside = element.tipo == scene::Triangle::tipo &&
+                           !near.may_be_of(surface::box(trial.scene.shapes<scene::Triangle>()[element.index]));
+    if (!is_beside && may_be_of(trial, element, place)) at.push_back(element);
+    return false;
+  });
+  return at;
+}
+
 bool may_be_of_any(const ClaimContext& trial, const ClaimedPoint& place) {
-  return trial.scene.any_of([&](ElementRef element, const auto&) { return may_be_of(trial, element, place); });
+  return !elements_at(trial, {}, place).empty();
 }
 
 /// The zones that certainly end before the place, where the place lies on `element`.
@@ -124,8 +129,8 @@ bool is_a_little_off(const ClaimContext& trial, const Claim& claim, const Claime
   if (!trial.has_hit() || is_far(trial, place)) return false;
   if (names_truth(trial, claim)) return true;
   const std::vector<Zone> all = walls(trial, trace::no_limit);
-  return trial.scene.any_of([&](ElementRef element, const auto&) {
-    return trial.names(claim, element) && is_near_surface(trial, place, element) && may_be_first(trial, element, all);
+  return trial.any_named(claim, [&](ElementRef element) {
+    return is_near_surface(trial, place, element) && may_be_first(trial, element, all);
   });
 }
 
@@ -147,10 +152,7 @@ Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const Clai
 Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (is_origin_inside(trial, claim, [&](ElementRef element) { return may_be_origin(trial, element, place); }))
     return Verdict::right;
-  Elements at;
-  trial.scene.for_each([&](ElementRef element, const auto&) {
-    if (trial.names(claim, element) && may_be_of(trial, element, place)) at.push_back(element);
-  });
+  const Elements at = elements_at(trial, claim, place);
   const std::vector<Zone> all = walls(trial, rounded_up(place.t));
   const auto is_right = [&](ElementRef element) { return passed_by(trial, place, element, all).empty(); };
   if (std::any_of(at.begin(), at.end(), is_right)) return Verdict::right;
@@ -161,11 +163,10 @@ Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoi
 Verdict of_element(const ClaimContext& trial, const Claim& claim) {
   if (names_truth(trial, claim)) return Verdict::right;
   const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
-  const Elements around = trial.profile.inside == Inside::origin ? solids_around_origin(trial) : Elements{};
+  const Elements around = trial.profile.inside == Inside::origin ? trial.solids_around_origin() : Elements{};
   if (std::any_of(around.begin(), around.end(), is_named)) return Verdict::right;
   const std::vector<Zone> all = walls(trial, trace::no_limit);
-  const bool may_be = trial.scene.any_of(
-      [&](ElementRef element, const auto&) { return is_named(element) && may_be_first(trial, element, all); });
+  const bool may_be = trial.any_named(claim, [&](ElementRef element) { return may_be_first(trial, element, all); });
   if (may_be) return Verdict::right;
   return trial.truth.hit.elementos.empty() ? Verdict::phantom : Verdict::wrong_element;
 }
@@ -199,22 +200,72 @@ ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
 
 /// The verdict that the claim would get on a ray outside the profile. Limits are lifted where the exact first hit is
 /// beyond them, for within them the ray has no hit to be judged by.
-Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
-  const ClaimContext trial(of, ray, profile);
+Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, const ClaimContext& trial) {
   if (!is_truth_beyond_limits(trial)) return inside_profile(trial, claim).verdict;
-  const Profile unlimited = without_limits(profile);
-  return inside_profile(ClaimContext(of, ray, unlimited), claim).verdict;
+  const Profile unlimited = without_limits(trial.profile);
+  return inside_profile(ClaimContext(of, ray, unlimited, trial.facts), claim).verdict;
 }
 
 }  // namespace
 
+class CaseJudge::Parts {
+ public:
+  Parts(const SuiteCase& of, const Profile& profile)
+      : of_(&of), profile_(&profile), facts_(of.the_case.scene, of.the_case.rays.size()) {}
+
+  ClaimJudgement judge(std::size_t ray, const Claim& claim) const {
+    const ClaimContext trial(*of_, ray, *profile_, facts_);
+    std::string clause = outside(trial);
+    if (clause.empty()) return inside_profile(trial, claim);
+    ClaimJudgement skipped{.clause = std::move(clause)};
+    if (claim.outcome != Claim::Outcome::unanswered) skipped.otherwise = otherwise(*of_, ray, claim, trial);
+    return skipped;
+  }
+
+  std::string outside(std::size_t ray) const { return outside(ClaimContext(*of_, ray, *profile_, facts_)); }
+  std::size_t rays() const { return of_->the_case.rays.size(); }
+
+ private:
+  std::string outside(const ClaimContext& trial) const {
+    std::call_once(scene_once_, [&] { of_scene_ = outside_by_scene(trial); });
+    return of_scene_.empty() ? outside_by_ray(trial) : of_scene_;
+  }
+
+  const SuiteCase* of_;
+  const Profile* profile_;
+  SceneFacts facts_;
+  mutable std::once_flag scene_once_;
+  mutable std::string of_scene_{};
+};
+
+CaseJudge::CaseJudge(const SuiteCase& of, const Profile& profile)
+    : parts_(std::make_unique<const Parts>(of, profile)) {}
+CaseJudge::~CaseJudge() = default;
+
+ClaimJudgement CaseJudge::judge(std::size_t ray, const Claim& claim) const { return parts_->judge(ray, claim); }
+
+std::vector<ClaimJudgement> CaseJudge::judge(std::span<const Claim> claims) const {
+  std::vector<ClaimJudgement> all(claims.size());
+  trace::for_each_block(claims.size(), [&](std::size_t begin, std::size_t count) {
+    for (std::size_t ray = begin; ray < begin + count; ++ray) all[ray] = judge(ray, claims[ray]);
+  });
+  return all;
+}
+
+std::string CaseJudge::outside(std::size_t ray) const { return parts_->outside(ray); }
+
+std::vector<std::string> CaseJudge::outside() const {
+  std::vector<std::string> all(parts_->rays());
+  for (std::size_t ray = 0; ray < all.size(); ++ray) all[ray] = outside(ray);
+  return all;
+}
+
 ClaimJudgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile) {
-  const ClaimContext trial(of, ray, profile);
-  std::string clause = outside(of, ray, profile);
-  if (clause.empty()) return inside_profile(trial, claim);
-  ClaimJudgement skipped{.clause = std::move(clause)};
-  if (claim.outcome != Claim::Outcome::unanswered) skipped.otherwise = otherwise(of, ray, claim, profile);
-  return skipped;
+  return CaseJudge(of, profile).judge(ray, claim);
+}
+
+std::string outside(const SuiteCase& of, std::size_t ray, const Profile& profile) {
+  return CaseJudge(of, profile).outside(ray);
 }
 
 }  // namespace durero::conform

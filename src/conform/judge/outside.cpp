@@ -1,3 +1,5 @@
+#include "conform/judge/outside.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -6,8 +8,6 @@
 
 #include "conform/families/framed_shape.hpp"
 #include "conform/judge/allowance.hpp"
-#include "conform/judge/trial.hpp"
-#include "durero/conform/judge/judge.hpp"
 #include "durero/scene/attributes.hpp"
 
 namespace durero::conform {
@@ -63,21 +63,23 @@ std::string clause_of(const ClaimContext& trial, ElementRef element, const Shape
 
 }  // namespace
 
-std::string outside(const SuiteCase& of, std::size_t number, const Profile& profile) {
-  const ClaimContext trial(of, number, profile);
+std::string outside_by_scene(const ClaimContext& trial) {
   std::string clause;
   trial.scene.any_of([&](ElementRef element, const auto& shape) {
     clause = clause_of(trial, element, shape);
     return !clause.empty();
   });
-  if (!clause.empty()) return clause;
+  return clause;
+}
+
+std::string outside_by_ray(const ClaimContext& trial) {
+  const Profile& profile = trial.profile;
   const model::Rayo& rayo = trial.ray.rayo;
   if (!is_of(rayo.p().xyz(), profile.format) || !is_of(largest(rayo.v().xyz()), profile.format))
     return "numbers of binary32";
-  clause = beyond(largest(rayo.p().xyz()), "a coordinate", 0, profile.greatest_coordinate);
+  std::string clause = beyond(largest(rayo.p().xyz()), "a coordinate", 0, profile.greatest_coordinate);
   if (!clause.empty()) return clause;
-  const auto may_start_inside = [&](ElementRef element, const auto&) { return trial.may_start_inside(element); };
-  if (profile.inside == Inside::undefined && trial.scene.any_of(may_start_inside)) return "a start inside";
+  if (profile.inside == Inside::undefined && !trial.solids_around_origin().empty()) return "a start inside";
   if (!trial.has_hit()) return clause;
   return beyond(number_of_truth(trial), "a distance", profile.least_t, profile.greatest_t);
 }

@@ -74,7 +74,18 @@ bool ClaimContext::is_solid(scene::ElementRef element) const {
 bool ClaimContext::may_start_inside(scene::ElementRef element) const {
   const glm::dvec3& p = ray.rayo.p().xyz();
   const ClaimedPoint origin{.t = {}, .punto = {p.x, p.y, p.z}, .way = {}};
-  return is_solid(element) && may_lie_inside(elements(), element, origin, ray.rayo, precision());
+  return may_lie_inside(elements(), element, origin, ray.rayo, precision());
+}
+
+std::vector<scene::ElementRef> ClaimContext::solids_around_origin() const {
+  std::vector<scene::ElementRef> around;
+  const auto add = [&](scene::ElementRef element) {
+    if (may_start_inside(element)) around.push_back(element);
+  };
+  for (std::uint32_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) add({scene::Sphere::tipo, i});
+  if (profile.caps == Caps::open) return around;
+  for (const Solid& solid : solids) add(solid.wall);
+  return around;
 }
 
 double rounded(double x, NumberFormat format) {
@@ -87,7 +98,7 @@ double number_of_truth(const ClaimContext& trial) {
 }
 
 bool is_the_truth(const ClaimContext& trial, const Claim& claim) {
-  const auto& [scene, solids, ray, truth, profile] = trial;
+  const auto& [scene, solids, ray, truth, profile, facts] = trial;
   const scene::ElementSet& first = truth.hit.elementos;
   if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
     return false;
@@ -116,6 +127,14 @@ bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const 
   const Dyadic beside = squared_deviation(trial, element, place), x = dot(q, v), vv = dot(v, v);
   const bool is_before = number::sign(x) < 0 && square(x) > beside * vv;
   return !is_before && dot(q, q) * vv - square(x) <= beside * vv;
+}
+
+NearBox near_box(const ClaimContext& trial, const ClaimedPoint& place) {
+  const auto& [x, y, z] = place.punto;
+  const double longest = std::max(trial.facts.largest_length(), largest(trial.ray.rayo.p().xyz()));
+  const Allowance allowed(trial.precision(), std::max(Dyadic(longest), place.way), trial.ray.rayo);
+  return {{number::round_to_binary64(x), number::round_to_binary64(y), number::round_to_binary64(z)},
+          bound_above(allowed.times(8))};
 }
 
 bool may_be_origin(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {

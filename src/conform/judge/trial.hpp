@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "conform/judge/near_box.hpp"
+#include "conform/judge/scene_facts.hpp"
 #include "conform/judge/zones.hpp"
 #include "durero/conform/ask/claim.hpp"
 #include "durero/conform/ask/profile.hpp"
@@ -17,13 +19,15 @@ struct ClaimContext {
   const scene::Query& ray;
   const ExactAnswer& truth;
   const Profile& profile;
+  const SceneFacts& facts;  ///< about the scene
 
-  ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked)
+  ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
       : scene(of.the_case.scene),
         solids(of.solids),
         ray(of.the_case.rays[number]),
         truth(of.truths[number]),
-        profile(asked) {}
+        profile(asked),
+        facts(of_scene) {}
 
   /// The format and the thickness of surfaces that the profile declares.
   Precision precision() const { return {profile.format, profile.thickness}; }
@@ -39,11 +43,23 @@ struct ClaimContext {
   bool names(const Claim& claim, scene::ElementRef element) const {
     return !claim.element || body(*claim.element) == body(element);
   }
+  /// Whether the condition holds for some element that the claim may be about.
+  template <class Holds>
+  bool any_named(const Claim& claim, Holds holds) const;
   /// Whether the element is a solid to the system, and so has an inside: a sphere, or a wall that discs close.
   bool is_solid(scene::ElementRef element) const;
-  /// Whether the element is a solid, and the origin lies inside it for some data within the allowance.
+  /// The solids inside which the origin lies for some data within the allowance.
+  std::vector<scene::ElementRef> solids_around_origin() const;
+
+ private:
   bool may_start_inside(scene::ElementRef element) const;
 };
+
+template <class Holds>
+bool ClaimContext::any_named(const Claim& claim, Holds holds) const {
+  if (claim.element && (profile.caps == Caps::open || solids.empty())) return holds(*claim.element);
+  return scene.any_of([&](scene::ElementRef element, const auto&) { return names(claim, element) && holds(element); });
+}
 
 /// The number of the format nearest to x, which is x itself in binary64.
 double rounded(double x, NumberFormat format);
@@ -62,6 +78,9 @@ std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim)
 /// Whether the place lies on the ray of some data within the allowance. A point given by its coordinates may lie beside
 /// the ray by 2√3·δ and a rounding, less than 4δ, and a place may lie before the origin by as much.
 bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
+/// The filter for triangles on which the place may lie.
+NearBox near_box(const ClaimContext& trial, const ClaimedPoint& place);
+
 /// Whether the place may be the origin itself: it is within 4δ of p, with δ of the element.
 bool may_be_origin(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
 

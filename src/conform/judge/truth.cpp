@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "conform/judge/robust.hpp"
+#include "conform/judge/scene_tree.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/trace/search.hpp"
 
@@ -51,8 +52,9 @@ double limit_by(const std::vector<ElementMeeting>& places) {
 /// the nearest such meeting is left out.
 class Sight {
  public:
-  Sight(const scene::Scene& scene, const scene::Query& ray) : query_{scene, ray, {}} {
-    scene.for_each([&](scene::ElementRef e, const auto&) { look_at(e); });
+  Sight(const SceneTree& tree, const scene::Query& ray) : query_{tree.scene(), ray, {}} {
+    tree.along(
+        search_.ray(), ray.en, [&] { return limit_; }, [&](scene::ElementRef e) { look_at(e); });
     std::vector<scene::ElementRef> again;
     std::swap(again, unclear_);
     for (const scene::ElementRef e : again) look_at(e);  // the lower limit may exclude it
@@ -173,8 +175,10 @@ std::string_view name(Ambiguity ambiguity) {
   contract::unreachable();
 }
 
-ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) {
-  Sight sight(scene, ray);
+namespace {
+
+ExactAnswer truth_by(const SceneTree& tree, const scene::Query& ray) {
+  Sight sight(tree, ray);
   if (const auto hit = sight.clear_hit()) return {*hit};
   const std::vector<ElementMeeting> all = sight.places();
   if (all.empty()) return {};
@@ -194,6 +198,25 @@ ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) {
     add_each_alone(found.permissible, found.permissible.back());
   }
   return found;
+}
+
+}  // namespace
+
+ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) { return truth_by({scene, 1}, ray); }
+
+SceneTruths::SceneTruths(const scene::Scene& scene, std::size_t rays)
+    : tree_(std::make_unique<const SceneTree>(scene, rays)) {}
+SceneTruths::~SceneTruths() = default;
+
+ExactAnswer SceneTruths::of(const scene::Query& ray) const { return truth_by(*tree_, ray); }
+
+std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays) {
+  const SceneTruths of_scene(scene, rays.size());
+  std::vector<ExactAnswer> all(rays.size());
+  trace::for_each_block(rays.size(), [&](std::size_t begin, std::size_t count) {
+    for (std::size_t ray = begin; ray < begin + count; ++ray) all[ray] = of_scene.of(rays[ray]);
+  });
+  return all;
 }
 
 }  // namespace durero::conform

@@ -91,16 +91,17 @@ Shell<Dyadic> shell_at(const Shape& shape, const ClaimedPoint& place, const mode
 
 }  // namespace
 
-std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, const Precision& precision,
-                        double limit) {
+std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, const scene::Query& ray,
+                        const Precision& precision, double limit) {
   std::vector<Zone> all;
   trace::Counts counts;
   const scene::Scene& scene = elements.scene();
   const trace::Search search(scene, ray.rayo, ray.en, counts);
-  scene.for_each([&](scene::ElementRef element, const auto& shape) {
+  const auto add = [&](scene::ElementRef element) {
     const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
     if (met && met->kind == trace::Meeting::Kind::none) return;
-    const Coefficients f = surface::exact::coefficients(shape, ray.rayo);
+    const Coefficients f =
+        scene.visit(element, [&](const auto& shape) { return surface::exact::coefficients(shape, ray.rayo); });
     const bool starts_on_it = scene::Origin(ray.en).contains(element);
     const surface::exact::Roots crossings = surface::exact::roots(f);
     for (const Parameter& t : crossings.values()) {
@@ -109,7 +110,9 @@ std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, 
           element, [&](const auto& asked) { return zone_around(element, asked, ray.rayo, t, precision); });
       if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
     }
-  });
+  };
+  tree.along(
+      search.ray(), ray.en, [&] { return limit; }, add);
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "conform/ask/asked_elements.hpp"
+#include "conform/judge/scene_tree.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/equation.hpp"
@@ -23,24 +24,9 @@ struct Zone {
 
 /// The zones that shells prove, each around an exact crossing t > 0 of the ray. Elements that the ray first meets
 /// behind `limit` may be left out. Every zone holds an exact crossing between the ends of its element, also where the
-/// origin is taken to lie on the elements of `en`.
-std::vector<Zone> zones(const AskedElements& elements, const scene::Query& ray, const Precision& precision,
-                        double limit);
-
-/// The zone of all triangles of the scene, which bears the name of the first. They make one where they are a closed
-/// mesh around the origin: every edge belongs to two triangles with the very same vertices, or to an even number of
-/// them. The vertices that triangles share move together here, and the ray is one for all triangles: this is the claim
-/// of a watertight system.
-///
-/// The number of times that a point is inside a closed mesh, modulo 2, is the number of crossings of any ray from it
-/// that meets no edge; it changes nowhere but on the mesh. Let vertices and origin move to their places in straight
-/// lines: the mesh stays closed, each of its points moves by at most √3·δ and the origin by as much. An origin farther
-/// than 2√3·δ from every triangle never meets the mesh, and stays inside; 6δ is farther. Nothing far away is inside, so
-/// the ray meets the mesh, whatever its direction. There no coordinate of t·v is larger than twice the largest L of
-/// vertices and origin by more than 2δ, so M ≤ (2 + 2⁻⁴)·L where 32δ ≤ L. That point lies in the box of the mesh grown
-/// by δ; p is off by δ and t·v by as much, so that p + t·v lies in the box grown by 3δ. The ray leaves this box before
-/// it leaves the box grown by 4δ, where the zone ends.
-std::optional<Zone> zone_of_mesh(const scene::Scene& scene, const model::Rayo& rayo, const Precision& precision);
+/// origin is taken to lie on the elements of `en`. The tree is that of the elements' scene.
+std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, const scene::Query& ray,
+                        const Precision& precision, double limit);
 
 /// A lower bound, t ≥ 0, on every meeting of the element with the ray of any data within the allowance; nothing where
 /// no such ray meets it. The bound is the first t in the element's shell, and 0 where the allowance is no small part of

@@ -167,7 +167,8 @@ Words ray_words(const SuiteCase& of) {
 }
 
 std::string expected_answer(const Finding& finding, const Profile& profile) {
-  const ClaimContext trial(finding.of, 0, profile);
+  const SceneFacts facts(finding.of.the_case.scene, 1);
+  const ClaimContext trial(finding.of, 0, profile, facts);
   if (trial.truth.hit.resultado == model::Resultado::miss) return "miss";
   if (!trial.has_hit()) return "hit - 0";
   const auto name = trial.scene.name(trial.body(trial.truth.hit.elementos.front())).name();

@@ -92,9 +92,9 @@ FamilyTally& Tally::tally_of(const Family& family) {
 
 std::vector<ClaimJudgement> Tally::add(const SuiteCase& of, std::span<const Claim> claims, const Profile& profile) {
   FamilyTally& tally = tally_of(*of.family);
-  std::vector<ClaimJudgement> judgements;
+  const std::vector<ClaimJudgement> judgements = CaseJudge(of, profile).judge(claims);
   for (std::size_t ray = 0; ray < claims.size(); ++ray) {
-    const ClaimJudgement& is = judgements.emplace_back(judge(of, ray, claims[ray], profile));
+    const ClaimJudgement& is = judgements[ray];
     ++tally.counts[place(is.verdict)];
     if (is.verdict == Verdict::skipped) ++tally.clauses[is.clause];
     if (claims[ray].outcome == Claim::Outcome::hit && has_distance(is.verdict)) ++tally.ulps[ulp_bin(is.ulps)];

@@ -46,7 +46,7 @@ double faulty(std::size_t ray) {
 RunCases cases(std::size_t count, Number number) {
   RunCases made;
   made.count = count;
-  made.outside = [](const SuiteCase&, std::size_t) { return ""; };
+  made.outside = [](const SuiteCase& of) { return std::vector<std::string>(of.the_case.rays.size()); };
   made.make = [number](std::size_t place) {
     SuiteCase of;
     of.family = find_family("generic");
@@ -269,8 +269,11 @@ TEST_CASE("a system works in its own folder, where it has one") {
 
 TEST_CASE("a ray outside the profile is not asked") {
   RunCases of = cases(2, faulty);
-  of.outside = [](const SuiteCase& its_case, std::size_t ray) {
-    return its_case.the_case.rays[ray].rayo.p().x() >= 1000 ? "greatest_coordinate" : "";
+  of.outside = [](const SuiteCase& its_case) {
+    std::vector<std::string> clauses;
+    for (const scene::Query& ray : its_case.the_case.rays)
+      clauses.emplace_back(ray.rayo.p().x() >= 1000 ? "greatest_coordinate" : "");
+    return clauses;
   };
   const Result result = run("right", of);
   CHECK(result.end.deaths == 0);

@@ -28,9 +28,9 @@ struct AskOptions {
 struct RunCases {
   std::size_t count = 0;                             ///< the number of cases
   std::function<SuiteCase(std::size_t place)> make;  ///< the case at that place, from 0 to count − 1
-  /// The clause of the profile that excludes the ray, or nothing. An excluded ray is not asked, and the clause becomes
-  /// the reason of its unanswered claim.
-  std::function<std::string(const SuiteCase& of, std::size_t ray)> outside;
+  /// For each ray of the case, the clause of the profile that excludes it, or nothing. An excluded ray is not asked,
+  /// and the clause becomes the reason of its unanswered claim.
+  std::function<std::vector<std::string>(const SuiteCase& of)> outside;
 };
 
 /// The options of a run.

@@ -17,6 +17,11 @@
 /// and another hit, or a miss, is right where all nearer hits may be beyond a limit. A hit within the error of a limit
 /// is permitted on either side of it; a hit beyond a limit is right where it is right without the limits.
 
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "durero/conform/ask/claim.hpp"
 #include "durero/conform/ask/profile.hpp"
 #include "durero/conform/families/suite.hpp"
@@ -24,12 +29,36 @@
 
 namespace durero::conform {
 
-/// The judgement on the claim about ray number `ray` of the case. Preconditions: the case was answered, and has such a
-/// ray.
+/// The judge of one case for one profile. What concerns the scene alone it finds once, and a tree finds the elements of
+/// a scene that has many; its verdicts are those of judge(). Many threads may ask it.
+class CaseJudge {
+ public:
+  /// Case and profile must outlive it unchanged. Precondition: the case was answered.
+  CaseJudge(const SuiteCase& of, const Profile& profile);
+  ~CaseJudge();  ///< lets go of what it found
+  CaseJudge(const CaseJudge&) = delete;
+  CaseJudge& operator=(const CaseJudge&) = delete;
+
+  /// The judgement on the claim about ray number `ray`. Precondition: the case has such a ray.
+  ClaimJudgement judge(std::size_t ray, const Claim& claim) const;
+  /// The judgements on the claims about all rays, in order, by as many threads as the calling one may use.
+  /// Precondition: there is a claim for each ray.
+  std::vector<ClaimJudgement> judge(std::span<const Claim> claims) const;
+  /// The clause of the profile that excludes the ray, or an empty text where the ray is inside the profile. A ray
+  /// outside is not asked. Precondition: the case has such a ray.
+  std::string outside(std::size_t ray) const;
+  /// The same of all rays, in order.
+  std::vector<std::string> outside() const;
+
+ private:
+  class Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
+/// CaseJudge::judge() of a case that is asked for one ray.
 ClaimJudgement judge(const SuiteCase& of, std::size_t ray, const Claim& claim, const Profile& profile);
 
-/// The clause of the profile that excludes the ray, or an empty text where the ray is inside the profile. A ray outside
-/// is not asked. Preconditions: those of judge().
+/// CaseJudge::outside() of a case that is asked for one ray.
 std::string outside(const SuiteCase& of, std::size_t ray, const Profile& profile);
 
 }  // namespace durero::conform

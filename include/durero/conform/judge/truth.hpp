@@ -2,6 +2,8 @@
 /// The truth about a ray is its exact answer, with the other answers that a right program may give where data that are
 /// off by a rounding would change it.
 
+#include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,5 +43,28 @@ struct ExactAnswer {
 /// The exact answer and its permissible variants, from the certified steps of the tracer; surface::exact decides the
 /// elements that these steps leave open. Precondition: the ray is of the scene.
 ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray);
+
+class SceneTree;
+
+/// The truths about many rays of one scene. A tree finds the elements of a scene that has many; the answers do not
+/// depend on it. Many threads may ask.
+class SceneTruths {
+ public:
+  /// The scene must outlive it unedited. `rays` is about how many are asked.
+  SceneTruths(const scene::Scene& scene, std::size_t rays);
+  ~SceneTruths();  ///< lets go of the tree
+  SceneTruths(const SceneTruths&) = delete;
+  SceneTruths& operator=(const SceneTruths&) = delete;
+
+  /// truth(). Precondition: the ray is of the scene.
+  ExactAnswer of(const scene::Query& ray) const;
+
+ private:
+  std::unique_ptr<const SceneTree> tree_;
+};
+
+/// The truth() of each ray, in order, by as many threads as the calling one may use. Precondition: the rays are of the
+/// scene.
+std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays);
 
 }  // namespace durero::conform
