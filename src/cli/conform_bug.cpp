@@ -87,6 +87,7 @@ int run(const ConformBugOptions& options) {
   if (options.of.suite.seed != SuiteCall().seed) bug.call += fmt::format(" --seed {}", options.of.suite.seed);
   bug.least = least_finding(*failure, system.profile, ask);
   bug.variations = variations(bug.least.finding, system.profile, ask);
+  if (options.of.suite.faces != SuiteCall().faces) bug.call += fmt::format(" --faces {}", options.of.suite.faces);
   add_reproducer(bug, options);
   progress.reset();
   if (reproducer) {

@@ -65,9 +65,10 @@ struct Plan {
 
 /// The identity of a run: only a run with the same identity goes on with its claims.
 std::string identity(const System& system, const ConformRunOptions& options) {
-  return fmt::format("durero {} conform run {}, {}, --seed {} --rays {} --timeout {} --memory {} {}", DURERO_VERSION,
-                     system.name, system.title, options.suite.seed, options.suite.rays, options.time, options.memory,
-                     fmt::join(options.suite.families, " "));
+  return fmt::format("durero {} conform run {}, {}, --seed {} --rays {}{} --timeout {} --memory {} {}", DURERO_VERSION,
+                     system.name, system.title, options.suite.seed, options.suite.rays,
+                     options.suite.faces == usual_faces ? "" : fmt::format(" --faces {}", options.suite.faces),
+                     options.time, options.memory, fmt::join(options.suite.families, " "));
 }
 
 RunOptions run_options(const System& system, const ConformRunOptions& options) {

@@ -61,6 +61,12 @@ void add_seed(CLI::App& command, SuiteCall& call) {
       ->capture_default_str();
 }
 
+void add_faces(CLI::App& command, SuiteCall& call) {
+  command.add_option("--faces", call.faces, "About so many faces has a mesh, in the families of meshes")
+      ->check(whole_number(1, most_faces))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_rays(CLI::App& command, SuiteCall& call) {
@@ -71,6 +77,7 @@ void add_rays(CLI::App& command, SuiteCall& call) {
   command.add_option("--rays", call.rays, "How many rays of each family")
       ->check(whole_number(1, 100'000'000))
       ->capture_default_str();
+  add_faces(command, call);
 }
 
 void add_elements(CLI::App& command, SuiteCall& call) {
@@ -84,7 +91,7 @@ void add_elements(CLI::App& command, SuiteCall& call) {
 }
 
 SuiteOptions suite_of(const SuiteCall& call) {
-  SuiteOptions options{.seed = call.seed, .rays = call.rays};
+  SuiteOptions options{.seed = call.seed, .rays = call.rays, .faces = call.faces};
   for (const std::string& name : call.families) options.families.push_back(&family_of(name));
   for (const std::string& word : call.types) options.tipos.push_back(type_of(word));
   options.caps = call.solids ? Caps::solid : Caps::open;
@@ -101,8 +108,9 @@ SuiteOptions suite_of(const SuiteCall& call, const Profile& profile) {
 
 CLI::Option* add_ray(CLI::App& command, CaseCall& call) {
   auto* ray =
-      command.add_option("--ray", call.ray, "Which of its rays, from 0")->check(whole_number(0, rays_of_a_case - 1));
+      command.add_option("--ray", call.ray, "Which of its rays, from 0")->check(whole_number(0, rays_of_a_mesh - 1));
   add_seed(command, call.suite);
+  add_faces(command, call.suite);
   return ray;
 }
 
@@ -114,7 +122,7 @@ void add_case(CLI::App& command, CaseCall& call) {
 SuiteCase case_of(const CaseCall& call, SuiteOptions suite) {
   const auto [family_name, number] = parts_of(call.name);
   const Family& family = family_of(family_name);
-  suite.rays = (number + 1) * rays_of_a_case;
+  suite.rays = (number + 1) * rays_of(family);
   if (number >= cases(suite, family))
     throw std::runtime_error(fmt::format("no case {}; expected one of elements that the family has", call.name));
   SuiteCase of = suite_case(suite, family, number);

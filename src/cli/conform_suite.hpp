@@ -12,13 +12,13 @@ namespace durero::cli {
 struct SuiteCall {
   std::vector<std::string> families;
   std::uint64_t seed = 1;
-  std::size_t rays = conform::SuiteOptions().rays;
+  std::size_t rays = conform::SuiteOptions().rays, faces = conform::usual_faces;
   std::vector<std::string> types;
   bool solids = false;
   std::string numbers{word(conform::NumberFormat::binary32)};
 };
 
-/// Adds --family, --seed and --rays.
+/// Adds --family, --seed, --rays and --faces.
 void add_rays(CLI::App& command, SuiteCall& call);
 /// Adds --types, --solids and --numbers, which a system's profile gives for its own suite.
 void add_elements(CLI::App& command, SuiteCall& call);
@@ -35,9 +35,9 @@ struct CaseCall {
   std::size_t ray = 0;
 };
 
-/// Adds --ray, which is returned, and --seed.
+/// Adds --ray, which is returned, --seed and --faces.
 CLI::Option* add_ray(CLI::App& command, CaseCall& call);
-/// Adds --case and --ray, which must be given, and --seed.
+/// Adds --case and --ray, which must be given, --seed and --faces.
 void add_case(CLI::App& command, CaseCall& call);
 
 /// The answered case of a suite with those elements and numbers; it has the ray. Throws std::runtime_error where there

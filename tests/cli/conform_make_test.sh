@@ -10,9 +10,9 @@ for family in scale rotation parked vertex edge inside; do
   grep -q "^$family  " listed || fail "conform list: $family is not there"
 done
 run 0 conform list --json
-lines out 38
+lines out 49
 has out '"family":"tiny","kind":"sizes from 10⁻³ to 10⁻³⁰","reason":"celeritas#1897: absolute epsilons","parameter":{"name":"log2 of the scale","least":-106,"greatest":-17,"binary32":{"least":-106,"greatest":-17}}}'
-[ "$(grep -c '"family"' out)" = 36 ] || fail "conform list --json: not 36 families"
+[ "$(grep -c '"family"' out)" = 47 ] || fail "conform list --json: not 47 families"
 
 # The same bytes from the same options on any number of threads.
 run 0 conform make one --family rim --family tie --rays 25 --seed 5 --threads 1
@@ -53,6 +53,20 @@ run 0 conform make wide --numbers binary64 --family rotation --rays 64
 has wide/suite.json '"numbers":"binary64"'
 run 0 conform make narrow --family rotation --rays 64
 has narrow/suite.json '"numbers":"binary32"'
+
+# Meshes: of as many faces as are asked for, 256 rays each, with the exact answers of every engine.
+run 0 conform make meshes --family mesh_inside,stack --rays 300 --faces 200
+has meshes/suite.json '"faces":200'
+has meshes/stack/0001.scene.json '"mallas"'
+lines meshes/stack/0000.hits.jsonl 256
+lines meshes/stack/0001.hits.jsonl 44
+run 0 trace meshes/stack/0001.scene.json meshes/stack/0001.rays.txt --engine exact
+same out meshes/stack/0001.hits.jsonl
+run 0 conform make few --family stack --rays 16
+run 0 conform show --case stack/0001 --ray 255
+absent few/stack/0001.scene.json
+if grep -q faces few/suite.json; then fail 'the usual number of faces is told'; fi
+refused 'conform make: --faces 0: no whole number from 1 to 4000000' conform make new --faces 0
 
 # What is refused leaves nothing.
 mkdir full && echo kept >full/kept

@@ -30,10 +30,12 @@ enum CampaignKey : std::size_t {
   types,
   solids,
   numbers,
-  time
+  time,
+  faces
 };
-constexpr std::string_view keys[] = {"format",  "version",  "system", "seed",   "rays_of_a_shard", "shards",
-                                     "profile", "families", "types",  "solids", "numbers",         "time"};
+constexpr std::string_view keys[] = {"format",  "version", "system",   "seed",  "rays_of_a_shard",
+                                     "shards",  "profile", "families", "types", "solids",
+                                     "numbers", "time",    "faces"};
 constexpr std::size_t required = 6;
 
 /// The offsets of the values that are checked after all was read.
@@ -114,6 +116,9 @@ void read_member(Reader& in, CampaignKey key, Campaign& read, CampaignPlaces& pl
       return;
     case time:
       read.time = read_time(in);
+      return;
+    case faces:
+      read.faces = io::json::whole_number(in, what, 1, most_faces, "a number of faces");
   }
 }
 
@@ -160,7 +165,9 @@ std::string identity(const Campaign& campaign, const Profile& profile) {
   out.member("profile", campaign.profile).member("seed", campaign.seed);
   out.member("rays_of_a_shard", campaign.rays_of_a_shard);
   out.member("types", type_words(options.tipos)).member("caps", word(options.caps));
-  out.member("numbers", word(campaign.numbers)).member("time", campaign.time).key("families").begin_array();
+  out.member("numbers", word(campaign.numbers)).member("time", campaign.time);
+  if (campaign.faces != usual_faces) out.member("faces", campaign.faces);
+  out.key("families").begin_array();
   for (const Family* family : campaign.families) out.value(family->name);
   out.end_array();
   for (const ProfileLine& line : profile_lines(profile)) out.member(line.claim, line.value);
@@ -173,23 +180,24 @@ SuiteOptions suite_options(const Campaign& campaign, const Profile& profile) {
           .seed = campaign.seed,
           .tipos = campaign.tipos.value_or(profile.tipos),
           .caps = campaign.caps.value_or(profile.caps),
-          .numbers = campaign.numbers};
+          .numbers = campaign.numbers,
+          .faces = campaign.faces};
 }
 
 std::vector<CasePlace> cases_of_shard(const Campaign& campaign, const SuiteOptions& options, std::uint64_t shard) {
   std::vector<CasePlace> places;
   for (std::size_t i = 0; i < campaign.families.size(); ++i) {
     const Family& family = *campaign.families[i];
-    const std::uint64_t rays = share(campaign, i), blocks = (rays + rays_of_a_case - 1) / rays_of_a_case;
+    const std::uint64_t rays = share(campaign, i), of_case = rays_of(family), blocks = (rays + of_case - 1) / of_case;
     if (rays == 0 || cases(options, family) == 0) continue;
     for (std::uint64_t block = 0; block < blocks; ++block)
-      places.push_back({&family, shard * blocks + block, std::min(rays_of_a_case, rays - block * rays_of_a_case)});
+      places.push_back({&family, shard * blocks + block, std::min(of_case, rays - block * of_case)});
   }
   return places;
 }
 
 SuiteCase suite_case(SuiteOptions options, const CasePlace& place) {
-  options.rays = place.number * rays_of_a_case + place.rays;
+  options.rays = place.number * rays_of(*place.family) + place.rays;
   return suite_case(options, *place.family, place.number);
 }
 

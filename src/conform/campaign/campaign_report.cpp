@@ -110,28 +110,34 @@ std::string ulps_text(const std::vector<const ShardCounts*>& there) {
 
 /// A row of the bounds on failing rays; empty where no ray was judged or one failed.
 template <class Counts>
-std::string bound_row(std::string_view title, const Counts& of) {
+std::string bound_row(std::string_view title, const Counts& of, std::size_t of_scene) {
   const std::uint64_t judged = of.rays() - of.of(Verdict::skipped);
   if (judged == 0 || of.failures() > 0) return "";
   return fmt::format("{:<20}{:>15}{:>15.2g}{:>15.2g}\n", title, judged, failing_share(judged),
-                     failing_share_by_scenes(judged));
+                     failing_share_by_scenes(judged, of_scene));
 }
 
 std::string bounds_text(const Tally& tally) {
   std::string rows;
-  for (const FamilyTally& family : tally.families()) rows += bound_row(family.family->name, family);
-  rows += bound_row("all", tally);
+  std::size_t most = rays_of_a_case;
+  for (const FamilyTally& family : tally.families()) {
+    most = std::max(most, rays_of(*family.family));
+    rows += bound_row(family.family->name, family, rays_of(*family.family));
+  }
+  rows += bound_row("all", tally, most);
   if (rows.empty()) return rows;
+  const std::string of_meshes = most == rays_of_a_case ? "" : fmt::format(", {}/n with meshes,", 3 * most);
   return fmt::format(
-             "\n95 %: where none of n judged rays failed, at most 3/n of such rays do, and {}/n where rays of a "
+             "\n95 %: where none of n judged rays failed, at most 3/n of such rays do, and {}/n{} where rays of a "
              "scene fail together\n{:<20}{:>15}{:>15}{:>15}\n",
-             3 * rays_of_a_case, "family", "n", "3/n", fmt::format("{}/n", 3 * rays_of_a_case)) +
+             3 * rays_of_a_case, of_meshes, "family", "n", "3/n", fmt::format("{}/n", 3 * rays_of_a_case)) +
          rows;
 }
 
 /// The system's name, where `durero conform minimise` makes the campaign's cases: those of its profile.
 std::string asked_by_name(const Campaign& campaign, const System& system) {
-  const bool is_usual = !campaign.tipos && !campaign.caps && campaign.numbers == SuiteOptions().numbers;
+  const bool is_usual =
+      !campaign.tipos && !campaign.caps && campaign.numbers == SuiteOptions().numbers && campaign.faces == usual_faces;
   return is_usual && system.name == campaign.system ? system.name : "";
 }
 
@@ -164,8 +170,8 @@ std::vector<std::uint64_t> disputed(const Shards& shards) {
 }
 
 double failing_share(std::uint64_t judged) { return std::min(1.0, 3 / static_cast<double>(judged)); }
-double failing_share_by_scenes(std::uint64_t judged) {
-  return std::min(1.0, 3.0 * rays_of_a_case / static_cast<double>(judged));
+double failing_share_by_scenes(std::uint64_t judged, std::size_t of_scene) {
+  return std::min(1.0, 3.0 * static_cast<double>(of_scene) / static_cast<double>(judged));
 }
 
 std::string campaign_text(const Shards& shards, const Campaign& campaign, const std::string& identity,

@@ -21,9 +21,9 @@ namespace {
 /// The length in bytes up to which a clause is counted apart.
 constexpr std::size_t longest_clause = 200;
 
-/// The hash of a ray. A case has rays_of_a_case rays at most, so no two rays of a family have the same number here, and
+/// The hash of a ray. A case has rays_of_a_mesh rays at most, so no two rays of a family have the same number here, and
 /// scattered() is a bijection.
-std::uint64_t hash(const FailedRay& ray) { return scattered(ray.number * rays_of_a_case + ray.ray); }
+std::uint64_t hash(const FailedRay& ray) { return scattered(ray.number * rays_of_a_mesh + ray.ray); }
 
 /// Whether ray a is worse than b: farther from the surface, then easier to read, then earlier.
 bool is_worse(const FailedRay& a, const FailedRay& b) {

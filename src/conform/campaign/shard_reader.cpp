@@ -185,7 +185,7 @@ class ShardsReader {
           failed.number = io::json::whole_number(in_, "case");
           return;
         case ray:
-          failed.ray = read_below("ray", rays_of_a_case);
+          failed.ray = read_below("ray", rays_of_a_mesh);
           return;
         case elements:
           failed.elements = io::json::whole_number(in_, "elements");

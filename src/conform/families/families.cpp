@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "conform/families/family_table.hpp"
+#include "durero/conform/judge/truth.hpp"
 #include "durero/surface/exact.hpp"
 
 namespace durero::conform {
@@ -15,6 +16,19 @@ std::span<const Family> families() {
   }();
   return published;
 }
+
+namespace {
+
+std::size_t count_of_few() {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(family_table(), [](const FamilyRow& row) { return !row.is_of_meshes(); }));
+}
+
+}  // namespace
+
+std::span<const Family> families_of_few() { return families().first(count_of_few()); }
+std::span<const Family> families_of_meshes() { return families().subspan(count_of_few()); }
+bool is_of_meshes(const Family& family) { return row_of(family).is_of_meshes(); }
 
 const Family* find_family(std::string_view name) {
   const std::span<const Family> all = families();
@@ -42,11 +56,14 @@ Count& Count::operator+=(const Count& other) {
 }
 
 Count count(const Family& family, const Case& the_case) {
+  const Questions& questions = row_of(family).questions;
+  const SceneTruths truths(the_case.scene, the_case.rays.size());
   Count counted{.rays = the_case.rays.size()};
   for (const scene::Query& ray : the_case.rays) {
-    const Membership is = membership(family, the_case, ray);
-    counted.members += is.member;
-    counted.exact += is.member && is.exact;
+    const AnsweredQuery answered{the_case.scene, ray, truths.of(ray).hit};
+    const bool is_member = questions.is_member(answered);
+    counted.members += is_member;
+    counted.exact += is_member && questions.is_exact(answered);
   }
   return counted;
 }

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <span>
+#include <variant>
 
 #include "conform/families/members.hpp"
 #include "conform/families/recipes.hpp"
+#include "conform/families/recipes_mesh.hpp"
 #include "durero/conform/families/families.hpp"
 
 namespace durero::conform {
@@ -20,6 +22,12 @@ struct Floors {
 struct Recipe {
   recipes::FramedShapes (*scene)(Draws&, int parameter);
   DrawnRay (*ray)(Draws&, int parameter, recipes::ShapeSpan shapes);
+};
+
+/// The functions that make a mesh of about so many faces, and then each ray for it.
+struct MeshRecipe {
+  DrawnMesh (*mesh)(Draws&, int parameter, std::size_t faces);
+  DrawnRay (*ray)(Draws&, int parameter, const DrawnMesh& mesh);
 };
 
 /// The conditions that make a ray a member, and an exact one.
@@ -41,12 +49,14 @@ struct OfBinary32 {
 struct FamilyRow {
   Family family;
   Floors floors;
-  Recipe recipe;
+  std::variant<Recipe, MeshRecipe> recipe;
   Questions questions;
   OfBinary32 of_binary32{};
+
+  bool is_of_meshes() const { return std::holds_alternative<MeshRecipe>(recipe); }
 };
 
-/// Every family, in the order in which they are published.
+/// Every family, in the order in which they are published: the families of meshes are the last.
 std::span<const FamilyRow> family_table();
 
 /// The row of a family. Throws std::invalid_argument where the family is none of families().

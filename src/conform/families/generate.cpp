@@ -5,7 +5,9 @@
 
 #include "conform/families/family_table.hpp"
 #include "durero/conform/families/families.hpp"
+#include "durero/contract/contract.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/mesh_edit.hpp"
 
 namespace durero::conform {
 namespace {
@@ -140,14 +142,49 @@ void add_by_name(scene::Scene& scene, const FramedScene& framed) {
   for (const std::size_t i : order) scene.apply(framed.shapes[i].addition(model::Elemento(framed.names[i])));
 }
 
+/// The mesh in numbers of the format, without faces whose vertices these put on one line.
+scene::Mesh mesh_in_format(const Draws& random, const DrawnMesh& drawn) {
+  scene::Mesh mesh{.m = model::Elemento("m"), .caras = drawn.faces};
+  for (const glm::dvec3& point : drawn.points) mesh.puntos.push_back(random.rounded(point));
+  std::erase_if(mesh.caras, [&](const model::Cara& face) {
+    return !are_corners({mesh.puntos[face.i], mesh.puntos[face.j], mesh.puntos[face.k]});
+  });
+  return mesh;
+}
+
+/// Draws rays until there are so many; element(place) is that of a place of the recipe.
+template <class Draw, class Element>
+void draw_rays(const Draws& random, std::vector<scene::Query>& queries, std::size_t rays, Draw draw, Element element) {
+  while (queries.size() < rays) {
+    const DrawnRay ray = rounded(random, draw());
+    if (!is_ray(ray)) continue;
+    scene::Query& query = queries.emplace_back(scene::Query{{model::Punto(ray.p), model::Vector(ray.v)}, {}});
+    for (const std::size_t place : ray.on) query.en.push_back(element(place));
+    std::sort(query.en.begin(), query.en.end());
+  }
+}
+
+bool allows_meshes(const Draws& random) { return random.allows(model::Tipo::soy_triangulo); }
+
+std::optional<DrawnCase> generate_mesh(const MeshRecipe& recipe, Draws& random, DrawnCase drawn, std::size_t rays) {
+  if (!allows_meshes(random)) return std::nullopt;
+  const DrawnMesh mesh = recipe.mesh(random, drawn.parameter, random.options().faces);
+  drawn.the_case.scene.apply_total(scene::MeshAddition{mesh_in_format(random, mesh)});
+  const auto draw = [&] { return recipe.ray(random, drawn.parameter, mesh); };
+  draw_rays(random, drawn.the_case.rays, rays, draw, [](std::size_t) -> scene::ElementRef { contract::unreachable(); });
+  return drawn;
+}
+
 }  // namespace
 
 std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std::size_t rays,
                                   const CaseOptions& options) {
-  const Recipe& recipe = row_of(family).recipe;
+  const FamilyRow& row = row_of(family);
   const Range range = conform::parameter(family, options.numbers);
   Draws random(seed_of(family, seed), options);
   DrawnCase drawn{{}, random.integer(range.least, range.greatest)};
+  if (const auto* of_mesh = std::get_if<MeshRecipe>(&row.recipe)) return generate_mesh(*of_mesh, random, drawn, rays);
+  const Recipe& recipe = std::get<Recipe>(row.recipe);
   const std::optional<FramedScene> framed = drawn_scene(random, recipe, drawn.parameter);
   if (!framed) return std::nullopt;
   auto& [scene, queries] = drawn.the_case;
@@ -157,14 +194,13 @@ std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std:
     Solid& solid = drawn.solids.emplace_back(Solid{element(of.wall), {}});
     for (const std::size_t disc : of.discs) solid.discs.push_back(element(disc));
   }
-  while (queries.size() < rays) {
-    const DrawnRay ray = rounded(random, drawn_ray(random, recipe, drawn.parameter, *framed));
-    if (!is_ray(ray)) continue;
-    scene::Query& query = queries.emplace_back(scene::Query{{model::Punto(ray.p), model::Vector(ray.v)}, {}});
-    for (const std::size_t place : ray.on) query.en.push_back(element(place));
-    std::sort(query.en.begin(), query.en.end());
-  }
+  draw_rays(
+      random, queries, rays, [&] { return drawn_ray(random, recipe, drawn.parameter, *framed); }, element);
   return drawn;
+}
+
+bool has_scenes(const Family& family, std::uint64_t seed, const CaseOptions& options) {
+  return is_of_meshes(family) ? allows_meshes(Draws(seed, options)) : generate(family, seed, 0, options).has_value();
 }
 
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays) {

@@ -59,6 +59,10 @@ bool edge_of_sliver(const AnsweredQuery& q);   ///< meets one at its edge exactl
 bool nearly_coplanar(const AnsweredQuery& q);  ///< hits several at one point, or is nearly parallel to one
 bool coplanar(const AnsweredQuery& q);         ///< hits several at one point, or lies in their plane
 
+// These are the families of meshes (members_mesh.cpp).
+bool at_edges(const AnsweredQuery& q);       ///< meets an edge or a vertex, or several elements at one point
+bool starts_beside(const AnsweredQuery& q);  ///< starts in the box of a triangle, or by 1/8 of its edges beside it
+
 // The family of margins (members_margin.cpp) asks for the distance from a bound: from the limb of a sphere or the rim
 // of a disc in radii, from an end along the axis in alturas, from an edge of a triangle by barycentric coordinate;
 // where the ray meets nothing before.

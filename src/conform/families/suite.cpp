@@ -15,14 +15,14 @@ namespace {
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
 
 CaseOptions of_cases(const SuiteOptions& options) {
-  return {.numbers = options.numbers, .tipos = options.tipos, .caps = options.caps};
+  return {.numbers = options.numbers, .tipos = options.tipos, .caps = options.caps, .faces = options.faces};
 }
-
-std::size_t blocks(std::size_t rays) { return (rays + rays_of_a_case - 1) / rays_of_a_case; }
 
 }  // namespace
 
 std::string SuiteCase::name() const { return fmt::format("{}/{:04}", family->name, number); }
+
+std::size_t rays_of(const Family& family) { return is_of_meshes(family) ? rays_of_a_mesh : rays_of_a_case; }
 
 std::vector<const Family*> chosen_families(const SuiteOptions& options) {
   std::vector<const Family*> chosen;
@@ -34,12 +34,12 @@ std::vector<const Family*> chosen_families(const SuiteOptions& options) {
 }
 
 std::size_t cases(const SuiteOptions& options, const Family& family) {
-  const bool has_scenes = generate(family, seed_of_case(options.seed, 0), 0, of_cases(options)).has_value();
-  return has_scenes ? blocks(options.rays) : 0;
+  const bool has_any = has_scenes(family, seed_of_case(options.seed, 0), of_cases(options));
+  return has_any ? (options.rays + rays_of(family) - 1) / rays_of(family) : 0;
 }
 
 SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uint64_t number) {
-  const std::size_t rays = std::min(rays_of_a_case, options.rays - number * rays_of_a_case);
+  const std::size_t rays = std::min(rays_of(family), options.rays - number * rays_of(family));
   DrawnCase drawn = generate(family, seed_of_case(options.seed, number), rays, of_cases(options)).value();
   for (scene::Query& ray : drawn.the_case.rays) ray.en.clear();
   return {&family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids)};

@@ -38,14 +38,14 @@ const Family* read_family(Reader& in) {
 }
 
 SuiteOptions read_options(const io::Source& source) {
-  enum Key : std::size_t { format, version, seed, rays, numbers, caps, tipos, families };
-  constexpr std::array<std::string_view, 8> keys{"format",  "version", "seed",  "rays",
-                                                 "numbers", "caps",    "tipos", "families"};
+  enum Key : std::size_t { format, version, seed, rays, numbers, caps, tipos, families, faces };
+  constexpr std::array<std::string_view, 9> keys{"format", "version", "seed",     "rays", "numbers",
+                                                 "caps",   "tipos",   "families", "faces"};
   const io::json::Document document(source);
   Reader in(document);
   require_version(in, suite_format);
   SuiteOptions options;
-  in.object("a suite", keys, keys.size(), [&](std::size_t key) {
+  in.object("a suite", keys, faces, [&](std::size_t key) {
     switch (static_cast<Key>(key)) {
       case format:
       case version:  // read before all others
@@ -66,6 +66,9 @@ SuiteOptions read_options(const io::Source& source) {
         return read_tipos(in, "tipos", options.tipos);
       case families:
         return in.array("families", [&] { options.families.push_back(read_family(in)); });
+      case faces:
+        options.faces = io::json::whole_number(in, "faces", 1, most_faces, "a number of faces");
+        return;
     }
   });
   return options;
@@ -128,7 +131,7 @@ SuiteCase read_case(const std::string& directory, const SuiteOptions& options, c
   of.the_case.scene = io::read_scene(source(scene_ending));
   const io::Source rays = source(rays_ending);
   of.the_case.rays = io::read_rays(rays, of.the_case.scene);
-  const std::size_t expected = std::min(rays_of_a_case, options.rays - number * rays_of_a_case);
+  const std::size_t expected = std::min(rays_of(family), options.rays - number * rays_of(family));
   if (of.the_case.rays.size() != expected)
     rays.fail(rays.text().size(), fmt::format("{} rays", of.the_case.rays.size()),
               fmt::format("expected {}", expected));

@@ -107,7 +107,9 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
     const auto& asked = options.tipos;
     if (asked.empty() || std::find(asked.begin(), asked.end(), Shape::tipo) != asked.end()) out.value(Shape::word);
   });
-  out.end_array().new_line().key("families").begin_array();
+  out.end_array();
+  if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});
+  out.new_line().key("families").begin_array();
   for (const FamilySummary& of : families) write_summary(out, of, options.numbers);
   out.end_array().end_object();
   return text + '\n';

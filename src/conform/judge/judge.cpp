@@ -90,9 +90,7 @@ Elements elements_at(const ClaimContext& trial, const Claim& claim, const Claime
   Elements at;
   const NearBox near = near_box(trial, place);
   trial.any_named(claim, [&](ElementRef element) {
-    const bool is_beside = element.tipo == scene::Triangle::tipo &&
-                           !near.may_be_of(surface::box(trial.scene.shapes<scene::Triangle>()[element.index]));
-    if (!is_beside && may_be_of(trial, element, place)) at.push_back(element);
+    if (may_be_near(trial.scene, element, near) && may_be_of(trial, element, place)) at.push_back(element);
     return false;
   });
   return at;

@@ -137,6 +137,11 @@ NearBox near_box(const ClaimContext& trial, const ClaimedPoint& place) {
           bound_above(allowed.times(8))};
 }
 
+bool may_be_near(const scene::Scene& scene, scene::ElementRef element, const NearBox& near) {
+  return element.tipo != scene::Triangle::tipo ||
+         near.may_be_of(surface::box(scene.shapes<scene::Triangle>()[element.index]));
+}
+
 bool may_be_origin(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
   const Point<Dyadic> q = from(trial.ray.rayo.p().xyz(), place.punto);
   return dot(q, q) <= squared_deviation(trial, element, place);

@@ -80,6 +80,8 @@ std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim)
 bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
 /// The filter for triangles on which the place may lie.
 NearBox near_box(const ClaimContext& trial, const ClaimedPoint& place);
+/// Whether the element is no triangle, or one that the filter lets pass.
+bool may_be_near(const scene::Scene& scene, scene::ElementRef element, const NearBox& near);
 
 /// Whether the place may be the origin itself: it is within 4δ of p, with δ of the element.
 bool may_be_origin(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);

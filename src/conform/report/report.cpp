@@ -52,6 +52,8 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
   std::string text = fmt::format("--case {} --ray {}", finding.of.name(), finding.ray);
   const SuiteOptions usual;
   if (options.seed != usual.seed) text += fmt::format(" --seed {}", options.seed);
+  if (options.faces != usual.faces && is_of_meshes(*finding.of.family))
+    text += fmt::format(" --faces {}", options.faces);
   if (!options.tipos.empty() && options.tipos.size() < scene::shape_count)
     text += " --types " + type_words(options.tipos);
   if (options.caps == Caps::solid) text += " --solids";

@@ -17,7 +17,9 @@ void write_suite(Writer& out, const SuiteOptions& options) {
   out.key("suite").begin_object().member("version", suite_version).member("seed", options.seed);
   out.member("rays", std::uint64_t{options.rays});
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps));
-  out.member("tipos", type_words(options.tipos)).end_object();
+  out.member("tipos", type_words(options.tipos));
+  if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});
+  out.end_object();
 }
 
 void write_profile(Writer& out, const Profile& profile) {

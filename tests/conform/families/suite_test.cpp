@@ -116,7 +116,7 @@ TEST_CASE("solids are those of the scene") {
 
 TEST_CASE("a disc that closes a solid is of one solid alone, and lies at an end of it and across its axis") {
   std::size_t discs = 0, shared_places = 0;
-  for (const Family& family : families()) {
+  for (const Family& family : families_of_few()) {
     const SuiteOptions options{.rays = 512, .caps = Caps::solid};
     for (std::uint64_t number = 0; number < cases(options, family); ++number) {
       const SuiteCase of = suite_case(options, family, number);

@@ -36,6 +36,7 @@ struct Campaign {
   std::optional<Caps> caps{};                       ///< none: those of the profile
   NumberFormat numbers = NumberFormat::binary32;    ///< the format of scenes and rays, except discs that close solids
   double time = 10;                                 ///< seconds for each ray
+  std::size_t faces = usual_faces;                  ///< about so many faces has a mesh
 };
 
 /// The prefix of a system that is given as a program.
@@ -56,7 +57,7 @@ SuiteOptions suite_options(const Campaign& campaign, const Profile& profile);
 struct CasePlace {
   const Family* family = nullptr;  ///< one of the campaign's families
   std::uint64_t number = 0;        ///< its number among the cases of its family
-  std::size_t rays = 0;            ///< the number of its rays, rays_of_a_case at most
+  std::size_t rays = 0;            ///< the number of its rays, rays_of(family) at most
   bool operator==(const CasePlace&) const = default;
 };
 

@@ -24,9 +24,10 @@ std::vector<std::uint64_t> disputed(const Shards& shards);
 /// or more only where p ≤ 1 − 0.05^(1/n) = 1 − exp(−ln 20 / n) ≤ ln 20 / n < 3/n, as 1 − exp(−x) ≤ x and ln 20 < 3.
 double failing_share(std::uint64_t judged);
 /// A bound like failing_share() that holds however the rays of a scene depend on each other. `judged` rays come from
-/// judged/rays_of_a_case scenes at least, and the scenes are drawn one by one. A scene where one ray is judged shows no
-/// failure with probability 1 − p at most: that is, as if it had that ray alone. Precondition: judged > 0.
-double failing_share_by_scenes(std::uint64_t judged);
+/// judged/of_scene scenes at least, which have so many rays at most, and the scenes are drawn one by one. A scene where
+/// one ray is judged shows no failure with probability 1 − p at most: that is, as if it had that ray alone.
+/// Precondition: judged > 0.
+double failing_share_by_scenes(std::uint64_t judged, std::size_t of_scene = rays_of_a_case);
 
 /// The report in words: the shards that are there, missing or disputed; a row for each family and the worst rays, as
 /// report_text has them; and the bounds of the families without a failure.

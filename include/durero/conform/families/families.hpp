@@ -42,8 +42,14 @@ struct Family {
   Range parameter;          ///< drawn once for each scene
 };
 
-/// Every family, the generic one first.
+/// Every family, the generic one first: families_of_few(), then families_of_meshes().
 std::span<const Family> families();
+/// The families whose scenes have a few elements of any type.
+std::span<const Family> families_of_few();
+/// The families whose scenes are one mesh of many triangles.
+std::span<const Family> families_of_meshes();
+/// Whether the family is one of families_of_meshes().
+bool is_of_meshes(const Family& family);
 
 /// The family of that name; null where there is none.
 const Family* find_family(std::string_view name);
@@ -52,11 +58,17 @@ const Family* find_family(std::string_view name);
 /// family is none of families().
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays);
 
+/// The number of faces that a mesh has about, where nothing else is said.
+inline constexpr std::size_t usual_faces = 1000;
+/// The number of faces that may be asked for at most.
+inline constexpr std::size_t most_faces = 4'000'000;
+
 /// The options of generated cases.
 struct CaseOptions {
   NumberFormat numbers = NumberFormat::binary64;  ///< the format of scenes and rays, except discs that close solids
   std::vector<model::Tipo> tipos{};               ///< the types of elements; none: all
   Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
+  std::size_t faces = usual_faces;                ///< about so many faces has a mesh
 };
 
 /// A solid is an element together with the discs that close it: a system with solids knows them as one. The disc
@@ -81,6 +93,9 @@ struct DrawnCase {
 /// in three goes to the rims or across the discs of one, from outside or from inside.
 std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std::size_t rays,
                                   const CaseOptions& options);
+
+/// Whether generate() with that seed gives a case; of meshes it draws none to find out.
+bool has_scenes(const Family& family, std::uint64_t seed, const CaseOptions& options);
 
 /// The range of the family's parameter, narrower than family.parameter where that leaves the format.
 Range parameter(const Family& family, NumberFormat numbers);

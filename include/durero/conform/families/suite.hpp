@@ -20,11 +20,16 @@ struct SuiteOptions {
   std::vector<model::Tipo> tipos{};               ///< the types of elements; none: all
   Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
   NumberFormat numbers = NumberFormat::binary32;  ///< the format of scenes and rays, except discs that close solids
+  std::size_t faces = usual_faces;                ///< about so many faces has a mesh
 };
 
 /// The number of rays of a case, of which the last of a family may have fewer. It is small, for radii and poses differ
 /// between cases alone.
 inline constexpr std::size_t rays_of_a_case = 16;
+/// The number of rays of a case that is a mesh, whose many faces differ among themselves.
+inline constexpr std::size_t rays_of_a_mesh = 256;
+/// The number of rays of each case of the family but the last.
+std::size_t rays_of(const Family& family);
 
 /// A scene with its rays and its place in the suite, and the exact answers once answer() has found them.
 struct SuiteCase {

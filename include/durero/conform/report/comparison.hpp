@@ -27,6 +27,7 @@ struct Summary {
   std::uint64_t suite_version = 1;     ///< of the suite, 1 where the report says none
   std::uint64_t seed = 0, rays = 0;    ///< of the suite: reports that agree in these have the same rays
   std::string numbers;                 ///< the format of the suite, binary32 or binary64
+  std::uint64_t faces = usual_faces;   ///< about so many faces have its meshes
   VerdictCounts counts{};              ///< of the rays of all families
   std::vector<OfFamily> families;      ///< in the order of the report: those that fail first
 };
