@@ -93,8 +93,9 @@ Asker::Attempt Asker::attempt(const SuiteCase& of, std::span<const std::size_t> 
   last_scene_ = of.name();
   child_->tell(question_text(of, system_->profile.caps, rays));
   std::string line;
+  const Seconds to_build{0.01 * static_cast<double>(of.the_case.scene.size())};
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const Child::Event event = child_->next_line(options_.time, line);
+    const Child::Event event = child_->next_line(i == 0 ? options_.time + to_build : options_.time, line);
     if (event == Child::Event::line) {
       claims[rays[i]] = read_answer(line, of, system_->profile.caps);
       continue;

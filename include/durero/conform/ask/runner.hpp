@@ -17,7 +17,7 @@ namespace durero::conform {
 
 /// The resources of a system.
 struct AskOptions {
-  std::chrono::duration<double> time{10};            ///< the time for each ray
+  std::chrono::duration<double> time{10};  ///< for each ray; the first of a scene has 0.01 s more for each element
   std::chrono::duration<double> time_to_start{120};  ///< the time until it writes its name and version
   std::uint64_t memory = 0;                          ///< bytes; 0: without limit
   std::size_t hung_of_scene = 3;  ///< after so many hung rays of a scene its other rays are not asked
