@@ -8,6 +8,9 @@
 namespace durero::conform {
 namespace {
 
+/// The number of elements up to which each number of a draft is tried by itself.
+constexpr std::size_t few = 32;
+
 /// The search for a smaller failure: the smallest so far, and the condition that a smaller one must meet.
 class FailureMinimiser {
  public:
@@ -39,7 +42,21 @@ class FailureMinimiser {
   Finding best_;
 };
 
+/// Leaves out runs of elements that are not needed: halves of those that are there, then quarters, and so on.
+void leave_out_runs(FailureMinimiser& search) {
+  const auto left = [&] { return search.draft().elements.size(); };
+  for (std::size_t size = left() / 2; size > 1; size /= 2) {
+    for (std::size_t end = left(); end >= size && left() > size; end -= size) {
+      search.attempt([&](Draft& draft) {
+        const auto last = draft.elements.begin() + static_cast<std::ptrdiff_t>(end);
+        draft.elements.erase(last - static_cast<std::ptrdiff_t>(size), last);
+      });
+    }
+  }
+}
+
 void leave_out_elements(FailureMinimiser& search) {
+  if (search.draft().elements.size() > few) leave_out_runs(search);
   for (std::size_t i = search.draft().elements.size(); i-- > 0;) {
     if (search.draft().elements.size() == 1) return;
     search.attempt(
@@ -144,6 +161,7 @@ Finding minimised(const Finding& finding, const Profile& profile, const Ask& ask
   FailureMinimiser search(finding, profile, ask);
   leave_out_elements(search);
   move_home(search);
+  if (search.draft().elements.size() > few) return std::move(search).result();
   straighten_axes(search);
   for (int round = 0; round < most_rounds && round_numbers(search); ++round) leave_out_elements(search);
   return std::move(search).result();

@@ -126,8 +126,15 @@ std::string scene_svg(const JudgedCase& judged) {
   const scene::Scene& scene = judged.of.the_case.scene;
   const Viewport frame = frame_of(judged);
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\">\n", scene_width, scene_height);
-  scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
   const std::vector<ElementRef> shown = elements_shown(judged);
+  // Of a mesh, which would cover the page, only what the failing rays are about.
+  constexpr std::size_t most_drawn = 200;
+  if (scene.size() > most_drawn) {
+    for (const ElementRef e : std::span(shown).first(std::min(most_drawn, shown.size())))
+      svg += element_svg(frame, surface_of(scene, e));
+  } else {
+    scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
+  }
   const glm::dvec3 middle = surface_of(scene, shown.front()).center();
   for (const bool failing : {false, true}) {  // failing rays are drawn over the others
     for (std::size_t ray = 0; ray < judged.claims.size(); ++ray) {

@@ -71,3 +71,24 @@ TEST_CASE("a solid stays closed") {
   const auto disc = least.of.the_case.scene.shapes<scene::Disc>()[0];
   CHECK(disc.radio == least.of.the_case.scene.shapes<scene::Cylinder>()[0].radio);
 }
+
+TEST_CASE("a failure on one face of many is made small with fewer questions than elements") {
+  const Profile profile = test::profile_of_all();
+  const SuiteCase of = test::answered_case("terrain", 0, {.rays = 64, .faces = 300});
+  std::size_t ray = 0;
+  while (of.truths[ray].ambiguity != Ambiguity::none || of.truths[ray].hit.elementos.empty()) ++ray;
+  const std::string face = of.the_case.scene.name(of.truths[ray].hit.elementos[0]).name();
+  std::size_t asked_of_many = 0;
+  const Ask blind_to_face = [&](const SuiteCase& asked) {
+    asked_of_many += asked.the_case.scene.size() > 32;
+    const Claim right = test::right_claims(asked)[0];
+    const bool is_face = right.element && asked.the_case.scene.name(*right.element).name() == face;
+    return is_face ? Claim{Claim::Outcome::miss} : right;
+  };
+  const SuiteCase alone = with_ray_alone(of, ray);
+  const Claim claim = blind_to_face(alone);
+  const Finding least = minimised({alone, ray, claim, judge(alone, 0, claim, profile)}, profile, blind_to_face);
+  CHECK(least.judgement.verdict == Verdict::missed);
+  CHECK(least.of.the_case.scene.size() == 1);
+  CHECK(asked_of_many < 60);
+}
