@@ -1,0 +1,172 @@
+#pragma once
+/// Faults of tracers of triangles and of their trees, from reports of real ones and from what their authors fear: each
+/// is one branch of tree_tracer.hpp or triangle_meeting.hpp, and here has a name and a family that must see it.
+
+#include <string_view>
+#include <vector>
+
+namespace durero::test {
+
+enum class TreeFault {
+  none,
+  // the test of a box
+  box_nan_is_a_miss,
+  box_strict,
+  box_by_products_in_binary32,
+  box_unswapped,
+  box_swapped_by_less_than_zero,
+  box_inverse_of_zero_is_zero,
+  box_inverse_of_zero_is_large,
+  box_inverse_is_positive,
+  box_around_origin_is_a_miss,
+  box_pruned_by_its_exit,
+  box_entry_in_lengths,
+  box_in_binary16_to_nearest,
+  box_quantised_to_nearest,
+  box_shrunk_1e_6,
+  box_flat_is_empty,
+  box_of_centroids,
+  box_of_two_vertices,
+  box_without_the_last,
+  box_not_enlarged_for_the_right,
+  box_parallel_by_epsilon,
+  // the walk down the tree
+  stack_of_8,
+  stack_of_32,
+  stack_of_64,
+  depth_of_24,
+  near_child_alone,
+  left_child_by_direction_alone,
+  first_leaf_hit_ends_it,
+  far_child_first_ends_it,
+  limit_of_a_plane_hit,
+  last_child_skipped,
+  pruned_before_the_limit,
+  octant_of_the_first_ray,
+  last_hit_is_kept,
+  tested_for_the_ray_before,
+  // the building
+  centroid_on_the_split_is_lost,
+  leaf_of_one_is_empty,
+  leaf_of_8_at_most,
+  leaf_drops_its_last,
+  depth_of_12_then_first_four,
+  small_areas_dropped,
+  vertices_welded_1e_4,
+  vertices_welded_relatively,
+  duplicates_dropped_with_neighbours,
+  // names
+  number_in_the_leaves_order,
+  number_after_by_one,
+  number_in_8_bits,
+  // the test of a triangle
+  determinant_1e_6,
+  determinant_1e_12,
+  determinant_of_the_size,
+  determinant_sign_lost,
+  back_faces_culled,
+  front_faces_culled,
+  sum_beyond_one,
+  edges_outside_1e_3,
+  edges_inside_1e_5,
+  edges_inside_1e_12,
+  second_coordinate_for_the_first,
+  t_at_least_1e_3,
+  t_at_least_1e_5_of_the_scene,
+  t_a_little_behind,
+  t_at_most_1e_5,
+  t_as_a_length,
+  t_of_the_last_in_a_leaf,
+  plane_in_binary32,
+  vertices_from_the_middle_in_binary32,
+  matrix_in_binary32,
+  pluecker_in_binary32,
+  origin_on_it_is_no_hit,
+  nan_is_the_nearest,
+};
+
+struct TreeFaultRow {
+  TreeFault fault;
+  std::string_view name;
+  std::string_view seen_by;  ///< a family that must catch it
+  bool is_of_watertight =
+      false;  ///< it lets rays through between triangles alone, where a system claims that none gets
+};
+
+inline const std::vector<TreeFaultRow>& tree_faults() {
+  using enum TreeFault;
+  static const std::vector<TreeFaultRow> table{
+      {box_nan_is_a_miss, "0·∞ in the test of a box is a miss", "mesh_inside", true},
+      {box_strict, "entry < exit, strictly", "seams"},
+      {box_by_products_in_binary32, "slabs as low/v − p/v in binary32, without padding", "seams"},
+      {box_unswapped, "near and far not swapped for v < 0", "mesh_solid"},
+      {box_swapped_by_less_than_zero, "−0 taken for positive, with 1/−0", "box_faces"},
+      {box_inverse_of_zero_is_zero, "1/0 taken for 0", "box_faces"},
+      {box_inverse_of_zero_is_large, "1/0 taken for 1e8", "box_faces"},
+      {box_inverse_is_positive, "|1/v|", "mesh_solid"},
+      {box_around_origin_is_a_miss, "a box around the origin missed", "mesh_inside"},
+      {box_pruned_by_its_exit, "boxes that end behind the hit pruned", "long_boxes"},
+      {box_entry_in_lengths, "entry in t, limit in lengths", "long_boxes"},
+      {box_in_binary16_to_nearest, "boxes in binary16, to nearest", "mesh_surface"},
+      {box_quantised_to_nearest, "boxes quantised to nearest", "seams"},
+      {box_shrunk_1e_6, "boxes shrunk by 1e-6", "nested"},
+      {box_flat_is_empty, "a flat box taken for empty", "stack"},
+      {box_of_centroids, "boxes of centroids", "mesh_solid"},
+      {box_of_two_vertices, "boxes of two vertices", "mesh_solid"},
+      {box_without_the_last, "box without its last triangle", "mesh_solid"},
+      {box_not_enlarged_for_the_right, "box of the left child alone", "mesh_solid"},
+      {box_parallel_by_epsilon, "parallel to a slab by 1e-6, and missed", "needles"},
+      {stack_of_8, "a stack of 8", "long_boxes"},
+      {stack_of_32, "a stack of 32", "nested"},
+      {stack_of_64, "a stack of 64", "nested"},
+      {depth_of_24, "a walk of 24 levels", "nested"},
+      {near_child_alone, "a far child that overlaps the near one is left out", "long_boxes"},
+      {left_child_by_direction_alone, "one child by the sign of v, where boxes overlap", "long_boxes"},
+      {first_leaf_hit_ends_it, "any hit for the nearest", "stack"},
+      {far_child_first_ends_it, "the far child first, and its hit kept", "mesh_solid"},
+      {limit_of_a_plane_hit, "limit lowered by a plane hit beside its triangle", "scan"},
+      {last_child_skipped, "the last waiting child skipped", "long_boxes"},
+      {pruned_before_the_limit, "pruned by 1e-4 before the limit", "stack"},
+      {octant_of_the_first_ray, "octant of the first ray of four", "mesh_solid"},
+      {last_hit_is_kept, "the triangle of the ray before is kept where it is hit", "long_boxes"},
+      {tested_for_the_ray_before, "mailbox not cleared for each ray", "long_boxes"},
+      {centroid_on_the_split_is_lost, "a centroid on the split is lost", "stack"},
+      {leaf_of_one_is_empty, "a leaf of one taken for empty", "nested"},
+      {leaf_of_8_at_most, "equal centroids beyond 8 dropped", "stack"},
+      {leaf_drops_its_last, "each leaf drops its last", "mesh_solid"},
+      {depth_of_12_then_first_four, "at depth 12 the first four are kept", "nested"},
+      {small_areas_dropped, "areas below 1e-10 dropped", "mesh_inside"},
+      {vertices_welded_1e_4, "vertices welded by 1e-4", "mesh_inside"},
+      {vertices_welded_relatively, "vertices welded by 1e-5 of the scene", "nested"},
+      {duplicates_dropped_with_neighbours, "faces with the same first two vertices dropped", "box_faces"},
+      {number_in_the_leaves_order, "number in the order of leaves", "mesh_solid"},
+      {number_after_by_one, "number off by one in a leaf", "mesh_solid"},
+      {number_in_8_bits, "number cut to 8 bits", "mesh_solid"},
+      {determinant_1e_6, "|det| < 1e-6 a miss", "mesh_inside"},
+      {determinant_1e_12, "|det| < 1e-12 a miss", "mesh_inside"},
+      {determinant_of_the_size, "|det| below 1e-3 of its size a miss", "needles"},
+      {determinant_sign_lost, "u against |det|", "mesh_solid"},
+      {back_faces_culled, "back faces culled", "mesh_inside"},
+      {front_faces_culled, "front faces culled", "mesh_solid"},
+      {sum_beyond_one, "u + v up to 1.001", "stack"},
+      {edges_outside_1e_3, "u and v from −0.001", "stack"},
+      {edges_inside_1e_5, "u and v from 1e-5", "mesh_inside"},
+      {edges_inside_1e_12, "u and v from 1e-12", "mesh_inside", true},
+      {second_coordinate_for_the_first, "v tested twice, u never", "mesh_solid"},
+      {t_at_least_1e_3, "t at least 1e-3", "mesh_surface"},
+      {t_at_least_1e_5_of_the_scene, "t at least 1e-5 of the scene", "mesh_surface"},
+      {t_a_little_behind, "t from −1e-3 taken for a hit", "mesh_surface"},
+      {t_at_most_1e_5, "t at most 1e5", "nested"},
+      {t_as_a_length, "length for t", "mesh_solid"},
+      {t_of_the_last_in_a_leaf, "the last hit of a leaf", "stack"},
+      {plane_in_binary32, "plane n·a in binary32", "terrain"},
+      {vertices_from_the_middle_in_binary32, "vertices from the middle in binary32", "nested"},
+      {matrix_in_binary32, "matrix of a triangle in binary32", "needles"},
+      {pluecker_in_binary32, "Plücker coordinates in binary32", "mesh_solid"},
+      {origin_on_it_is_no_hit, "C = 0 by 1e-9 of the scene is no hit", "mesh_surface"},
+      {nan_is_the_nearest, "a NaN of a parallel triangle is the nearest", "terrain"},
+  };
+  return table;
+}
+
+}  // namespace durero::test
