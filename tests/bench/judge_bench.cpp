@@ -95,6 +95,53 @@ conform::Claim off(conform::Claim claim) {
   return claim;
 }
 
+/// A closed mesh of so many faces, with rays from inside in any direction, unanswered.
+conform::SuiteCase mesh_case(std::size_t faces, std::size_t rays) {
+  const conform::Family& family = *conform::find_family("mesh_solid");
+  conform::DrawnCase drawn =
+      *conform::generate(family, 1, 0, {.numbers = conform::NumberFormat::binary32, .faces = faces});
+  conform::Random random(1);
+  for (std::size_t i = 0; i < rays; ++i) {
+    const glm::dvec3 p(glm::vec3(0.25 * random.in_cube(1))), v(glm::vec3(random.direction()));
+    drawn.the_case.rays.emplace_back(scene::Query{{model::Punto(p), model::Vector(v)}, {}});
+  }
+  return {.family = &family, .the_case = std::move(drawn.the_case)};
+}
+
+/// Exact answers to the rays of a mesh, its tree among the work.
+void mesh_truths(benchmark::State& state) {
+  conform::SuiteCase of = mesh_case(static_cast<std::size_t>(state.range(0)), 100'000);
+  for (auto _ : state) conform::answer(of);
+  count_rays(state, of.the_case.rays.size() * state.iterations());
+}
+
+/// Claims on the rays of a mesh, right ones rounded to binary32, or misses of a system that claims to be watertight.
+void mesh_judged(benchmark::State& state, bool are_misses) {
+  conform::SuiteCase of = mesh_case(static_cast<std::size_t>(state.range(0)), 100'000);
+  conform::answer(of);
+  conform::Profile profile = test::wide_profile(conform::NumberFormat::binary32);
+  profile.watertight = true;
+  std::vector<conform::Claim> claims;
+  for (const conform::ExactAnswer& truth : of.truths) {
+    const bool is_miss = are_misses || truth.hit.resultado != model::Resultado::hit;
+    claims.push_back(is_miss ? conform::Claim{.outcome = conform::Claim::Outcome::miss}
+                             : conform::Claim{.outcome = conform::Claim::Outcome::hit,
+                                              .element = truth.hit.elementos[0],
+                                              .t = static_cast<double>(static_cast<float>(truth.hit.t))});
+  }
+  if (are_misses) {
+    claims.resize(1000), of.truths.resize(1000);
+    of.the_case.rays.erase(of.the_case.rays.begin() + 1000, of.the_case.rays.end());
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(conform::CaseJudge(of, profile).judge(claims));
+  count_rays(state, claims.size() * state.iterations());
+}
+void mesh_right(benchmark::State& state) { mesh_judged(state, false); }
+void mesh_missed(benchmark::State& state) { mesh_judged(state, true); }
+BENCHMARK(mesh_truths)->Arg(1000)->Arg(100'000);
+BENCHMARK(mesh_right)->Arg(1000)->Arg(100'000);
+BENCHMARK(mesh_missed)->Arg(5000)->Arg(100'000);
+
 void right_binary64(benchmark::State& state) { judge_all<double>(state, conform::NumberFormat::binary64, true, same); }
 void right_binary32(benchmark::State& state) { judge_all<float>(state, conform::NumberFormat::binary32, true, same); }
 void off_binary64(benchmark::State& state) { judge_all<double>(state, conform::NumberFormat::binary64, false, off); }
