@@ -1,4 +1,7 @@
 // The judge of a whole case: what it finds once for the scene changes no verdict.
+#include <cmath>
+#include <limits>
+
 #include "conform/judge/closed_mesh.hpp"
 #include "conform/judged.hpp"
 #include "conform/perturbed.hpp"
@@ -58,8 +61,40 @@ TEST_CASE("the verdicts on all rays of a mesh are those on each alone") {
     CHECK(seen[static_cast<std::size_t>(verdict)] > 0);
 }
 
+TEST_CASE("a place beside the boxes of faces is judged alike with a name and without one") {
+  const SuiteCase of = answered_case("box_faces", 0, {.rays = 128, .faces = 120});
+  Profile profile = profile_of_all();
+  profile.format = NumberFormat::binary32;
+  const CaseJudge judge_of(of, profile);
+  std::size_t hits = 0;
+  for (std::size_t ray = 0; ray < of.truths.size(); ++ray) {
+    Claim claim = right_claim(of.truths[ray]);
+    if (!claim.element) continue;
+    claim.punto.reset();
+    const double t = *claim.t;
+    for (const double ulps : {1.0, 3.0, 5.0, 7.0}) {
+      claim.t = t * (1 + std::ldexp(ulps, -24));
+      claim.element = right_claim(of.truths[ray]).element;
+      const Verdict named = judge_of.judge(ray, claim).verdict;
+      claim.element.reset();
+      const Verdict nameless = judge_of.judge(ray, claim).verdict;
+      INFO(of.name() << " ray " << ray << ": " << conform::name(named) << ", without a name "
+                     << conform::name(nameless));
+      CHECK(nameless == named);
+    }
+    ++hits;
+  }
+  CHECK(hits > 20);
+}
+
 TEST_CASE("claims on all rays are judged in order, and clauses are those of each ray") {
-  const SuiteCase of = answered_case("mesh_solid", 1, {.rays = 600});
+  SuiteCase of = answered_case("mesh_solid", 1, {.rays = 600});
+  const std::vector<scene::Query> rays = of.the_case.rays;
+  const std::vector<ExactAnswer> truths = of.truths;
+  for (int turn = 0; turn < 20; ++turn) {  // so many that they are judged in several blocks
+    of.the_case.rays.insert(of.the_case.rays.end(), rays.begin(), rays.end());
+    of.truths.insert(of.truths.end(), truths.begin(), truths.end());
+  }
   Claims claims = right_claims(of);
   claims[3] = {.outcome = Claim::Outcome::crashed};
   Profile profile = profile_of_all();
