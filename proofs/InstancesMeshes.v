@@ -134,12 +134,16 @@ Lemma the_tetrahedron_agrees : VolumeOfMesh.discordes tetrahedron ≡ ∅.
 Proof.
   intros [i j]. split; [| intros []]. intros [_ [m [n [D [W W']]]]]. exact (D (one_way_once _ _ _ _ W W')).
 Qed.
+Lemma the_tetrahedron_has_all_its_points : tetrahedron ∈ Completa.
+Proof.
+  intros c [n H] i Hi. apply dom_numbered. unfold below; cbn. unfold numbered in H; cbn in H.
+  destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];
+    destruct Hi as [[-> | ->] | ->]; cbn; lia.
+Qed.
 Lemma the_volume_is_a_sixth : VolumeOfMesh.volumen tetrahedron (1 / 6).
 Proof.
   apply VolumeOfMesh.volumen_is_total. split.
-  - intros c [n H] i Hi. apply dom_numbered. unfold below; cbn. unfold numbered in H; cbn in H.
-    destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];
-      destruct Hi as [[-> | ->] | ->]; cbn; lia.
+  - exact the_tetrahedron_has_all_its_points.
   - cbn. unfold VolumeOfMesh.det_of, VolumeOfMesh.det, Auditoria.determinante; cbn. lra.
 Qed.
 
@@ -151,10 +155,7 @@ Definition instance_of_a_closed_mesh_has_one_volume :=
     degenerate. *)
 Lemma the_tetrahedron_is_a_mesh : tetrahedron ∈ Malla.
 Proof.
-  split; intros c [n H]; unfold numbered in H; cbn in H.
-  - intros i Hi. apply dom_numbered. unfold below; cbn.
-    destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];
-      destruct Hi as [[-> | ->] | ->]; cbn; lia.
+  split; [exact the_tetrahedron_has_all_its_points |]. intros c [n H]; unfold numbered in H; cbn in H.
   - assert (T : forall i j k p q t, nth_error (puntos tetrahedron) i = Some p -> nth_error (puntos tetrahedron) j = Some q ->
       nth_error (puntos tetrahedron) k = Some t -> terna tetrahedron (mk_Cara i j k) (mk_Terna p q t)) by (intros; now split).
     destruct n as [| [| [| [| n]]]]; cbn in H; [injection H as <- .. | destruct n; discriminate];

@@ -68,13 +68,9 @@ Let C := dot E2 (cross T E1).
 Definition bc_fl : R := fl (fl (det_fl s - ca_fl s) - ab_fl s).
 
 Lemma edge1_near : near3 1 (edge1 abc) E1 (magnitudes E1).
-Proof.
-  destruct I as ((A1 & A2 & A3) & (B1 & B2 & B3) & _). (split; [| split]); cbn; apply near_difference; assumption.
-Qed.
+Proof. destruct I as (A & B & _). now apply edge_near. Qed.
 Lemma edge2_near : near3 1 (edge2 abc) E2 (magnitudes E2).
-Proof.
-  destruct I as ((A1 & A2 & A3) & _ & (C1 & C2 & C3) & _). (split; [| split]); cbn; apply near_difference; assumption.
-Qed.
+Proof. destruct I as (A & _ & B & _). now apply edge_near. Qed.
 Lemma way_near : near3 2 (way_of ray abc) T sizes.
 Proof. destruct I as ((A1 & A2 & A3) & _). (split; [| split]); cbn; apply near_way; assumption. Qed.
 Lemma direction_near : near3 1 (direction_fl v) v (magnitudes v).
@@ -85,10 +81,8 @@ Proof. unfold Q, sizes, total, extent, total, magnitudes, room, size_of_point. c
 Lemma ranges : 0 <= V <= G /\ 0 <= L1 <= G /\ 0 <= L2 <= G /\ tiny <= Q <= G.
 Proof.
   destruct I as (_ & _ & _ & _ & _ & _ & H1 & H2 & H3 & H4). fold a v E1 E2 T in H1, H2, H3, H4. rewrite Q_value.
-  assert (P : forall x, 0 <= extent x).
-  { intros x. unfold extent, total, magnitudes. cbn. pose proof (Rabs_pos (Vector_x x)). pose proof (Rabs_pos (Vector_y x)).
-    pose proof (Rabs_pos (Vector_z x)). lra. }
-  pose proof (P v). pose proof (P E1). pose proof (P E2). pose proof (P T).
+  pose proof (extent_positive v). pose proof (extent_positive E1). pose proof (extent_positive E2).
+  pose proof (extent_positive T).
   assert (0 <= 8 * u * size_of_point (Rayo_p ray)) by (pose proof (size_of_point_positive (Rayo_p ray)); rewrite u_value; lra).
   unfold V, L1, L2. repeat split; lra.
 Qed.
@@ -136,17 +130,9 @@ Qed.
 (** *** The bounds *)
 
 Lemma L1_low : (1 - 5 * u) * L1 <= extent_fl (edge1 abc).
-Proof.
-  destruct (extent_low (edge1 abc)) as [H _]; try (cbn; apply single_fl).
-  pose proof (near3_extent 1 _ _ _ ltac:(lia) edge1_near) as N. destruct ranges as (_ & R & _).
-  change (total (magnitudes E1)) with L1 in N. change (extent E1) with L1 in N. rewrite u_value in *. lra.
-Qed.
+Proof. destruct I as (A & B & _). now apply edge_low. Qed.
 Lemma L2_low : (1 - 5 * u) * L2 <= extent_fl (edge2 abc).
-Proof.
-  destruct (extent_low (edge2 abc)) as [H _]; try (cbn; apply single_fl).
-  pose proof (near3_extent 1 _ _ _ ltac:(lia) edge2_near) as N. destruct ranges as (_ & _ & R & _).
-  change (total (magnitudes E2)) with L2 in N. change (extent E2) with L2 in N. rewrite u_value in *. lra.
-Qed.
+Proof. destruct I as (A & _ & B & _). now apply edge_low. Qed.
 Lemma Q_low : (1 - 7 * u) * Q <= way_extent ray abc s.
 Proof.
   destruct K as (_ & _ & _ & _ & _ & _ & F & H & _). destruct ranges as (_ & _ & _ & R).

@@ -194,6 +194,11 @@ Proof.
   repeat split; [| rewrite U in *; lra | lra]. apply Rle_trans with (1 := A5). cbn. rewrite U in *. lra.
 Qed.
 
+Lemma extent_positive a : 0 <= extent a.
+Proof.
+  unfold extent, total, magnitudes. cbn. pose proof (Rabs_pos (Vector_x a)). pose proof (Rabs_pos (Vector_y a)).
+  pose proof (Rabs_pos (Vector_z a)). lra.
+Qed.
 Lemma extent_low a : single (Vector_x a) -> single (Vector_y a) -> single (Vector_z a) ->
   (1 - 2 * u) * extent a <= extent_fl a /\ 0 <= extent a.
 Proof.
@@ -232,4 +237,15 @@ Lemma size_of_point_positive p : 0 <= size_of_point p.
 Proof.
   unfold size_of_point. pose proof (Rabs_pos (Punto_x p)). pose proof (Rabs_pos (Punto_y p)). pose proof (Rabs_pos (Punto_z p)).
   lra.
+Qed.
+
+(** The edge between two points of binary32, and what its extent is computed to be. *)
+Lemma edge_near a b : single_point a -> single_point b -> near3 1 (from_fl a b) (from a b) (magnitudes (from a b)).
+Proof. intros (A1 & A2 & A3) (B1 & B2 & B3). (split; [| split]); cbn; apply near_difference; assumption. Qed.
+Lemma edge_low a b : single_point a -> single_point b -> (1 - 5 * u) * extent (from a b) <= extent_fl (from_fl a b).
+Proof.
+  intros A B. destruct (extent_low (from_fl a b)) as [H _]; try (cbn; apply single_fl).
+  pose proof (near3_extent 1 _ _ _ ltac:(lia) (edge_near a b A B)) as N.
+  pose proof (extent_positive (from a b)) as P.
+  change (total (magnitudes (from a b))) with (extent (from a b)) in N. rewrite u_value in *. lra.
 Qed.
