@@ -40,6 +40,9 @@ const glm::dvec3& centre(const Shape& shape) {
     return shape.vertices[0];
 }
 
+/// Whether the query's origin is named to lie on the element.
+bool is_on(const AnsweredQuery& q, scene::ElementRef e) { return scene::Origin(q.query.en).contains(e); }
+
 }  // namespace
 
 DyadicVector exact(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
@@ -69,6 +72,11 @@ bool ElementQuadratic::starts_between_ends() const {
   return !is_axial() || (number::sign(f.s0) >= 0 && f.s0 <= *f.altura);
 }
 
+ElementQuadratic quadratic(const AnsweredQuery& q, scene::ElementRef e) {
+  const auto of = [&](const auto& shape) { return surface::exact::coefficients(shape, q.query.rayo, is_on(q, e)); };
+  return {e, q.scene.visit(e, of), {}, {}};
+}
+
 ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e, bool on) {
   return q.scene.visit(e, [&]<class Shape>(const Shape& shape) {
     ElementQuadratic c{e, surface::exact::coefficients(shape, q.query.rayo, on), centre(shape), size(shape)};
@@ -79,9 +87,7 @@ ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e, bool on)
   });
 }
 
-ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e) {
-  return candidate(q, e, scene::Origin(q.query.en).contains(e));
-}
+ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e) { return candidate(q, e, is_on(q, e)); }
 
 bool is_inside(const ElementQuadratic& c) { return !c.is_flat() && number::sign(c.f.C) < 0 && c.starts_between_ends(); }
 

@@ -50,6 +50,8 @@ struct ElementQuadratic {
   bool starts_between_ends() const;
 };
 
+/// The element and its coefficients alone; C = 0 where the query's origin is named to lie on it.
+ElementQuadratic quadratic(const AnsweredQuery& q, scene::ElementRef e);
 /// The candidate of an element; C = 0 where the ray starts `on` it.
 ElementQuadratic candidate(const AnsweredQuery& q, scene::ElementRef e, bool on);
 /// The candidate of an element; C = 0 where the query's origin is named to lie on it.

@@ -74,24 +74,15 @@ class Sight {
   /// The exact places, ascending, on the elements that are not excluded.
   std::vector<ElementMeeting> places() {
     std::vector<ElementMeeting> all;
-    for (const scene::ElementRef e : unclear_) add_places(all, quadratic(e));
+    for (const scene::ElementRef e : unclear_) add_places(all, quadratic(query_, e));
     limit_ = std::min(limit_, limit_by(all));
     leave_out_beyond_limit();
-    for (const auto& [e, at] : met_) add_places(all, quadratic(e));
+    for (const auto& [e, at] : met_) add_places(all, quadratic(query_, e));
     std::sort(all.begin(), all.end(), earlier);
     return all;
   }
 
  private:
-  /// The query's quadratic on an element, without the sizes that only families ask for.
-  ElementQuadratic quadratic(scene::ElementRef e) const {
-    const bool is_start = scene::Origin(query_.query.en).contains(e);
-    return {e,
-            query_.scene.visit(
-                e, [&](const auto& shape) { return surface::exact::coefficients(shape, query_.query.rayo, is_start); }),
-            {},
-            {}};
-  }
   void look_at(scene::ElementRef e) {
     std::optional<trace::Meeting> met = search_.certified_meeting(e, limit_);
     if (!met) return unclear_.push_back(e);
