@@ -25,7 +25,7 @@
 namespace durero::cli {
 namespace {
 
-/// The points of statistical sampling that names no number.
+/// The greatest number of points of a pixel that takes as many as it needs, where the call names none.
 constexpr std::uint32_t most_samples = 1024;
 
 std::string check_crop(const std::string& text) {
@@ -198,7 +198,7 @@ void check_together(const RenderOptions& options) {
   refuse(
       in_squares && side != std::floor(side),
       fmt::format("--samples {}: no square number; expected 1, 4, 9, … or --sampling statistical", *options.samples));
-  refuse((options.is_statistical() || options.is_allotted()) && *options.samples < render::least_samples,
+  refuse(options.is_as_needed() && *options.samples < render::least_samples,
          fmt::format("--samples {}: too few to tell anything; expected {} or more with --sampling {}", *options.samples,
                      render::least_samples, options.sampling));
 }
@@ -213,7 +213,7 @@ render::RenderSettings frame_of(const RenderOptions& options) {
   frame.integrator = value_of_name<render::Integrator>(render::integrator_names, options.integrator);
   frame.shadows = value_of_name<render::ShadowRule>(render::shadow_rule_names, options.shadows);
   frame.samples.sampling = sampling_of(options);
-  frame.samples.most = options.samples.value_or(options.is_statistical() || options.is_allotted() ? most_samples : 1);
+  frame.samples.most = options.samples.value_or(options.is_as_needed() ? most_samples : 1);
   frame.samples.seed = options.seed.value_or(0);
   frame.samples.width = options.width.value_or(frame.samples.width);
   frame.samples.confidence = options.confidence.value_or(frame.samples.confidence);

@@ -30,6 +30,7 @@ struct RenderOptions {
   bool is_exr() const { return io::ends_in(out, ".exr"); }
   bool is_statistical() const { return sampling == "statistical"; }
   bool is_allotted() const { return sampling == "allotted"; }
+  bool is_as_needed() const { return is_statistical() || is_allotted(); }
 };
 
 /// The option --size of a command that draws.
