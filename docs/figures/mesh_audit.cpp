@@ -1,6 +1,6 @@
-// What CGAL finds of triangles (OFF) that are a mesh to it, with no multiple edge and of one mind about their outside:
-// whether two have more in common than they share, and the volume where they are closed. mesh_audit.py compiles and
-// asks it; it is no part of the program.
+// The answers of CGAL about triangles (OFF) that are a mesh to it, with no multiple edge and of one mind about their
+// outside: whether two have more in common than they share, and the volume where they are closed. mesh_audit.py
+// compiles and asks it; it is no part of the program.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

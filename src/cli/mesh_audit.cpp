@@ -26,7 +26,7 @@ io::Imported imported(const std::string& path) {
 
 }  // namespace
 
-// What the reader leaves out, such as triangles without area, it says itself.
+// The reader itself says what it leaves out, such as triangles without area.
 int audit_mesh(const AuditCall& call) {
   std::optional<io::OutputFile> picture;
   if (!call.picture.empty()) {

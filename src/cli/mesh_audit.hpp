@@ -6,7 +6,7 @@
 
 namespace durero::cli {
 
-/// What the call says of an audit.
+/// The options of an audit.
 struct AuditCall {
   std::string scene;            ///< the file: a scene, or a mesh by its name
   std::string format = "text";  ///< of the answer: `text`, `json` or `sarif`

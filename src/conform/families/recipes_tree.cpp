@@ -22,7 +22,7 @@ void add_cube(Draws& random, DrawnMesh& mesh, const glm::dvec3& corner) {
   for (const auto& [a, b, c, d] : sides) mesh.add_quad(at[a], at[b], at[c], at[d], random.chance(1, 2));
 }
 
-/// The same vertices in any order: a sign of the normal and a first vertex.
+/// Vertices of a triangle in another order: a sign of the normal and a first vertex are drawn.
 scene::Corners turned(Draws& random, const scene::Corners& of) {
   const std::size_t first = random.below(3);
   const bool is_back = random.chance(1, 2);

@@ -11,8 +11,8 @@
 
 namespace durero::conform {
 
-/// What all rays ask of a closed mesh. The vertices that triangles share move together here, and the ray is one for all
-/// triangles: this is the claim of a watertight system.
+/// Facts about a closed mesh that all rays ask for. The vertices that triangles share move together here, and the ray
+/// is one for all triangles: this is the claim of a watertight system.
 struct ClosedMesh {
   const SceneTree* tree;  ///< of the scene
   surface::Box box;       ///< around all vertices

@@ -157,7 +157,7 @@ void BodyReader::require_few(const json::Reader& in) {
       if (parts_count(kept) > most_bodies) fail_too_many(in, kept.name.offset);
 }
 
-// What is too deep, or made of itself, counts as one part: it is refused when it is made.
+// An element that is too deep, or made of itself, counts as one part: it is refused when it is made.
 std::size_t BodyReader::parts_count(const Kept& kept) {
   const auto [known, is_new] = counts_.emplace(&kept, 1);
   if (!is_new || depth_ == most_within) return known->second;

@@ -24,7 +24,8 @@ std::uint32_t allotted_points(const glm::dvec3& mean, const glm::dvec3& variance
 /// `most` together, and see what `most` points of a pixel would as a rule see.
 std::uint32_t first_points(std::uint32_t most);
 
-/// What is added to a mean before it divides: in the dark, where it is small, the eye tells no finer shades.
+/// The term that is added to a mean before it divides: in the dark, where the mean is small, the eye tells no finer
+/// shades.
 inline constexpr double darkest_shade = 0.01;
 
 /// The distance of the farthest pixels, along a row and along a column, whose first points count for a pixel.

@@ -34,7 +34,7 @@ PlainCorners<N> plain(const scene::Corners& vertices) {
   return {glm::vec<3, N>(vertices[0]), glm::vec<3, N>(vertices[1]), glm::vec<3, N>(vertices[2])};
 }
 
-/// What Möller and Trumbore's test computes, before it decides.
+/// The numbers that Möller and Trumbore's test computes before it decides.
 template <class N>
 struct Barycentric {
   N det, u, v, t;  ///< u, v and t are quotients
@@ -163,7 +163,7 @@ inline std::optional<double> right_meeting(TriangleStyle style, TriangleNumbers 
   return number::round_quotient(met->over, met->under);
 }
 
-/// Where a scene lies, for the faults that look at all of it.
+/// The place and size of a scene, for the faults that look at all of it.
 struct SceneExtent {
   glm::dvec3 middle{};
   double size = 1;

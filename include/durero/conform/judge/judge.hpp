@@ -47,7 +47,7 @@ class CaseJudge {
   /// The clause of the profile that excludes the ray, or an empty text where the ray is inside the profile. A ray
   /// outside is not asked. Precondition: the case has such a ray.
   std::string outside(std::size_t ray) const;
-  /// The same of all rays, in order.
+  /// The clause of each ray, in order.
   std::vector<std::string> outside() const;
 
  private:
