@@ -224,7 +224,8 @@ HWY_INLINE hn::Mask<WideTag> rounded_lanes(SingleRays& rays, std::size_t at) {
     hn::Store(hn::DemoteTo(half, hn::Sub(p, hn::PromoteTo(tag, nearest))), half, &rays.rest[axis][at]);
     hn::Store(hn::DemoteTo(half, v), half, &rays.v[axis][at]);
     p_size = hn::Add(p_size, hn::Abs(p)), v_size = hn::Add(v_size, hn::Abs(v));
-    good = hn::And(good, hn::Ge(hn::Abs(v), hn::Set(tag, 1 / SingleRays::range)));
+    const auto still = hn::Eq(v, hn::Zero(tag));
+    good = hn::And(good, hn::Or(still, hn::Ge(hn::Abs(v), hn::Set(tag, 1 / SingleRays::range))));
   }
   hn::Store(hn::DemoteTo(half, hn::Mul(v_size, hn::Set(tag, 12.0 * u))), half, &rays.rate[at]);
   hn::Store(hn::DemoteTo(half, hn::MulAdd(p_size, hn::Set(tag, 8.0 * u), hn::Set(tag, double{tiny}))), half,

@@ -25,8 +25,8 @@ struct SingleRays {
   using Names = std::array<std::uint32_t, size>;  ///< a name of each ray
 
   /// The greatest magnitude of coordinates, of rays and triangles, and of components of directions; the least magnitude
-  /// of the latter is its inverse. Within this range nothing overflows in binary32, and the bounds allow for what
-  /// underflows.
+  /// of the latter, but for 0, is its inverse. Within this range nothing overflows in binary32, and the bounds allow
+  /// for what underflows.
   static constexpr double range = 0x1p30;
   /// The name of no triangle.
   static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -101,7 +101,7 @@ bool has_single_blocks(const Source& source) {
   }
 }
 
-/// Whether the test in binary32 serves a ray: its numbers are within range, where components of the direction may be 0.
+/// Whether the test in binary32 serves a ray: its numbers are within range.
 bool in_single_range(const Ray& ray);
 
 /// The triangles of a block that a ray may meet at 0 < t ≤ limit, a bit each; the test in binary32 proves that it

@@ -9,8 +9,15 @@
 /// sooner; the limit is rounded up; and a ray that has a point in the box at 0 < t ≤ limit has its entry not after its
 /// exit.
 ///
+/// A component 0. The ray keeps its coordinate p on that axis, and i has no value. î is 2⁹⁶ there, which overflows in
+/// no product, and E gets 2⁶² more. A ray with a point in the box has p between the planes: its near crossing is
+/// computed below 0, and its far one beyond 2⁶¹, the greatest t in range, as no two points differ by more than 2³¹ on
+/// an axis, and some component of v is 2⁻³⁰ or more.
+///
 /// A bundle. The bounds of p and of î·(1 ± 4u) are rounded outwards. The test is that of `met` of wide_node.hpp, whose
 /// two roundings are monotonic. `grow` pays for them, as 16u is more than the 5u by which an entry and an exit differ.
+/// Where a component is 0, p is 2⁻³⁴ wider, which times 2⁹⁶ is 2⁶². Of segments that are turned round, the ends are 4u
+/// of that wider, which times 2⁹⁶ is 2⁴⁰; the greatest t is 1 there.
 
 #if defined(DURERO_ACCEL_WIDE_MESH_BUNDLE_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_ACCEL_WIDE_MESH_BUNDLE_INL_HPP_
@@ -21,6 +28,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -38,6 +46,8 @@ using BoxTag = hn::CappedTag<float, WideNode::width>;
 using BoxLanes = hn::Vec<BoxTag>;
 
 constexpr float u32 = 0x1p-24F, tiny32 = 0x1p-100F, grow32 = 1 + 16 * u32;
+constexpr float still_v = 0x1p-96F, still_width = 0x1p-34F, still_E = still_width / still_v;  // of components 0
+constexpr float least_v = 0x1p-31F;  // less than the magnitude of any other component, rounded outwards
 
 HWY_INLINE BoxLanes in_all(float x) { return hn::Set(BoxTag(), x); }
 HWY_INLINE unsigned box_bits(hn::Mask<BoxTag> mask) {
@@ -52,6 +62,17 @@ struct MeshBundle {
   std::array<Range32, 3> p, v, inverse;
 };
 
+/// The components of directions whose inverses are taken, and whether they are 0 as stored.
+struct BoxDirections {
+  BoxLanes v;
+  hn::Mask<BoxTag> still;
+};
+HWY_INLINE BoxDirections directions_at(const trace::SingleRays::Column& column, std::size_t at) {
+  const BoxLanes v = hn::Load(BoxTag(), &column[at]);
+  const auto still = hn::Eq(v, hn::Zero(BoxTag()));
+  return {hn::IfThenElse(still, in_all(still_v), v), still};
+}
+
 /// The box columns of the rays, by axis.
 struct BoxColumns {
   alignas(64) trace::SingleRays::Columns inverse, near, far;
@@ -64,10 +85,12 @@ HWY_INLINE void set_columns(const MeshTree& tree, const MeshBundle& bundle, cons
     const BoxLanes M = in_all(tree.all[axis].size());
     for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
       const BoxLanes p = hn::Load(tag, &rays.p[axis][at]);
-      const BoxLanes inverse = hn::Div(in_all(1), hn::Load(tag, &rays.v[axis][at]));
+      const BoxDirections directions = directions_at(rays.v[axis], at);
+      const BoxLanes inverse = hn::Div(in_all(1), directions.v);
       const BoxLanes c = hn::Mul(p, inverse);
       const BoxLanes reach = hn::Mul(hn::Add(M, hn::Abs(p)), hn::Abs(inverse));
-      const BoxLanes E = hn::MulAdd(reach, in_all(16 * u32), in_all(tiny32));
+      const BoxLanes least = hn::IfThenElse(directions.still, in_all(still_E), in_all(tiny32));
+      const BoxLanes E = hn::MulAdd(reach, in_all(16 * u32), least);
       hn::Store(inverse, tag, &columns.inverse[axis][at]);
       hn::Store(hn::Add(c, E), tag, &columns.near[axis][at]);
       hn::Store(hn::Sub(c, E), tag, &columns.far[axis][at]);
@@ -90,6 +113,11 @@ struct LaneRange {
   BoxLanes low, high;
 };
 
+/// The room around origins of rays with these components on an axis.
+HWY_INLINE float room_of(const Range32& v) {
+  return std::min(std::abs(v.low), std::abs(v.high)) < least_v ? still_width : 0;
+}
+
 /// Bounds the rays at some places. False where the signs of their directions differ.
 HWY_INLINE bool bounded(const trace::SingleRays& rays, MeshBundle& bundle) {
   const BoxTag tag;
@@ -97,9 +125,9 @@ HWY_INLINE bool bounded(const trace::SingleRays& rays, MeshBundle& bundle) {
     LaneRange p, v;
     for (std::size_t at = bundle.begin; at < bundle.end; at += hn::Lanes(tag)) {
       p.join(hn::Load(tag, &rays.p[axis][at]));
-      v.join(hn::Load(tag, &rays.v[axis][at]));
+      v.join(directions_at(rays.v[axis], at).v);
     }
-    bundle.p[axis] = p.wider(0), bundle.v[axis] = v.wider(0);
+    bundle.v[axis] = v.wider(0), bundle.p[axis] = p.wider(room_of(bundle.v[axis]));
     if (!(bundle.v[axis].low > 0 || bundle.v[axis].high < 0)) return false;
   }
   return true;

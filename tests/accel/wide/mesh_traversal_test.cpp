@@ -44,6 +44,33 @@ std::vector<scene::Query> camera(const glm::dvec3& eye, const glm::dvec3& at, do
   return queries;
 }
 
+/// The point with coordinates 0, a and b on the axis along v and on the next two.
+glm::dvec3 across(const glm::dvec3& v, double a, double b) {
+  return v.x != 0 ? glm::dvec3(0, a, b) : v.y != 0 ? glm::dvec3(b, 0, a) : glm::dvec3(a, b, 0);
+}
+
+/// Three square sheets of 2n² triangles, across the axes through the origin, with vertices at multiples of −size/16.
+scene::Scene corner(int n, double size) {
+  scene::Scene scene;
+  for (const glm::dvec3& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const auto vertex = [&](int k, int l) { return across(axis, -size * (i + k) / 16, -size * (j + l) / 16); };
+        add(scene, scene::Triangle{{vertex(0, 0), vertex(1, 0), vertex(0, 1)}});
+        add(scene, scene::Triangle{{vertex(1, 0), vertex(1, 1), vertex(0, 1)}});
+      }
+  return scene;
+}
+
+/// The same places as parallel rays, of a sheet of that size.
+std::vector<scene::Query> along(std::vector<scene::Query> queries, double size, const glm::dvec3& v) {
+  for (scene::Query& query : queries) {
+    const glm::dvec3 at = query.rayo.p().xyz() + query.rayo.v().xyz();  // in the square
+    query = {ray(size * (glm::dvec3(at.x, at.y, 0) - (2 / v.z) * v), v)};
+  }
+  return queries;
+}
+
 /// Rays at the vertices and the edges' middles of the triangles, each four in a row beside each other.
 std::vector<scene::Query> at_vertices(const scene::Scene& scene, const glm::dvec3& eye) {
   std::vector<scene::Query> queries;
@@ -128,6 +155,47 @@ TEST_CASE("rays of one direction, of mixed signs, along the axes and out of rang
   for (int i = 0; i < 256; ++i) queries.push_back({ray({0.001 * i, 0.4, -1}, {0.1, 0.05, 1})});
   check_each_alone(tree, queries);
   CHECK(answered(tree, queries, SingleSearch::nearest) > 0.2);
+}
+
+TEST_CASE("rays along the axes walk in bundles") {
+  for (const double zero : {0.0, -0.0})
+    for (const double size : {1.0, 0x1p-12, 0x1p24}) {
+      CAPTURE(zero, size);
+      const scene::Scene scene = sheet(24, size, {0, 0, 0});
+      const WideBvh tree(scene);
+      const auto from = [&](const glm::dvec3& v) { return along(camera({0.4, 0.6, -1.7}, {0, 0, 0}, 1, 64), size, v); };
+      for (const std::vector<scene::Query>& rays :
+           {from({zero, zero, 1}), from({0.125, zero, 1}), from({zero, -0x1p-30, 0x1p-28})}) {
+        check_each_alone(tree, rays);
+        CHECK(answered(tree, rays, SingleSearch::nearest) > 0.85);
+      }
+    }
+}
+
+TEST_CASE("bundles along an axis lose no hit on the faces of boxes, with or without width, however far") {
+  struct Asked {
+    double size, far;
+    glm::dvec3 v;
+  };
+  for (const auto& [size, far, v] : {Asked{1, 4, {0, 0, 1}}, Asked{1, 4, {0, -1, -0.0}}, Asked{1, 4, {1, 0, 0}},
+                                     Asked{0x1p-12, 0x1p28, {-0.0, 0, -0x1p-30}},
+                                     Asked{0x1p-40, 0x1p28, {0, 0x1p-30, 0}}, Asked{0x1p28, 0x1p29, {0x1p-30, 0, 0}}}) {
+    CAPTURE(size, v.x, v.y, v.z);
+    const scene::Scene scene = corner(20, size);
+    const WideBvh tree(scene);
+    REQUIRE(tree.bundles());
+    std::vector<scene::Query> rays;
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j)
+        rays.insert(rays.end(), 8, {ray(across(v, -size * i / 16, -size * j / 16) - far * glm::sign(v), v)});
+    check_each_alone(tree, rays);
+    std::vector<scene::Query> segments;  // towards a light, along a sheet
+    for (int i = 0; i < 256; ++i) {
+      const glm::dvec3 p = across(v, 0, -size * i / 256) - size * glm::sign(v);
+      segments.push_back({ray(p, across(v, 0, -size / 2) + size / 8 * glm::sign(v) - p)});
+    }
+    check_each_alone(tree, segments);
+  }
 }
 
 TEST_CASE("rays along the plane of the triangle that they start on have no nearest point") {
