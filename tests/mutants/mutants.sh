@@ -28,13 +28,14 @@ field() {
 target() { case $1 in durero) echo durero ;; *) echo "tests/$1" ;; esac; }
 
 # runs PROGRAM SPEC LOG SECONDS: the tests of that specification, which must match some; of durero itself, that script of
-# tests/cli. A fault may make a loop endless.
-runs() {
+# tests/cli. A fault may make a loop endless, in which a program may print, and heed no signal that it can catch.
+runs() (
+  ulimit -f 1000000  # blocks of 512 bytes, of any file that is written
   case ${1##*/} in
-    durero) set -- sh "$root/tests/cli/$2.sh" "$1" "$3" "$4" && (timeout "$5" "$1" "$2" "$3"; exit $?) >"$4" 2>&1 ;;
-    *) (cd "$build/tests" && timeout "$4" "$1" --warn NoTests --filenames-as-tags "$2"; exit $?) >"$3" 2>&1 ;;
+    durero) set -- sh "$root/tests/cli/$2.sh" "$1" "$3" "$4" && (timeout -k 5 "$5" "$1" "$2" "$3"; exit $?) >"$4" 2>&1 ;;
+    *) (cd "$build/tests" && timeout -k 5 "$4" "$1" --warn NoTests --filenames-as-tags "$2"; exit $?) >"$3" 2>&1 ;;
   esac
-}
+)
 
 # apply OLD NEW FILE: replaces the one place of the old text; fails where there is none, or more than one.
 apply() {
