@@ -166,6 +166,13 @@ const char* durero_element_name(const durero_engine* engine, uint32_t element) {
   });
 }
 
+uint32_t durero_face_number(const durero_engine* engine, uint32_t element, const char** mesh) {
+  const auto named = ElementNumbers(*engine->scene).element(element);
+  const auto face = named ? engine->scene->face(*named) : std::nullopt;
+  if (mesh != nullptr) *mesh = face ? face->mesh.m.name().c_str() : nullptr;
+  return face ? face->number : DURERO_NO_ELEMENT;
+}
+
 uint32_t durero_element_number(const durero_engine* engine, const char* name) {
   const auto element = engine->scene->find(name);
   return element ? ElementNumbers(*engine->scene).of(*element) : DURERO_NO_ELEMENT;

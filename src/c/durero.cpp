@@ -19,6 +19,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
+#include "durero/scene/mesh_edit.hpp"
 #include "durero/scene/stage.hpp"
 
 using namespace durero;
@@ -52,6 +53,33 @@ std::string text_for(const durero_scene& scene, const char* path) {
   written::Edited moved = scene.value;
   io::rename_pictures(moved.stage(), scene.file, path);
   return moved.scene_text();
+}
+
+/// The answer of an edit, as the scene and the thread keep it.
+durero_answer answered(durero_scene& scene, io::EditAnswer answer) {
+  scene.left_group = std::move(answer.left_group);
+  if (answer.ok()) return DURERO_DONE;
+  last_error.assign(answer.violated).append(": ").append(answer.predicate);
+  return DURERO_REFUSED;
+}
+
+scene::Mesh mesh_of(std::string_view m, const durero_mesh& from) {
+  if (!model::Elemento::is_name(m))
+    throw std::invalid_argument(std::string(m) + ": no name; expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+  scene::Mesh mesh{model::Elemento(std::string(m))};
+  mesh.puntos.reserve(from.vertex_count);
+  for (std::size_t i = 0; i < from.vertex_count; ++i) {
+    const double* const at = from.vertices + 3 * i;
+    if (!std::isfinite(at[0]) || !std::isfinite(at[1]) || !std::isfinite(at[2]))
+      throw std::invalid_argument("vertex " + std::to_string(i) + ": no point; expected finite numbers");
+    mesh.puntos.emplace_back(at[0], at[1], at[2]);
+  }
+  mesh.caras.reserve(from.face_count);
+  for (std::size_t i = 0; i < from.face_count; ++i) {
+    const std::uint32_t* const corners = from.faces + 3 * i;
+    mesh.caras.push_back({corners[0], corners[1], corners[2]});
+  }
+  return mesh;
 }
 
 durero_hit published(const scene::Hit& hit) {
@@ -101,11 +129,19 @@ durero_answer durero_apply(durero_scene* scene, const char* operation) {
     const auto script =
         io::read_script(io::Source("operation", operation), scene->value.of().scene.stage(), scene->value.types());
     if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
-    io::EditAnswer answer = scene->value.apply_total(script.front());
-    scene->left_group = std::move(answer.left_group);
-    if (answer.ok()) return DURERO_DONE;
-    last_error.assign(answer.violated).append(": ").append(answer.predicate);
-    return DURERO_REFUSED;
+    return answered(*scene, scene->value.apply_total(script.front()));
+  });
+}
+
+durero_answer durero_add_mesh(durero_scene* scene, const char* m, const durero_mesh* mesh) {
+  return guarded(DURERO_FAILED, [&] {
+    return answered(*scene, scene->value.apply_total(scene::MeshEdit(scene::MeshAddition{mesh_of(m, *mesh)})));
+  });
+}
+
+durero_answer durero_replace_mesh(durero_scene* scene, const char* m, const durero_mesh* mesh) {
+  return guarded(DURERO_FAILED, [&] {
+    return answered(*scene, scene->value.apply_total(scene::MeshEdit(scene::MeshReplacement{mesh_of(m, *mesh)})));
   });
 }
 

@@ -2,6 +2,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "durero/c/durero.h"
@@ -198,4 +199,52 @@ TEST_CASE("distances: the nearest point, ties, and an empty scene") {
   CHECK(durero_distances(scene.get(), wrong.data(), 1, near.data()) == DURERO_FAILED);
   CHECK(std::string(durero_error()) == "point 0: no point; expected finite numbers");
   CHECK(near[0].distance == 7);
+}
+
+TEST_CASE("a mesh of plain arrays is added whole or refused, and its faces are known by number") {
+  std::vector<double> vertices{0, 0, 0, 3, 0, 0, 0, 3, 0, 0, 0, 3};
+  std::vector<std::uint32_t> faces{0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2};
+  const durero_mesh mesh{vertices.data(), 4, faces.data(), 4};
+  const Scene scene = scene_of({"Agregar_Triangulo e?=alone vertices?=((0,0,9),(1,0,9),(0,1,9))"});
+  REQUIRE(durero_add_mesh(scene.get(), "tent", &mesh) == DURERO_DONE);
+  CHECK(durero_scene_size(scene.get()) == 5);
+
+  const auto first = [&] {
+    const Engine engine = engine_of(scene);
+    const std::array<double, 6> ray{0.5, 0.5, 7, 0, 0, -1};
+    const auto of = [&](std::size_t at) { return &ray[at]; };
+    const durero_ray_arrays rays{{of(0), of(1), of(2)}, {of(3), of(4), of(5)}, nullptr};
+    Hits hits(1);
+    const durero_hit_arrays answers = hits.arrays();
+    REQUIRE(durero_first_hits_of_arrays(engine.get(), &rays, 1, &answers) == DURERO_DONE);
+    const char* name = nullptr;
+    const std::uint32_t face = durero_face_number(engine.get(), hits.element[0], &name);
+    CHECK(durero_face_number(engine.get(), hits.element[0], nullptr) == face);
+    REQUIRE(name != nullptr);
+    CHECK(durero_element_name(engine.get(), hits.element[0]) == name + (":" + std::to_string(face)));
+    return std::pair(face, hits.point[2][0]);
+  };
+  CHECK(first() == std::pair(2U, 2.0));
+  {
+    const Engine engine = engine_of(scene);
+    const char* name = "unset";
+    CHECK(durero_face_number(engine.get(), durero_element_number(engine.get(), "alone"), &name) == DURERO_NO_ELEMENT);
+    CHECK(name == nullptr);
+    CHECK(durero_face_number(engine.get(), 5, nullptr) == DURERO_NO_ELEMENT);
+  }
+
+  CHECK(durero_add_mesh(scene.get(), "tent", &mesh) == DURERO_REFUSED);
+  CHECK(std::string(durero_error()).starts_with("Agregar_Malla.pre.1: "));
+  vertices[11] = 4;
+  CHECK(durero_replace_mesh(scene.get(), "other", &mesh) == DURERO_REFUSED);
+  CHECK(durero_replace_mesh(scene.get(), "tent", &mesh) == DURERO_DONE);
+  CHECK(first() == std::pair(2U, 8.0 / 3));
+  faces[4] = 4;
+  CHECK(durero_add_mesh(scene.get(), "torn", &mesh) == DURERO_REFUSED);
+  CHECK(durero_add_mesh(scene.get(), "no name", &mesh) == DURERO_FAILED);
+  CHECK(std::string(durero_error()) == "no name: no name; expected 1 to 128 of A-Z a-z 0-9 _ . : -");
+  vertices[4] = std::numeric_limits<double>::infinity();
+  CHECK(durero_replace_mesh(scene.get(), "tent", &mesh) == DURERO_FAILED);
+  CHECK(std::string(durero_error()) == "vertex 1: no point; expected finite numbers");
+  CHECK(durero_scene_size(scene.get()) == 5);
 }

@@ -73,6 +73,22 @@ durero_answer durero_apply(durero_scene *scene, const char *operation);
  * Valid until the next operation. */
 const char *durero_left_group(const durero_scene *scene);
 
+/** A mesh in plain arrays of the caller's, which are copied. */
+typedef struct durero_mesh {
+  const double *vertices; /**< x, y and z of each vertex */
+  size_t vertex_count;
+  const uint32_t *faces; /**< the numbers of the three vertices of each face, from 0 */
+  size_t face_count;
+} durero_mesh;
+
+/** Adds a mesh of that name, all of its faces or none: Agregar_Malla of the specification. Face 17 of `hull` is the element
+ * `hull:17`. DURERO_REFUSED as of durero_apply(), and of a face with the number of no vertex. DURERO_FAILED where m is no
+ * name, or a number is not finite. */
+durero_answer durero_add_mesh(durero_scene *scene, const char *m, const durero_mesh *mesh);
+/** Puts another mesh, without a material, in the place of the one of that name: Reemplazar_Malla. Otherwise as
+ * durero_add_mesh(). */
+durero_answer durero_replace_mesh(durero_scene *scene, const char *m, const durero_mesh *mesh);
+
 /** Makes the engine of that name ready for the scene (`durero engines` lists them; NULL is the usual one). The scene must
  * outlive it, unedited. NULL where there is no such engine. A scene that was read by a Z text has the text answer, and
  * takes no name but NULL. */
@@ -123,6 +139,10 @@ durero_answer durero_occluded_segments(const durero_engine *engine, const durero
 const char *durero_element_name(const durero_engine *engine, uint32_t element);
 /** The number of the element of a name; DURERO_NO_ELEMENT where there is none. */
 uint32_t durero_element_number(const durero_engine *engine, const char *name);
+
+/** The number of an element among the faces of its mesh; DURERO_NO_ELEMENT where it is a face of none. Where mesh is not
+ * NULL, *mesh gets the mesh's name, valid as in durero_element_name(), or NULL. */
+uint32_t durero_face_number(const durero_engine *engine, uint32_t element, const char **mesh);
 
 /** The names of the elements that the first point of a ray lies on, each ended by a 0, in order, in a buffer of size
  * bytes; a name that has no room is left out. The number of elements, or -1 where the ray is none. */
