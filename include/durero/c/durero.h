@@ -76,9 +76,9 @@ const char *durero_left_group(const durero_scene *scene);
 /** A mesh in plain arrays of the caller's, which are copied. */
 typedef struct durero_mesh {
   const double *vertices; /**< x, y and z of each vertex */
-  size_t vertex_count;
+  size_t vertex_count; /**< how many there are */
   const uint32_t *faces; /**< the numbers of the three vertices of each face, from 0 */
-  size_t face_count;
+  size_t face_count; /**< how many there are */
 } durero_mesh;
 
 /** Adds a mesh of that name, all of its faces or none: Agregar_Malla of the specification. Face 17 of `hull` is the element

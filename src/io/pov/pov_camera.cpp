@@ -26,6 +26,10 @@ constexpr CameraPart camera_parts[] = {{"location", &PovCamera::location},
                                        {"up", &PovCamera::up},
                                        {"sky", &PovCamera::sky}};
 
+/// Cameras whose rays do not go through a plane from one point, and a relief of it.
+constexpr std::array<std::string_view, 9> other_cameras{"orthographic", "fisheye",     "ultra_wide_angle",
+                                                        "omnimax",      "panoramic",   "cylinder",
+                                                        "spherical",    "mesh_camera", "normal"};
 /// How the rays through a lens are chosen, which a scene leaves to whoever draws it.
 constexpr std::array<std::string_view, 3> blur_words{"blur_samples", "confidence", "variance"};
 
@@ -51,7 +55,6 @@ glm::dvec3 ahead(const PovCamera& camera) {
 }
 
 void read_part(PovWords& in, std::optional<double> version, PovCamera& camera) {
-  const std::size_t at = in.offset();
   const std::string_view word = in.word();
   const auto* const part = std::ranges::find(camera_parts, word, &CameraPart::word);
   if (part != std::end(camera_parts)) {
@@ -62,21 +65,28 @@ void read_part(PovWords& in, std::optional<double> version, PovCamera& camera) {
     camera.*part->member = in.triple(word);
   } else if (in.take("angle")) {
     camera.angle = in.number("angle");
-    check_rule(in, at, "angle", view_angle, *camera.angle);
+    camera.is_other |= !view_angle.holds(*camera.angle);
+    if (in.take(",")) in.number("angle");
   } else if (in.take("look_at")) {
     camera.look_at = in.triple("look_at");
   } else if (in.take("aperture")) {
     camera.aperture = in.number("aperture");
-    check_rule(in, at, "aperture", from_zero, camera.aperture, &model::Lente_inv_2);
+    camera.is_other |= !from_zero.holds(camera.aperture);
   } else if (in.take("focal_point")) {
     camera.focal_point = in.triple("focal_point");
   } else if (is_one_of(blur_words, word)) {
     in.pass();
     in.skip_value();
+  } else if (is_one_of(other_cameras, word)) {
+    in.pass();
+    in.skip_value();
+    camera.is_other = true;
+  } else if (const auto move = take_pov_transform(in)) {
+    camera.moved = camera.moved.then(*move);
   } else if (!in.take("perspective")) {
     in.fail_here(
         "expected one of location, direction, right, up, sky, angle, look_at, aperture, focal_point, blur_samples, "
-        "confidence, variance, perspective, or }: no other camera is read");
+        "confidence, variance, perspective, translate, rotate, scale, matrix, transform, or }");
   }
 }
 
@@ -97,35 +107,48 @@ void turn_to(const glm::dvec3& look_at, PovCamera& camera) {
   camera.up = along(hand * glm::cross(camera.direction, camera.right), camera.up);
 }
 
-/// The lens of a camera, which in POV-Ray is half as wide as its aperture says, and shows sharply the plane of a point.
-void set_lens(const PovWords& in, std::size_t at, const PovCamera& camera, scene::Camera& made) {
+/// Moves all of it.
+void move(PovCamera& camera) {
+  if (camera.moved.is_identity()) return;
+  camera.location = camera.moved.point(camera.location);
+  for (std::optional<glm::dvec3>* const point : {&camera.look_at, &camera.focal_point})
+    if (*point) **point = camera.moved.point(**point);
+  for (glm::dvec3* const way : {&camera.direction, &camera.right, &camera.up, &camera.sky})
+    *way = camera.moved.direction(*way);
+}
+
+/// Gives a camera its lens, which in POV-Ray is half as wide as its aperture says, and shows sharply the plane of a
+/// point. False where that is not before it.
+bool set_lens(const PovCamera& camera, scene::Camera& made) {
   made.aperture = camera.aperture / 2;
-  if (camera.aperture == 0 || !camera.focal_point) return;
+  if (camera.aperture == 0 || !camera.focal_point) return true;
   made.focus = glm::dot(*camera.focal_point - camera.location, glm::normalize(camera.direction));
-  check_rule(in, at, "the distance of focal_point", above_zero, made.focus, &model::Lente_inv_3);
+  return above_zero.holds(made.focus);
 }
 
 }  // namespace
 
-ReadCamera read_pov_camera(PovWords& in, std::optional<double> version, std::optional<scene::Resolution> size) {
-  const std::size_t at = in.offset();
+std::optional<ReadCamera> read_pov_camera(PovWords& in, std::optional<double> version,
+                                          std::optional<scene::Resolution> size) {
   in.pass();
   in.expect("{", "behind camera");
   PovCamera camera;
-  while (!in.take("}")) read_part(in, version, camera);
-  if (camera.look_at == camera.location) in.fail(at, "the camera looks at its own eye", "expected look_at elsewhere");
+  while (!in.take("}")) {
+    in.comma();
+    if (in.word() != "}") read_part(in, version, camera);
+  }
+  if (camera.is_other || camera.look_at == camera.location) return std::nullopt;
   if (camera.angle) open_to(*camera.angle, camera);
   if (camera.look_at) turn_to(*camera.look_at, camera);
+  move(camera);
   const double fov_y = glm::degrees(2 * std::atan(glm::length(camera.up) / 2 / glm::length(camera.direction)));
   scene::Camera made{camera.location, camera.look_at.value_or(ahead(camera)), camera.look_at ? camera.sky : camera.up,
                      fov_y};
-  set_lens(in, at, camera, made);
+  if (!view_angle.holds(fov_y) || !set_lens(camera, made)) return std::nullopt;
   try {
-    return {made, has_rays_of(made, camera, size.value_or(scene::default_resolution))};
-  } catch (const std::domain_error& error) {
-    const std::string what = error.what();  // X; expected Y
-    const std::size_t middle = what.find("; ");
-    in.fail(at, what.substr(0, middle), what.substr(middle + 2));
+    return ReadCamera{made, has_rays_of(made, camera, size.value_or(scene::default_resolution))};
+  } catch (const std::domain_error&) {
+    return std::nullopt;
   }
 }
 

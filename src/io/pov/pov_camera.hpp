@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "durero/scene/stage.hpp"
+#include "pov_transform.hpp"
 #include "pov_words.hpp"
 
 namespace durero::io {
@@ -15,6 +16,8 @@ struct PovCamera {
   std::optional<double> angle{};
   std::optional<glm::dvec3> look_at{}, focal_point{};
   double aperture = 0;
+  PovTransform moved{};
+  bool is_other = false;  ///< it sees by other rays than a scene's
 };
 
 /// A camera of a scene, and whether its pixels have the rays of the one that was read.
@@ -25,7 +28,8 @@ struct ReadCamera {
 
 /// Reads the camera that stands here, whose words may stand in any order: POV-Ray carries them out in one of its own
 /// since version 3.5. In a text of an older version a place behind look_at is another's, and is refused. Without a size
-/// the picture has the default one. Throws InputError.
-ReadCamera read_pov_camera(PovWords& in, std::optional<double> version, std::optional<scene::Resolution> size);
+/// the picture has the default one. Nothing where a scene has no such camera. Throws InputError.
+std::optional<ReadCamera> read_pov_camera(PovWords& in, std::optional<double> version,
+                                          std::optional<scene::Resolution> size);
 
 }  // namespace durero::io

@@ -25,6 +25,9 @@ constexpr int lamps = 9;
 /// The parts of a light_source behind its colour, in any order.
 struct LightParts {
   bool parallel = false, spotlight = false, circular = false, orient = false;
+  bool is_other = false;  // a light that no scene has
+  std::size_t left_out = 0;
+  PovTransform moved{};
   std::optional<glm::dvec3> point_at{};
   std::optional<std::array<glm::dvec3, 2>> area{};
   scene::LightCone cone{.towards = glm::dvec3(0)};
@@ -33,20 +36,24 @@ struct LightParts {
 void read_area(PovWords& in, LightParts& parts) {
   auto& [first, second] = parts.area.emplace();
   first = in.triple("area_light");
-  in.comma("area_light");
+  in.comma();
   second = in.triple("area_light");
   for (int side = 0; side < 2; ++side) {
-    in.comma("area_light");
+    in.comma();
     in.number("area_light");
   }
 }
 
-void read_number(PovWords& in, std::string_view word, const Rule<double>& rule, double& value,
-                 const contract::clause* clause) {
-  const std::size_t at = in.offset();
+/// Reads a number; a light is another where a scene's breaks the rule.
+void read_number(PovWords& in, std::string_view word, const Rule<double>& rule, double& value, LightParts& parts) {
   value = in.number(word);
-  check_rule(in, at, word, rule, value, clause);
+  parts.is_other |= !rule.holds(value);
 }
+
+/// Words of what a light of a scene has not, with what stands behind them.
+constexpr std::string_view other_parts[] = {
+    "shadowless", "media_interaction", "media_attenuation", "looks_like", "fade_distance",
+    "fade_power", "fade_color",        "projected_through", "photons",    "groups"};
 
 /// Reads one part, if one stands here.
 bool read_part(PovWords& in, LightParts& parts) {
@@ -57,17 +64,25 @@ bool read_part(PovWords& in, LightParts& parts) {
   if (in.take("point_at")) {
     parts.point_at = in.triple("point_at");
   } else if (in.take("radius")) {
-    read_number(in, "radius", inner_angle, parts.cone.inner, &model::Cono_de_Luz_inv_2);
+    read_number(in, "radius", inner_angle, parts.cone.inner, parts);
   } else if (in.take("falloff")) {
-    read_number(in, "falloff", outer_angle, parts.cone.outer, &model::Cono_de_Luz_inv_2);
+    read_number(in, "falloff", outer_angle, parts.cone.outer, parts);
   } else if (in.take("tightness")) {
-    read_number(in, "tightness", from_zero, parts.cone.tightness, &model::Cono_de_Luz_inv_3);
+    read_number(in, "tightness", from_zero, parts.cone.tightness, parts);
   } else if (in.take("area_light")) {
     read_area(in, parts);
   } else if (in.take("adaptive")) {
     in.number("adaptive");
   } else if (in.take("area_illumination")) {
     if (!in.take("on")) in.take("off");
+  } else if (in.take("cylinder")) {
+    parts.is_other = true;
+  } else if (is_one_of(other_parts, in.word())) {
+    ++parts.left_out;
+    in.pass();
+    in.skip_value();
+  } else if (const auto move = take_pov_transform(in)) {
+    parts.moved = parts.moved.then(*move);
   } else {
     return in.take("jitter");
   }
@@ -90,13 +105,23 @@ LightExtent extent_of(const PovWords& in, std::size_t at, const LightParts& part
   return {.shape = LightShape::disc, .radius = width / 2, .normal = glm::normalize(across)};
 }
 
-scene::DirectionalLight directional(const PovWords& in, std::size_t at, const LightParts& parts,
-                                    const scene::Light& light) {
-  if (parts.spotlight || parts.area)
-    in.fail(at, "a parallel light has a cone or an area", "expected one that is parallel alone");
-  const glm::dvec3 way = parts.point_at.value_or(glm::dvec3(0)) - light.position;
-  check_rule(in, at, "the way of a parallel light", direction, way);
-  return {way, light.color};
+/// The light that the parts make; nothing where no scene has such.
+std::optional<std::variant<scene::Light, scene::DirectionalLight>> made_of(const PovWords& in, std::size_t at,
+                                                                           const LightParts& parts,
+                                                                           scene::Light light) {
+  if (parts.is_other || !light_color.holds(light.color)) return std::nullopt;
+  if (parts.parallel) {
+    const glm::dvec3 way = parts.point_at.value_or(glm::dvec3(0)) - light.position;
+    if (parts.spotlight || parts.area || !direction.holds(way)) return std::nullopt;
+    return scene::DirectionalLight{way, light.color};
+  }
+  if (parts.spotlight) {
+    light.cone = parts.cone;
+    light.cone->towards = parts.point_at.value_or(light.position + glm::dvec3(0, 0, 1));
+    if (light.cone->inner > light.cone->outer || light.cone->towards == light.position) return std::nullopt;
+  }
+  if (parts.area) light.extent = extent_of(in, at, parts);
+  return light;
 }
 
 std::string area_text(const glm::dvec3& first, const glm::dvec3& second, std::string_view more) {
@@ -124,28 +149,37 @@ std::string extent_text(const LightExtent& extent) {
 
 }  // namespace
 
-std::variant<scene::Light, scene::DirectionalLight> read_pov_light(PovWords& in) {
+PovLight read_pov_light(PovWords& in) {
   const std::size_t at = in.offset();
   scene::Light light{};
   light.position = in.triple("light_source");
-  in.comma("light_source");
+  in.comma();
   light.color = in.color("light_source").rgb;
-  check_rule(in, at, "the colour of a light_source", light_color, light.color, &model::Fuente_inv_1);
   LightParts parts;
-  while (!in.take("}"))
+  while (!in.take("}")) {
+    in.comma();
     if (!read_part(in, parts))
       in.fail_here(
           "expected one of parallel, spotlight, point_at, radius, falloff, tightness, area_light, adaptive, jitter, "
-          "circular, orient, area_illumination, or }: no other light_source is read");
-  if (parts.parallel) return directional(in, at, parts, light);
-  if (parts.spotlight) {
-    light.cone = parts.cone;
-    light.cone->towards = parts.point_at.value_or(light.position + glm::dvec3(0, 0, 1));
-    check_cone(in, at, *light.cone);
-    check_axis(in, at, light);
+          "circular, orient, area_illumination, translate, rotate, scale, matrix, transform, or }");
   }
-  if (parts.area) light.extent = extent_of(in, at, parts);
-  return light;
+  auto made = made_of(in, at, parts, light);
+  if (made) move_light(*made, parts.moved);
+  return {std::move(made), parts.left_out};
+}
+
+void move_light(std::variant<scene::Light, scene::DirectionalLight>& light, const PovTransform& by) {
+  if (by.is_identity()) return;
+  if (auto* const far = std::get_if<scene::DirectionalLight>(&light)) {
+    far->direction = by.direction(far->direction);
+    return;
+  }
+  auto& near = std::get<scene::Light>(light);
+  near.position = by.point(near.position);
+  if (near.cone) near.cone->towards = by.point(near.cone->towards);
+  for (glm::dvec3& edge : near.extent.edges) edge = by.direction(edge);
+  near.extent.radius *= by.scale.value_or(1);
+  if (near.extent.normal != glm::dvec3(0)) near.extent.normal = glm::normalize(by.normal(near.extent.normal));
 }
 
 std::string pov_light(const scene::Light& light) {

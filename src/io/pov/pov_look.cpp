@@ -10,6 +10,7 @@
 #include "durero/scene/stage.hpp"
 #include "io/json/stage_fields.hpp"
 #include "io/losses.hpp"
+#include "pov_transform.hpp"
 
 namespace durero::io {
 namespace {
@@ -18,7 +19,8 @@ using scene::Coefficient;
 
 const glm::dvec3 no_light(0);
 /// What a literal colour begins with; others are declared by name.
-constexpr std::array<std::string_view, 4> color_words{"rgb", "rgbf", "rgbt", "<"};
+constexpr std::array<std::string_view, 11> color_words{"rgb",   "rgbf",   "rgbt",  "rgbft",  "srgb", "srgbf",
+                                                       "srgbt", "srgbft", "color", "colour", "<"};
 
 /// Puts a term into its place. Whether that was free, or held the same.
 template <class Value>
@@ -99,7 +101,7 @@ bool PovLooks::read(PovLook& look) {
     look.is_other |= look.at.has_value();  // one over another
     read_texture(look);
   } else {
-    PovLayer layer = look.layers.empty() ? PovLayer() : look.layers.front();
+    PovLayer layer = look.layers.empty() ? default_ : look.layers.front();
     if (!read_layer(layer, look.is_other)) return false;
     look.is_other |= look.layers.size() > 1;
     look.layers.assign(1, layer);
@@ -111,9 +113,13 @@ bool PovLooks::read(PovLook& look) {
 void PovLooks::read_texture(PovLook& look) {
   in_.expect("{", "behind texture");
   if (in_.take("average")) return read_average(look);
-  PovLayer& layer = look.layers.emplace_back();
+  PovLayer& layer = look.layers.emplace_back(default_);
   while (!in_.take("}")) {
     if (read_layer(layer, look.is_other)) continue;
+    if (take_pov_transform(in_)) {
+      move(look);
+      continue;
+    }
     look.is_other = true;
     return in_.skip_block();
   }
@@ -123,7 +129,8 @@ void PovLooks::read_average(PovLook& look) {
   in_.expect("texture_map", "behind average");
   in_.expect("{", "behind texture_map");
   while (in_.take("[")) {
-    if (in_.number("texture_map") != 1) look.is_other = true;
+    const bool has_number = in_.here() != nullptr && begins_pov_expression(*in_.here());
+    if (!has_number || in_.number("texture_map") != 1) look.is_other = true;
     PovLayer& layer = look.layers.emplace_back();
     while (!look.is_other && read_layer(layer, look.is_other)) continue;
     if (in_.take("]")) continue;
@@ -154,18 +161,40 @@ bool PovLooks::read_layer(PovLayer& layer, bool& is_other) {
 
 void PovLooks::read_pigment(PovLayer& layer, bool& is_other) {
   in_.expect("{", "behind pigment");
-  while (in_.take("color") || in_.take("colour")) continue;
   const PovWords begin = in_;
   layer.pattern.reset();
   if (is_one_of(color_words, in_.word())) {
     layer.pigment = in_.color("pigment");
+    take_pov_transforms(in_);
     if (in_.take("}")) return;
   } else if (read_pattern(layer) && in_.take("}")) {
     return;
   }
   in_.stand_where(begin);
-  is_other = true;
-  in_.skip_block();
+  layer.pattern.reset();
+  if (!read_mean(layer)) is_other = true;
+}
+
+/// Reads the mean of the colours of another pigment, up to behind its }. False where it tells of none.
+bool PovLooks::read_mean(PovLayer& layer) {
+  PovColor sum;
+  double count = 0;
+  for (std::size_t open = 1; open > 0;) {
+    if (in_.done()) in_.fail_here("expected } for each {");
+    if (is_one_of(color_words, in_.word()) && in_.word() != "<") {
+      const PovColor color = in_.color("pigment");
+      sum.rgb += color.rgb, sum.filter += color.filter, sum.transmit += color.transmit;
+      ++count;
+      continue;
+    }
+    if (in_.word() == "{") ++open;
+    if (in_.word() == "}") --open;
+    in_.pass();
+  }
+  if (count == 0) return false;
+  layer.pigment = {sum.rgb / count, sum.filter / count, sum.transmit / count};
+  ++means_;
+  return true;
 }
 
 /// Reads a pattern as it is written to POV-Ray. False where another stands here, or part of another.
@@ -229,12 +258,45 @@ std::string PovLooks::name_of(const PovLayer& layer, double count) {
   return texture.name;
 }
 
+void PovLooks::move(PovLook& look) {
+  for (PovLayer& layer : look.layers)
+    if (layer.pattern) layer.pattern->at.place += " moved";
+}
+
+void PovLooks::read_default() {
+  in_.expect("{", "behind #default");
+  bool is_other = false;
+  while (!in_.take("}")) {
+    const bool has_pigment = in_.word() == "pigment" || in_.word() == "texture";
+    if (in_.take("texture")) {
+      PovLook look;
+      read_texture(look);
+      is_other |= look.is_other;
+      if (!look.layers.empty()) default_ = look.layers.front();
+    } else if (!read_layer(default_, is_other)) {
+      leave_out_value();
+    }
+    has_default_ |= has_pigment && !is_other;
+  }
+  default_.pattern.reset();
+}
+
+std::optional<PovMaterial> PovLooks::default_material() {
+  if (!has_default_) return std::nullopt;
+  PovLook look;
+  look.at = 0;
+  look.layers.push_back(default_);
+  return material(look);
+}
+
 void PovLooks::read_finish(PovLayer& layer) {
   in_.expect("{", "behind finish");
   while (!in_.take("}")) {
-    if (in_.take("diffuse"))
+    if (in_.take("diffuse")) {
+      if (in_.take("albedo")) ++values_;
       layer.diffuse = in_.number("diffuse");
-    else if (in_.take("brilliance"))
+      if (in_.take(",")) in_.number("diffuse"), ++values_;
+    } else if (in_.take("brilliance"))
       layer.brilliance = in_.number("brilliance");
     else if (in_.take("phong"))
       layer.phong = in_.number("phong");
@@ -298,10 +360,11 @@ std::optional<PovMaterial> PovLooks::material(const PovLook& look) {
   scene::Material& m = layers.made;
   if (m.color == no_light) m.k_d = 1;  // of black nobody sees how much
   if (m.k_t > 0) m.index = look.index;
-  const auto check = [&](const auto& field) {
-    check_rule(in_, *look.at, field.key, field.rule, m.*field.member, field.clause);
-  };
-  std::apply([&](const auto&... field) { (check(field), ...); }, material_fields);
+  const auto holds = [&](const auto& field) { return field.rule.holds(m.*field.member); };
+  if (!std::apply([&](const auto&... field) { return (holds(field) && ...); }, material_fields)) {
+    ++textures_;
+    return std::nullopt;
+  }
   return PovMaterial{std::move(m), std::move(at)};
 }
 
@@ -309,6 +372,7 @@ void PovLooks::name_losses(std::vector<std::string>& lost) const {
   add_loss(lost, textures_, "texture", "textures",
            "left out: read are pigments of one colour, or of two as export writes them, with a finish, and averages of "
            "such");
+  add_loss(lost, means_, "pigment", "pigments", "of several colours: their mean");
   add_loss(lost, reliefs_, "relief", "reliefs", "(normal) left out");
   add_loss(lost, values_, "value of a finish or an interior", "values of finishes or interiors",
            "left out: a material has no place for it");

@@ -58,6 +58,12 @@ class PovLooks {
   /// The material of a whole look; nothing where it has no texture, or one that is not read. Throws InputError where a
   /// number is none that a material can have.
   std::optional<PovMaterial> material(const PovLook& look);
+  /// Reads what stands behind #default: the look of what tells of none, and what others begin with.
+  void read_default();
+  /// The look that #default told of last; nothing where it told of no pigment.
+  std::optional<PovMaterial> default_material();
+  /// Moves a look that stands on an object that moves.
+  static void move(PovLook& look);
   /// Counts a texture that stands elsewhere than one of a scene would.
   void leave_out_texture() { ++textures_; }
   /// The textures that the materials name.
@@ -70,6 +76,7 @@ class PovLooks {
   bool read_layer(PovLayer& layer, bool& is_other);
   void read_pigment(PovLayer& layer, bool& is_other);
   bool read_pattern(PovLayer& layer);
+  bool read_mean(PovLayer& layer);
   bool read_two_colors(PovLayer& layer);
   bool read_place(PovPattern& pattern, double across);
   std::string name_of(const PovLayer& layer, double count);
@@ -80,7 +87,9 @@ class PovLooks {
 
   PovWords& in_;
   std::vector<scene::Texture> patterns_;
-  std::size_t textures_ = 0, reliefs_ = 0, values_ = 0;
+  PovLayer default_{};
+  bool has_default_ = false;
+  std::size_t textures_ = 0, reliefs_ = 0, values_ = 0, means_ = 0;
 };
 
 }  // namespace durero::io

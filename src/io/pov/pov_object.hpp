@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "durero/scene/body.hpp"
+#include "pov_light.hpp"
 #include "pov_look.hpp"
 #include "pov_shapes.hpp"
 
@@ -24,12 +25,16 @@ struct ObjectMaterial {
 struct PovObject {
   std::size_t at;  ///< its word
   std::string_view word;
-  std::string_view text{};  ///< of what it consists of, without attributes
+  std::string text{};  ///< of what it consists of, without attributes
   std::optional<PovShape> shape{};
-  std::optional<scene::Compound> box{};
+  std::optional<std::array<glm::dvec3, 2>> box{};  ///< its corners
+  std::optional<PovLight> light{};
   std::vector<PovObject> parts{};
   ObjectMaterial look{};
   std::array<bool, 3> flags{};  ///< in step with their words
+  PovTransform moved{};         ///< by its own transformations
+  bool is_left_out = false;     ///< no scene has such
+  bool is_inverse = false;      ///< its inside is outside
 };
 
 }  // namespace durero::io

@@ -15,10 +15,13 @@
 #include "io/losses.hpp"
 #include "io/mesh/numbered_materials.hpp"
 #include "pov_look.hpp"
+#include "pov_mesh.hpp"
 #include "pov_pattern.hpp"
+#include "pov_program.hpp"
 #include "pov_shapes.hpp"
 #include "pov_solids.hpp"
 #include "pov_stage.hpp"
+#include "pov_transform.hpp"
 
 namespace durero::io {
 namespace {
@@ -26,15 +29,29 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
-                           holders[] = {"mesh", "union", "object", "merge", "intersection", "difference", "box"};
+                           holders[] = {"mesh",  "mesh2",        "union",      "object",
+                                        "merge", "intersection", "difference", "box"};
+/// Objects that no scene has.
+constexpr std::string_view others[] = {"bicubic_patch", "blob",         "cubic",      "height_field",   "isosurface",
+                                       "julia_fractal", "lathe",        "lemon",      "ovus",           "poly",
+                                       "polygon",       "prism",        "parametric", "quadric",        "quartic",
+                                       "sor",           "sphere_sweep", "text",       "superellipsoid", "torus"};
+/// Statements that tell of what no scene has.
+constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
 constexpr std::string_view solid_words[] = {"merge", "intersection", "difference", "box"};
 /// Attributes that tell of the look, that are read by themselves, and that no picture of such surfaces shows.
-constexpr std::string_view looks[] = {"texture", "pigment", "finish", "normal", "interior"},
+constexpr std::string_view looks[] = {"texture", "pigment", "finish", "normal", "interior", "material"},
+                           moves[] = {"translate", "rotate", "scale", "matrix", "transform"},
                            flags[] = {"no_shadow", "no_image", "no_reflection"},
-                           unseen[] = {"hollow", "split_union", "double_illuminate", "bounded_by"};
+                           unseen[] = {"hollow",          "split_union", "double_illuminate", "bounded_by",
+                                       "sturm",           "hierarchy",   "inside_vector",     "uv_mapping",
+                                       "photons",         "radiosity",   "no_radiosity",      "cutaway_textures",
+                                       "interior_texture"};
 
-bool is_object(std::string_view word) { return is_one_of(PovShapes::words, word) || is_one_of(holders, word); }
+bool is_object(std::string_view word) {
+  return is_one_of(PovShapes::words, word) || is_one_of(holders, word) || is_one_of(others, word);
+}
 
 std::string expected_of(std::string_view word, std::initializer_list<Words> lists) {
   std::vector<std::string> all;
@@ -43,19 +60,19 @@ std::string expected_of(std::string_view word, std::initializer_list<Words> list
 }
 
 /// Objects within objects, at most: each is read by a call within a call.
-constexpr int deepest = 200;
+constexpr int deepest_object = 200;
 
 /// Whether the textures of a scene stand there on a shape.
 bool is_place_of(const scene::AnyShape& shape, const PovPlace& at) {
   const PovCoordinates own = pov_coordinates(shape);
-  return at == PovPlace{own.place, own.depth};
+  return at == PovPlace{pov_normal_text(own.place), own.depth};
 }
 
 /// Reads objects one after another; each is then put into the scene as a whole, since an attribute stands behind all
 /// that it is of.
 class PovReader {
  public:
-  explicit PovReader(const Source& source) : in_(source) {
+  explicit PovReader(const Source& source) : program_(source), in_(program_) {
     scene_.stage().resolution = pov_size(source);
     scene_.put_off_audits();
   }
@@ -64,8 +81,20 @@ class PovReader {
     scene::Group all;
     while (!in_.done()) {
       if (stage_.read()) continue;
+      if (in_.take("#default") || in_.take("default")) {
+        looks_.read_default();
+        continue;
+      }
+      if (is_one_of(other_statements, in_.word())) {
+        ++left_out_[std::string(in_.word())];
+        in_.pass();
+        in_.skip_value();
+        continue;
+      }
+      if (in_.take(";")) continue;
       if (!is_object(in_.word())) fail_unknown("", {PovShapes::words, holders, PovStage::statements});
-      add(read_object(1), {}, all);
+      const PovObject object = read_object(1);
+      add(object, default_material(), {}, all);
     }
     materials_.finish();
     scene_.stage().textures = looks_.patterns();
@@ -79,7 +108,7 @@ class PovReader {
  private:
   struct Counts {
     std::size_t aligned = 0, empty = 0, bare = 0, rounded_rims = 0, unseen = 0, part_seen = 0, colored_shadows = 0,
-                attributes = 0;
+                attributes = 0, solids = 0, clipped = 0, zeros = 0;
   };
 
   [[noreturn]] void fail_unknown(const std::string& where, std::initializer_list<Words> expected) const {
@@ -91,15 +120,25 @@ class PovReader {
 
   PovObject read_object(int depth) {
     PovObject object{.at = in_.offset(), .word = in_.word()};
-    if (depth > deepest) in_.fail(object.at, "objects in objects, deeper than 200", "expected 200 at most");
+    if (depth > deepest_object) in_.fail(object.at, "objects in objects, deeper than 200", "expected 200 at most");
     in_.pass();
     in_.expect("{", fmt::format("behind {}", object.word));
     const bool is_shape = is_one_of(PovShapes::words, object.word);
+    if (is_one_of(others, object.word)) {
+      ++left_out_[std::string(object.word)];
+      in_.skip_block();
+      object.is_left_out = true;
+      return object;
+    }
     const std::size_t from = is_shape || is_one_of(solid_words, object.word) ? object.at : in_.offset();
-    if (is_shape)
+    if (is_shape) {
       object.shape = shapes_.read(object.word);
-    else if (object.word == "box")
-      object.box = solids_.box(object.at);
+      object.is_left_out = object.shape->has_hole;
+      if (object.shape->has_hole) ++left_out_["disc with a hole"];
+    } else if (object.word == "box")
+      object.box = solids_.box();
+    else if (object.word == "mesh2")
+      read_mesh2(object);
     else
       read_parts(object, depth);
     object.text = in_.passed(from);
@@ -110,11 +149,23 @@ class PovReader {
   /// An `object` holds one.
   void read_parts(PovObject& object, int depth) {
     const bool is_mesh = object.word == "mesh", is_one = object.word == "object";
-    if (is_one && !is_object(in_.word())) fail_unknown("object", {PovShapes::words, holders});
-    while (is_mesh ? is_one_of(meshes, in_.word()) : is_object(in_.word())) {
-      object.parts.push_back(read_object(depth + 1));
+    if (is_one && !is_object(in_.word()) && in_.word() != "light_source")
+      fail_unknown("object", {PovShapes::words, holders});
+    while (is_mesh ? is_one_of(meshes, in_.word()) : is_object(in_.word()) || in_.word() == "light_source") {
+      if (in_.word() == "light_source")
+        object.parts.push_back(read_light());
+      else
+        object.parts.push_back(read_object(depth + 1));
       if (is_one) break;
     }
+  }
+
+  PovObject read_light() {
+    PovObject object{.at = in_.offset(), .word = in_.word()};
+    in_.pass();
+    in_.expect("{", "behind light_source");
+    object.light = read_pov_light(in_);
+    return object;
   }
 
   void read_attributes(PovObject& object) {
@@ -128,6 +179,20 @@ class PovReader {
         ++counts_.attributes;
         in_.pass();
         in_.skip_value();
+      } else if (const auto move = take_pov_transform(in_)) {
+        object.moved = object.moved.then(*move);
+        counts_.zeros += move->zeros;
+        if (look.at) looks_.move(look);
+      } else if (in_.take("inverse")) {
+        object.is_inverse = !object.is_inverse;
+      } else if (in_.take("clipped_by")) {
+        ++counts_.clipped;
+        object.is_left_out = true;
+        in_.skip_value();
+      } else if (in_.take("material")) {
+        in_.expect("{", "behind material");
+        while (!in_.take("}"))
+          if (!looks_.read(look) && !take_pov_transform(in_)) fail_unknown("material", {looks});
       } else if (!looks_.read(look)) {
         fail_in(object, is_first);
       }
@@ -146,31 +211,59 @@ class PovReader {
                is_mesh = may_be_part && object.word == "mesh";
     const Words first = is_mesh ? Words(meshes) : is_union ? Words(PovShapes::words) : Words();
     const Words second = is_union ? Words(holders) : Words();
-    fail_unknown(std::string(object.word), {first, second, looks, flags, unseen});
+    fail_unknown(std::string(object.word), {first, second, looks, moves, flags, unseen});
   }
 
   /// Adds what an object stands for to the scene, and to the group that it is in. What it does not tell of its look, it
   /// has from what it is in.
-  void add(const PovObject& object, const ObjectMaterial& around, scene::Group& into) {
-    if (is_only_a_shadow(object)) return;
+  void add(const PovObject& object, const ObjectMaterial& around, const PovTransform& by, scene::Group& into) {
+    if (object.is_left_out || is_only_a_shadow(object)) return;
     const ObjectMaterial& look = object.look.is_told ? object.look : around;
-    if (object.shape) return add_shape(object, look, into);
-    if (object.word == "object") return add(object.parts.front(), look, into);
-    if (is_one_of(solid_words, object.word)) return add_solid(object, look, into);
+    const PovTransform here = object.moved.then(by);
+    if (object.light) return stage_.add(*object.light, here);
+    if (object.shape) return add_shape(object, look, here, into);
+    if (object.word == "object") return add(object.parts.front(), look, here, into);
+    if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);
     scene::Group own;
-    for (const PovObject& part : object.parts) add(part, look, own);
-    add_group(object.word == "mesh" ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
+    for (const PovObject& part : object.parts) add(part, look, here, own);
+    const bool is_mesh = object.word == "mesh" || object.word == "mesh2";
+    add_group(is_mesh ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
+  }
+
+  /// The look of what tells of none: POV-Ray's own, where #default told of another.
+  ObjectMaterial default_material() {
+    auto read = looks_.default_material();
+    if (!read) return {};
+    return {true, materials_.number(std::move(read->material)), std::nullopt};
+  }
+
+  /// The triangles of a mesh2, from behind its { to behind its numbers.
+  void read_mesh2(PovObject& object) {
+    const PovMesh mesh = read_pov_mesh(in_);
+    counts_.attributes += mesh.left_out;
+    for (PovShape& triangle : mesh.triangles()) {
+      PovObject part{.at = object.at, .word = "triangle"};
+      part.shape = std::move(triangle);
+      object.parts.push_back(std::move(part));
+    }
   }
 
   /// A solid has one look: its own, or the first that a part tells of.
-  void add_solid(const PovObject& object, const ObjectMaterial& around, scene::Group& into) {
+  void add_solid(const PovObject& object, const ObjectMaterial& around, const PovTransform& by, scene::Group& into) {
     if (object.parts.empty() && !object.box) {
       ++counts_.empty;
       return;
     }
+    if (!PovSolids::is_solid(object)) {
+      ++counts_.solids;
+      return;
+    }
     const ObjectMaterial* const of_part = around.is_told ? nullptr : PovSolids::first_look(object);
     const ObjectMaterial& look = of_part != nullptr ? *of_part : around;
-    scene::Body body = solids_.body(object, look);
+    add_body(solids_.body(object, look, by), look, into);
+  }
+
+  void add_body(scene::Body body, const ObjectMaterial& look, scene::Group& into) {
     const std::string name = numbered('b', bodies_);
     if (!look.is_told) ++counts_.bare;
     if (look.at) looks_.leave_out_texture();  // no texture lies on a solid
@@ -180,12 +273,16 @@ class PovReader {
   }
 
   /// A shape with caps is a group: an element, and the discs that close it.
-  void add_shape(const PovObject& object, const ObjectMaterial& look, scene::Group& into) {
-    const std::string name =
-        std::visit([&](const auto& shape) { return add(object, shape, look); }, object.shape->surface);
+  void add_shape(const PovObject& object, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
+    const auto placed = shapes_.placed(object.at, object.word, *object.shape, by);
+    if (!placed) return add_copy(object, look, by, into);
+    ObjectMaterial own_look = look;
+    if (own_look.at && !by.is_identity()) own_look.at->place += " moved";
+    const auto add_placed = [&](const auto& surface) { return add(object, surface, own_look); };
+    const std::string name = std::visit(add_placed, placed->surface);
     if (name.empty()) return;
-    if (object.shape->normals) scene_.set_vertex_normals(scene_.find(name).value(), *object.shape->normals);
-    if (!object.shape->is_closed) {
+    if (placed->normals) scene_.set_vertex_normals(scene_.find(name).value(), *placed->normals);
+    if (!placed->is_closed) {
       into.elementos.insert(name);
       return;
     }
@@ -200,6 +297,25 @@ class PovReader {
     }
     add_group(name, std::move(own), into);
   }
+
+  /// Adds what a map makes of a shape that is then of no type: a copy of it, and of its caps.
+  void add_copy(const PovObject& object, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
+    const PovShape shape = *shapes_.placed(object.at, object.word, *object.shape, {});
+    scene::Scene original;
+    const auto add = [&](const auto& s) { return original.add(model::Elemento("e"), s); };
+    const model::Answer answer = std::visit(add, shape.surface);
+    if (!answer.ok()) return refuse(*answer.violated);
+    scene::Group own;
+    add_body({scene::Instance{shape.surface, by.map()}}, look, own);
+    if (!shape.is_closed) return into.elementos.merge(own.elementos);
+    for (const scene::Edit& disc : scene::lids(original, {"e", "e:base", "e:top"}).additions)
+      original.apply_total(disc);
+    for (const scene::Disc& disc : original.shapes<scene::Disc>())
+      add_body({scene::Instance{disc, by.map()}}, look, own);
+    add_group(numbered('u', unions_), std::move(own), into);
+  }
+
+  void refuse(const contract::clause& broken) { ++refused_[fmt::format("{} ({})", broken.predicate, broken.label)]; }
 
   [[noreturn]] void fail_clause(const PovObject& object, std::string_view wrong, const contract::clause& broken) const {
     in_.fail(object.at, std::string(wrong), fmt::format("expected {} ({})", broken.predicate, broken.label), &broken);
@@ -217,8 +333,10 @@ class PovReader {
       if (!look.is_told) ++counts_.bare;
       return name;
     }
-    if (!std::is_same_v<Shape, scene::Triangle>) fail_clause(object, model::name(answer.r), *answer.violated);
-    ++counts_.aligned;
+    if (std::is_same_v<Shape, scene::Triangle>)
+      ++counts_.aligned;
+    else
+      refuse(*answer.violated);
     return "";
   }
 
@@ -272,22 +390,31 @@ class PovReader {
              "object", "objects", "without a shadow: kept, with one");
     add_loss(lost, counts_.colored_shadows, "object", "objects",
              "that light goes through: its shadow is that of a stone");
+    for (const auto& [word, count] : left_out_) add_loss(lost, count, word, word, "left out: a scene has none");
+    add_loss(lost, counts_.solids, "solid", "solids", "left out: a part of it bounds nothing that a scene has");
+    add_loss(lost, counts_.clipped, "object", "objects", "left out: clipped_by");
+    for (const auto& [clause, count] : refused_)
+      add_loss(lost, count, "object", "objects", "left out: a scene's have " + clause);
+    add_loss(lost, counts_.zeros, "0", "0s", "that scale: taken for 1, as POV-Ray does");
     add_loss(lost, counts_.attributes, "attribute", "attributes", "left out: no picture shows it");
     return lost;
   }
 
+  PovProgram program_;
   PovWords in_;
   scene::Scene scene_;
   scene::Groups groups_;
   PovStage stage_{in_, scene_.stage()};
   PovShapes shapes_{in_};
-  PovSolids solids_{in_};
+  PovSolids solids_{in_, shapes_};
   PovLooks looks_{in_};
   NumberedMaterials materials_{scene_};
   Counts counts_;
   std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
   std::size_t meshes_ = 0, unions_ = 0, bodies_ = 0;
-  std::map<std::string_view, bool> shadowless_;  // and whether they have a twin
+  std::map<std::string, std::size_t> left_out_;
+  std::map<std::string, std::size_t> refused_;
+  std::map<std::string, bool> shadowless_;  // and whether they have a twin
 };
 
 }  // namespace

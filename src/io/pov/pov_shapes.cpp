@@ -26,42 +26,44 @@ PovShape PovShapes::read(std::string_view word) {
 
 PovShape PovShapes::sphere() {
   const glm::dvec3 center = in_.triple("sphere");
-  in_.comma("sphere");
+  in_.comma();
   return {scene::Sphere{center, in_.number("sphere")}};
 }
 
 PovShape PovShapes::cylinder() {
-  const std::size_t at = in_.offset();
   const glm::dvec3 base = vertex("cylinder"), end = vertex("cylinder");
   const double radius = in_.number("cylinder");
-  return along_axis("cylinder", at, {base, radius}, {end, radius});
+  return between({base, radius}, {end, radius});
 }
 
 PovShape PovShapes::cone() {
-  const std::size_t at = in_.offset();
-  End ends[2];
-  for (End& end : ends) {
+  PovEnd ends[2];
+  for (PovEnd& end : ends) {
     end.at = vertex("cone");
     end.radius = in_.number("cone");
-    if (&end == ends) in_.comma("cone");
+    if (&end == ends) in_.comma();
   }
   const bool is_turned = ends[0].radius < ends[1].radius;  // the narrow end is written first
-  return along_axis("cone", at, ends[is_turned ? 1 : 0], ends[is_turned ? 0 : 1]);
+  return between(ends[is_turned ? 1 : 0], ends[is_turned ? 0 : 1]);
 }
 
-PovShape PovShapes::along_axis(std::string_view word, std::size_t at, const End& wide, const End& narrow) {
-  const auto axis = axis_between(wide.at, narrow.at);
-  if (!axis)
-    in_.fail(at, fmt::format("the ends of {} give no axis", word), "expected two points, a finite distance apart");
-  if (end_of(wide.at, *axis) != narrow.at) ++axes_;
-  PovShape shape{wide.radius == narrow.radius
-                     ? scene::AnyShape(scene::Cylinder{wide.at, wide.radius, axis->vector, axis->altura})
-                     : narrowing(*axis, wide, narrow)};
+PovShape PovShapes::between(const PovEnd& one, const PovEnd& other) {
+  PovShape shape{scene::Cylinder{}};
+  shape.ends = {one, other};
   shape.is_closed = !in_.take("open");
   return shape;
 }
 
-scene::AnyShape PovShapes::narrowing(const Axis& axis, const End& wide, const End& narrow) {
+scene::AnyShape PovShapes::along_axis(std::size_t at, std::string_view word, const PovEnd& wide, const PovEnd& narrow) {
+  const auto axis = axis_between(wide.at, narrow.at);
+  if (!axis)
+    in_.fail(at, fmt::format("the ends of {} give no axis", word), "expected two points, a finite distance apart");
+  if (end_of(wide.at, *axis) != narrow.at) ++axes_;
+  if (wide.radius == narrow.radius) return scene::Cylinder{wide.at, wide.radius, axis->vector, axis->altura};
+  return narrowing(*axis, wide, narrow);
+}
+
+scene::AnyShape PovShapes::narrowing(const Axis& axis, const PovEnd& wide, const PovEnd& narrow) {
   const double proportion = proportion_between(wide.radius, narrow.radius, axis.altura);
   if (narrow.radius + proportion * axis.altura != wide.radius) ++proportions_;
   if (narrow.radius == 0) return scene::Cone{wide.at, proportion, axis.vector, axis.altura};
@@ -71,21 +73,74 @@ scene::AnyShape PovShapes::narrowing(const Axis& axis, const End& wide, const En
 PovShape PovShapes::disc() {
   const glm::dvec3 center = vertex("disc"), vector = direction("disc");
   const double radius = in_.number("disc");
-  const std::size_t at = in_.offset();
-  if (in_.take(",") && in_.number("disc") != 0)
-    in_.fail(at, "a disc with a hole", "expected no second radius: no surface here has a hole");
-  return {scene::Disc{center, radius, vector}};
+  PovShape shape{scene::Disc{center, radius, vector}};
+  in_.comma();
+  if (in_.here() != nullptr && begins_pov_expression(*in_.here())) shape.has_hole = in_.number("disc") != 0;
+  return shape;
 }
 
 /// It is as far from the origin as the number says, whatever the length of the normal.
 PovShape PovShapes::plane() {
   const glm::dvec3 vector = direction("plane");
-  const double distance = in_.number("plane");
-  const bool is_moved = in_.take("translate");
-  const glm::dvec3 by = is_moved ? in_.triple("translate") : glm::dvec3(0);
-  if (distance == 0) return {scene::Plane{by, vector}};
-  if (is_moved || !is_along_an_axis(vector)) ++planes_;
-  return {scene::Plane{distance * vector + by, vector}};
+  PovShape shape{scene::Plane{{}, vector}};
+  shape.distance = in_.number("plane");
+  return shape;
+}
+
+scene::Plane PovShapes::plane_at(std::size_t at, glm::dvec3 vector, double distance, const PovTransform& by) {
+  const bool is_rounded = distance != 0 && (!by.is_identity() || !is_along_an_axis(vector));
+  if (is_rounded) ++planes_;
+  const glm::dvec3 point = distance == 0 ? by.shift : by.point(distance * vector);
+  return {point, turned(at, "plane", vector, by)};
+}
+
+/// The direction across what becomes of a plane.
+glm::dvec3 PovShapes::turned(std::size_t at, std::string_view word, const glm::dvec3& normal, const PovTransform& by) {
+  if (by.is_shift()) return normal;
+  const auto axis = axis_between(glm::dvec3(0), by.normal(normal));
+  if (!axis)
+    in_.fail(at, fmt::format("the normal of {} gives no direction", word), "expected a smaller transformation");
+  if (!is_along_an_axis(axis->vector)) ++directions_;
+  return axis->vector;
+}
+
+namespace {
+/// Whether sums are what they would be without rounding.
+bool is_exact_sum(const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 sum = a + b;
+  return sum - a == b && sum - b == a;
+}
+}  // namespace
+
+std::optional<PovShape> PovShapes::placed(std::size_t at, std::string_view word, const PovShape& shape,
+                                          const PovTransform& by) {
+  PovShape made = shape;
+  const auto moved = [&](const glm::dvec3& p) {
+    if (!by.is_shift() || !is_exact_sum(p, by.shift)) ++moved_;
+    return by.point(p);
+  };
+  if (shape.ends) {
+    auto ends = *shape.ends;
+    if (!by.scale) return std::nullopt;
+    if (!by.is_identity())
+      for (PovEnd& end : ends) end = {moved(end.at), end.radius * *by.scale};
+    made.surface = along_axis(at, word, ends[0], ends[1]);
+  } else if (shape.distance) {
+    made.surface = plane_at(at, std::get<scene::Plane>(shape.surface).vector, *shape.distance, by);
+  } else if (by.is_identity()) {
+    return made;
+  } else if (auto* const triangle = std::get_if<scene::Triangle>(&made.surface)) {
+    for (glm::dvec3& vertex : triangle->vertices) vertex = moved(vertex);
+    if (made.normals)
+      for (glm::dvec3& normal : *made.normals) normal = by.normal(normal);
+  } else if (!by.scale) {
+    return std::nullopt;
+  } else if (auto* const sphere = std::get_if<scene::Sphere>(&made.surface)) {
+    *sphere = {moved(sphere->centro), sphere->radio * *by.scale};
+  } else if (auto* const disc = std::get_if<scene::Disc>(&made.surface)) {
+    *disc = {moved(disc->centro), disc->radio * *by.scale, turned(at, word, disc->vector, by)};
+  }
+  return made;
 }
 
 PovShape PovShapes::triangle() {
@@ -97,7 +152,7 @@ PovShape PovShapes::smooth_triangle() {
   scene::Triangle triangle;
   scene::VertexNormals normals;
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    if (i > 0) in_.comma("smooth_triangle");
+    if (i > 0) in_.comma();
     triangle.vertices[i] = vertex("smooth_triangle");
     normals[i] = in_.triple("smooth_triangle");
   }
@@ -108,7 +163,7 @@ PovShape PovShapes::smooth_triangle() {
 
 glm::dvec3 PovShapes::vertex(std::string_view what) {
   const glm::dvec3 vertex = in_.triple(what);
-  in_.comma(what);
+  in_.comma();
   return vertex;
 }
 
@@ -131,6 +186,7 @@ void PovShapes::name_losses(std::vector<std::string>& lost) const {
            "rounded: a scene holds how much a cone narrows by its height");
   add_loss(lost, directions_, "direction", "directions", "rounded: those of a scene have length 1");
   add_loss(lost, planes_, "plane", "planes", "rounded: a scene holds a point of it");
+  add_loss(lost, moved_, "point", "points", "moved by a transformation: rounded");
   add_loss(lost, flat_, "triangle", "triangles", "kept flat: a normal at a vertex has no direction");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The surfaces that a POV-Ray text describes by literal numbers.
+/// The surfaces that a POV-Ray text describes by numbers, and what transformations make of them.
 
 #include <array>
 #include <optional>
@@ -10,15 +10,27 @@
 #include "durero/scene/any_shape.hpp"
 #include "durero/scene/vertex_normals.hpp"
 #include "io/axis.hpp"
+#include "pov_transform.hpp"
 #include "pov_words.hpp"
 
 namespace durero::io {
+
+/// An end of a cylinder or a cone.
+struct PovEnd {
+  glm::dvec3 at;
+  double radius;
+};
 
 /// A shape describes a surface, whether it has caps where its axis ends, and the normals of its vertices.
 struct PovShape {
   scene::AnyShape surface;
   bool is_closed = false;
   std::optional<scene::VertexNormals> normals{};  ///< of a smooth triangle
+  /// @{ What the surface is made of when it is placed: two ends, the wide one first, or how far a plane is.
+  std::optional<std::array<PovEnd, 2>> ends{};
+  std::optional<double> distance{};
+  /// @}
+  bool has_hole = false;  ///< a disc, which no scene has then
 };
 
 /// Reads shapes, and counts what of them is rounded.
@@ -31,15 +43,11 @@ class PovShapes {
                                                          "plane",  "triangle", "smooth_triangle"};
   /// Reads the numbers of the shape of that word, from behind its {.
   PovShape read(std::string_view word);
+  /// A shape where its transformation puts it; nothing where that is no shape of its type. `at` is its word.
+  std::optional<PovShape> placed(std::size_t at, std::string_view word, const PovShape& shape, const PovTransform& by);
   void name_losses(std::vector<std::string>& lost) const;
 
  private:
-  /// An end of a cylinder or a cone.
-  struct End {
-    glm::dvec3 at;
-    double radius;
-  };
-
   PovShape sphere();
   PovShape cylinder();
   PovShape cone();
@@ -47,13 +55,16 @@ class PovShapes {
   PovShape plane();
   PovShape triangle();
   PovShape smooth_triangle();
-  PovShape along_axis(std::string_view word, std::size_t at, const End& wide, const End& narrow);
-  scene::AnyShape narrowing(const Axis& axis, const End& wide, const End& narrow);
+  PovShape between(const PovEnd& one, const PovEnd& other);
+  scene::AnyShape along_axis(std::size_t at, std::string_view word, const PovEnd& wide, const PovEnd& narrow);
+  scene::AnyShape narrowing(const Axis& axis, const PovEnd& wide, const PovEnd& narrow);
+  scene::Plane plane_at(std::size_t at, glm::dvec3 vector, double distance, const PovTransform& by);
+  glm::dvec3 turned(std::size_t at, std::string_view word, const glm::dvec3& normal, const PovTransform& by);
   glm::dvec3 vertex(std::string_view what);
   glm::dvec3 direction(std::string_view what);
 
   PovWords& in_;
-  std::size_t axes_ = 0, proportions_ = 0, directions_ = 0, planes_ = 0, flat_ = 0;
+  std::size_t axes_ = 0, proportions_ = 0, directions_ = 0, planes_ = 0, flat_ = 0, moved_ = 0;
 };
 
 }  // namespace durero::io

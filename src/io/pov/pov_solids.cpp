@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "durero/scene/scene.hpp"
@@ -19,13 +20,21 @@ scene::Compound::Operation operation_of(std::string_view word) {
 
 }  // namespace
 
-scene::Compound PovSolids::box(std::size_t at) {
+std::array<glm::dvec3, 2> PovSolids::box() {
   const glm::dvec3 a = in_.triple("box");
-  in_.comma("box");
-  auto box = scene::box_between(a, in_.triple("box"));
-  if (!box)
-    in_.fail(at, "the corners of box lie in one plane across an axis", "expected two that differ in x, y and z");
-  return *std::move(box);
+  in_.comma();
+  return {a, in_.triple("box")};
+}
+
+bool PovSolids::is_solid(const PovObject& object) {
+  if (object.is_left_out || object.is_inverse || object.light) return false;
+  if (object.box) return scene::box_between((*object.box)[0], (*object.box)[1]).has_value();
+  if (object.shape) {
+    const bool has_axis = object.shape->ends.has_value();
+    return has_axis ? object.shape->is_closed : scene::bounds_a_solid(scene::unmoved(object.shape->surface));
+  }
+  const bool is_mesh = object.word == "mesh" || object.word == "mesh2";
+  return !is_mesh && !object.parts.empty() && std::ranges::all_of(object.parts, is_solid);
 }
 
 const ObjectMaterial* PovSolids::first_look(const PovObject& object) {
@@ -35,31 +44,37 @@ const ObjectMaterial* PovSolids::first_look(const PovObject& object) {
   return nullptr;
 }
 
-scene::Body PovSolids::body(const PovObject& object, const ObjectMaterial& whole) {
+scene::Body PovSolids::body(const PovObject& object, const ObjectMaterial& whole, const PovTransform& by) {
   if (object.look.is_told && object.look.material != whole.material) ++looks_;
-  if (object.shape) return body(object, *object.shape);
-  if (object.box) return {*object.box};
-  if (object.word == "mesh") in_.fail(object.at, "a mesh in a solid", "expected what bounds a solid, as a sphere does");
-  if (object.parts.empty()) in_.fail(object.at, fmt::format("{} has no parts", object.word), "expected some");
+  const PovTransform here = object.moved.then(by);
+  if (object.shape) return body_of(object, *object.shape, here);
+  if (object.box) return body_of(*object.box, here);
   scene::Compound solid{operation_of(object.word), {}};
-  for (const PovObject& part : object.parts) solid.parts.push_back(body(part, whole));
+  for (const PovObject& part : object.parts) solid.parts.push_back(body(part, whole, here));
   if (solid.parts.size() == 1) return std::move(solid.parts.front());
   return {std::move(solid)};
 }
 
-scene::Body PovSolids::body(const PovObject& object, const PovShape& shape) const {
-  scene::Body body = scene::unmoved(shape.surface);
-  if (!scene::bounds_a_solid(body))
-    in_.fail(object.at, fmt::format("a {} in a solid", object.word), "expected what bounds a solid, as a sphere does");
-  const bool has_axis = std::visit([](const auto& s) { return requires { s.altura; }; }, shape.surface);
-  if (has_axis && !shape.is_closed)
-    in_.fail(object.at, fmt::format("an open {} in a solid", object.word), "expected one with its caps");
+scene::Body PovSolids::body_of(const std::array<glm::dvec3, 2>& box, const PovTransform& by) const {
+  const auto [a, b] = box;
+  if (by.keeps_axes())
+    if (auto moved = scene::box_between(by.point(a), by.point(b))) return {*std::move(moved)};
+  return scene::copied(by.map(), {*scene::box_between(a, b)});
+}
+
+scene::Body PovSolids::body_of(const PovObject& object, const PovShape& shape, const PovTransform& by) {
+  if (const auto placed = shapes_.placed(object.at, object.word, shape, by)) return checked_body(object, *placed);
+  return scene::copied(by.map(), checked_body(object, *shapes_.placed(object.at, object.word, shape, {})));
+}
+
+/// The body of a shape that bounds a solid, where it stands.
+scene::Body PovSolids::checked_body(const PovObject& object, const PovShape& shape) const {
   const auto add = [](const auto& s) { return scene::Scene().add(model::Elemento("part"), s); };
   const model::Answer answer = std::visit(add, shape.surface);
   if (!answer.ok())
     in_.fail(object.at, std::string(model::name(answer.r)),
              fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label), answer.violated);
-  return body;
+  return scene::unmoved(shape.surface);
 }
 
 void PovSolids::name_losses(std::vector<std::string>& lost) const {

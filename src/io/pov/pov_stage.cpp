@@ -49,40 +49,52 @@ bool PovStage::read() {
     read_sky();
   else if (in_.take("#version"))
     read_version();
-  else if (in_.take("#declare") || in_.take("#local"))
-    read_declaration();
   else
     return false;
   return true;
 }
 
+/// Of several POV-Ray takes the last.
 void PovStage::read_camera() {
-  if (stage_.camera) in_.fail(in_.offset(), "a second camera", "expected one");
-  const auto [camera, is_exact] = read_pov_camera(in_, version_, stage_.resolution);
-  camera_changed_ = !is_exact;
-  stage_.camera = camera;
+  const auto read = read_pov_camera(in_, version_, stage_.resolution);
+  if (!read) {
+    ++cameras_;
+    return;
+  }
+  camera_changed_ = !read->is_exact;
+  stage_.camera = read->camera;
 }
 
 void PovStage::read_light() {
   in_.expect("{", "behind light_source");
-  const auto read = read_pov_light(in_);
-  if (const auto* const light = std::get_if<scene::Light>(&read)) {
-    if (!light->extent.is_point()) ++areas_;
-    stage_.lights.push_back(*light);
+  add(read_pov_light(in_), {});
+}
+
+void PovStage::add(PovLight light, const PovTransform& by) {
+  settings_ += light.left_out;
+  if (!light.light) {
+    ++lights_;
+    return;
+  }
+  move_light(*light.light, by);
+  if (const auto* const near = std::get_if<scene::Light>(&*light.light)) {
+    if (!near->extent.is_point()) ++areas_;
+    stage_.lights.push_back(*near);
   } else {
-    stage_.directional_lights.push_back(std::get<scene::DirectionalLight>(read));
+    stage_.directional_lights.push_back(std::get<scene::DirectionalLight>(*light.light));
     ++parallels_;
   }
 }
 
 void PovStage::read_background() {
-  const std::size_t at = in_.offset();
-  if (stage_.background) in_.fail(at, "a second background", "expected one");
   in_.pass();
   in_.expect("{", "behind background");
-  stage_.background = in_.color("background").rgb;
-  check_rule(in_, at, "background", light_color, *stage_.background);
+  const glm::dvec3 color = in_.color("background").rgb;
   in_.expect("}", "behind the colour of a background");
+  if (light_color.holds(color))
+    stage_.background = color;
+  else
+    ++settings_;
 }
 
 void PovStage::read_settings() {
@@ -94,9 +106,10 @@ void PovStage::read_setting() {
   const std::size_t at = in_.offset();
   if (in_.take("max_trace_level")) {
     const double level = in_.number("max_trace_level");
-    if (!is_whole(level, 1, scene::greatest_depth))
-      in_.fail(at, fmt::format("max_trace_level is {}", level), "expected a whole number of rays in a row, 1 to 1000");
-    stage_.max_depth = static_cast<std::uint32_t>(level);
+    if (is_whole(level, 1, scene::greatest_depth))
+      stage_.max_depth = static_cast<std::uint32_t>(level);
+    else
+      ++settings_;
   } else if (in_.take("assumed_gamma")) {
     read_gamma(at);
   } else if (in_.take("adc_bailout")) {
@@ -142,30 +155,6 @@ void PovStage::make_linear() {
   gamma_ = gamma;
 }
 
-void PovStage::read_declaration() {
-  static constexpr std::array<std::string_view, 13> blocks{
-      "function",  "texture",     "pigment",    "normal",      "finish",    "interior",  "material",
-      "color_map", "pigment_map", "normal_map", "texture_map", "slope_map", "colour_map"};
-  static constexpr std::array<std::string_view, 5> colors{"color", "colour", "rgb", "rgbf", "rgbt"};
-  if (in_.done()) in_.fail_here("expected a name behind #declare");
-  in_.pass();
-  in_.expect("=", "behind the name of a declaration");
-  const std::string_view kind = in_.word();
-  if (is_one_of(colors, kind)) {
-    in_.color("#declare");
-  } else if (is_one_of(blocks, kind)) {
-    in_.pass();
-    if (in_.take("("))
-      while (!in_.done() && !in_.take(")")) in_.pass();
-    in_.expect("{", fmt::format("behind {}", kind));
-    in_.skip_block();
-  } else {
-    in_.fail_here("expected a colour, a function, a texture, or what is part of one: no other declaration is read");
-  }
-  in_.take(";");
-  ++declarations_;
-}
-
 void PovStage::read_sky() {
   in_.expect("{", "behind sky_sphere");
   const PovWords begin = in_;
@@ -191,13 +180,16 @@ std::optional<scene::Environment> PovStage::read_gradient() {
     const glm::dvec3& color = sky.colors[end] = in_.color("sky_sphere").rgb;
     if (!(std::min({color.x, color.y, color.z}) >= 0) || !take_all({"]"})) return std::nullopt;
   }
-  return take_all({"}", "scale", "2", "translate", "<", "0", ",", "-1", ",", "0", ">", "}", "}"}) ? std::optional(sky)
-                                                                                                  : std::nullopt;
+  return take_all({"}", "scale", "2", "translate", "<", "0", ",", "-", "1", ",", "0", ">", "}", "}"})
+             ? std::optional(sky)
+             : std::nullopt;
 }
 
 void PovStage::name_losses(std::vector<std::string>& lost) const {
   add_loss(lost, camera_changed_ ? 1 : 0, "camera", "cameras",
            "changed: a scene's has square pixels and right angles, and mirrors nothing");
+  add_loss(lost, cameras_, "camera", "cameras", "left out: a scene's sees by straight rays from one point");
+  add_loss(lost, lights_, "light_source", "light_sources", "left out: no light of a scene is such");
   add_loss(lost, parallels_, "parallel light", "parallel lights",
            "read as directional: a scene has none that some things stand behind");
   add_loss(lost, areas_, "area_light", "area_lights",
@@ -210,7 +202,6 @@ void PovStage::name_losses(std::vector<std::string>& lost) const {
                     : std::string("made linear from sRGB, which POV-Ray shows as they stand here")) +
                ": sums and slopes of light are other than its own");
   add_loss(lost, versions_, "#version", "#versions", "read as 3.7");
-  add_loss(lost, declarations_, "declaration", "declarations", "left out, of textures and their parts");
 }
 
 }  // namespace durero::io

@@ -9,94 +9,51 @@
 #include "durero/text/shown.hpp"
 
 namespace durero::io {
-namespace {
-
-constexpr std::string_view between = " \t\v\f\r\n";
-constexpr std::string_view signs = "<>{}[]();,=*/?:!&|";
-/// What a number or a name ends before.
-constexpr std::string_view ends = " \t\v\f\r\n<>{}[]();,=*/?:!&|\"#";
-/// What may stand before the numbers of a colour.
-constexpr std::array<std::string_view, 3> colored{"color", "colour", "rgb"};
-constexpr std::array<std::string_view, 6> switches{"on", "off", "true", "false", "yes", "no"};
-
-}  // namespace
 
 bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-void PovWords::pass() {
-  end_ = at_ + word_.size();
-  stand(end_);
-}
-
-bool PovWords::take(std::string_view word) {
-  if (done() || word_ != word) return false;
-  pass();
-  return true;
-}
-
-void PovWords::expect(std::string_view word, std::string_view where) {
-  if (!take(word)) fail_here(fmt::format("expected {} {}", word, where));
+std::string PovWords::passed(std::size_t from) const {
+  std::string joined;
+  for (std::size_t i = from; i < next_; ++i) joined.append(i == from ? "" : " ").append(words_[i].text);
+  return joined;
 }
 
 std::optional<double> PovWords::take_number() {
-  const auto value = done() ? std::nullopt : read_finite(word_);
-  if (value) pass();
-  return value;
+  const std::size_t from = next_;
+  const bool is_negative = take("-");
+  const auto value = done() || !words_[next_].is_number() ? std::nullopt : read_finite(word());
+  if (!value) {
+    next_ = from;
+    return std::nullopt;
+  }
+  pass();
+  return is_negative ? -*value : *value;
 }
 
-void PovWords::comma(std::string_view where) {
-  if (!take(",") && (word_.starts_with('+') || word_.starts_with('-')))
-    fail_here(fmt::format("expected a comma in {}: no sum is read", where));
+PovNumbers PovWords::value(std::string_view what) {
+  if (done()) fail(next_, fmt::format("the text ends in {}", what), "expected a number");
+  if (!begins_pov_expression(words_[next_]))
+    fail(next_, fmt::format("{} in {}", text::shown(word()), what), "expected a finite number");
+  return pov_sum(*this);
 }
 
 double PovWords::number(std::string_view what) {
-  if (done()) fail(at_, fmt::format("the text ends in {}", what), "expected a number");
-  const auto value = read_finite(word_);
-  if (!value) fail(at_, fmt::format("{} in {}", text::shown(word_), what), "expected a finite number");
-  pass();
-  return *value;
+  const std::size_t at = next_;
+  const PovNumbers given = value(what);
+  if (given.count != 1) fail(at, fmt::format("a vector in {}", what), "expected a number");
+  return given.of[0];
 }
 
-glm::dvec3 PovWords::triple(std::string_view what) {
-  if (take("<")) {
-    glm::dvec3 v{};
-    for (int k = 0; k < 3; ++k) {
-      if (k > 0) expect(",", fmt::format("in {}", what));
-      v[k] = number(what);
-    }
-    expect(">", fmt::format("in {}", what));
-    return v;
-  }
-  const bool is_signed = word_.starts_with('-') || word_.starts_with('+');
-  const std::string_view axis = word_.substr(is_signed ? 1 : 0);
-  if (axis != "x" && axis != "y" && axis != "z") return glm::dvec3(number(what));
-  glm::dvec3 v{};
-  double& length = v[axis.front() - 'x'];
-  length = word_.starts_with('-') ? -1 : 1;
-  pass();
-  if (take("*")) length *= number(what);
-  return v;
-}
+glm::dvec3 PovWords::triple(std::string_view what) { return value(what).triple(); }
 
 PovColor PovWords::color(std::string_view what) {
-  PovColor color;
-  while (is_one_of(colored, word_)) pass();
-  const std::string_view fourth = word_;
-  if (take("rgbf") || take("rgbt")) {
-    expect("<", fmt::format("in {}", what));
-    for (int k = 0; k < 3; ++k) {
-      color.rgb[k] = number(what);
-      expect(",", fmt::format("in {}", what));
-    }
-    (fourth == "rgbf" ? color.filter : color.transmit) = number(what);
-    expect(">", fmt::format("in {}", what));
-  } else {
-    color.rgb = triple(what);
-  }
-  while (word_ == "filter" || word_ == "transmit") {
-    double& share = word_ == "filter" ? color.filter : color.transmit;
+  const PovNumbers given = value(what);
+  PovColor color{given.triple()};
+  if (given.count == 5) color.filter = given.of[3], color.transmit = given.of[4];
+  while (word() == "filter" || word() == "transmit") {
+    double& share = word() == "filter" ? color.filter : color.transmit;
     pass();
     share = number(what);
   }
@@ -106,75 +63,40 @@ PovColor PovWords::color(std::string_view what) {
 void PovWords::skip_block() {
   for (std::size_t open = 1; open > 0; pass()) {
     if (done()) fail_here("expected } for each {");
-    if (word_ == "{") ++open;
-    if (word_ == "}") --open;
+    if (word() == "{") ++open;
+    if (word() == "}") --open;
   }
 }
 
 void PovWords::skip_value() {
   if (take("{")) return skip_block();
-  while (is_value()) {
-    if (!take("<")) {
+  while (!done()) {
+    if (word() == "," || word().starts_with('"'))
       pass();
-      continue;
-    }
-    while (!done() && !take(">")) pass();
+    else if (word() == "<")
+      skip_vector();
+    else if (begins_pov_expression(words_[next_]))
+      pov_sum(*this);
+    else
+      return;
   }
 }
 
-bool PovWords::is_value() const {
-  return word_ == "<" || word_ == "," || word_.starts_with('"') || read_finite(word_) || is_one_of(colored, word_) ||
-         is_one_of(switches, word_);
+void PovWords::fail(std::size_t offset, const std::string& wrong, const std::string& expected,
+                    const contract::clause* broken) const {
+  if (offset < words_.size()) words_[offset].source->fail(words_[offset].offset, wrong, expected, broken);
+  program_.source().fail(program_.source().text().size(), wrong, expected, broken);
 }
 
-std::string PovWords::here() const { return done() ? "the text ends" : text::shown(word_) + " stands here"; }
-
-void PovWords::fail_here(const std::string& expected) const { fail(at_, here(), expected); }
-
-void PovWords::stand(std::size_t from) {
-  at_ = behind_comments(from);
-  word_ = source_.text().substr(at_, word_end(at_) - at_);
+void PovWords::skip_vector() {
+  do {
+    if (done()) fail_here("expected > behind <");
+    pass();
+  } while (!take(">"));
 }
 
-std::size_t PovWords::behind_comments(std::size_t from) const {
-  const std::string_view text = source_.text();
-  while (true) {
-    from = std::min(text.find_first_not_of(between, from), text.size());
-    const std::size_t behind = behind_comment(from);
-    if (behind == from) return from;
-    from = behind;
-  }
-}
-
-// Comments between /* and */ may stand in each other.
-std::size_t PovWords::behind_comment(std::size_t from) const {
-  const std::string_view text = source_.text();
-  if (text.substr(from, 2) == "//") return std::min(text.find_first_of("\r\n", from), text.size());
-  if (text.substr(from, 2) != "/*") return from;
-  std::size_t next = from + 2;
-  for (std::size_t open = 1; open > 0;) {
-    next = text.find_first_of("*/", next);
-    if (next == text.npos) fail(from, "a comment that does not end", "expected */");
-    const std::string_view two = text.substr(next, 2);
-    if (two == "/*") ++open;
-    if (two == "*/") --open;
-    next += two == "/*" || two == "*/" ? 2 : 1;
-  }
-  return next;
-}
-
-std::size_t PovWords::word_end(std::size_t from) const {
-  const std::string_view text = source_.text();
-  if (from == text.size()) return from;
-  if (text[from] == '"') {
-    std::size_t next = text.find_first_of("\"\\", from + 1);
-    while (next != text.npos && text[next] == '\\') next = text.find_first_of("\"\\", next + 2);
-    if (next == text.npos) fail(from, "a text that does not end", "expected \"");
-    return next + 1;
-  }
-  if (signs.find(text[from]) != signs.npos) return from + 1;
-  const std::size_t next = text.find_first_of(ends, from + 1);
-  return std::min(next, text.size());
+void PovWords::refuse(const std::string& expected) const {
+  fail(next_, done() ? "the text ends" : text::shown(word()) + " stands here", expected);
 }
 
 }  // namespace durero::io

@@ -1,7 +1,5 @@
 #pragma once
-/// The words of a POV-Ray text: numbers and names up to a blank or a sign, texts in quotes, and signs, one byte each.
-/// Comments are left out. Of the language's expressions the literal ones are read: a number, <x, y, z> of numbers,
-/// and the axes x, y and z, or one times a number.
+/// The words of what a POV-Ray program leaves, one after another, and the values that stand among them.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -9,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "durero/io/source.hpp"
+#include "pov_program.hpp"
 
 namespace durero::io {
 
@@ -22,35 +20,32 @@ struct PovColor {
   double filter = 0, transmit = 0;
 };
 
-class PovWords {
+class PovWords final : public PovTerms {
  public:
-  /// Stands on the first word.
-  explicit PovWords(const Source& source) : source_(source) { stand(0); }
+  /// Stands on the first word. The program must outlive it.
+  explicit PovWords(const PovProgram& program) : program_(program), words_(program.tokens()) {}
 
   /// Whether the text ends here.
-  bool done() const { return word_.empty(); }
-  /// What stands here; empty at the end of the text.
-  std::string_view word() const { return word_; }
-  /// Where it stands; the end of the text where there is none.
-  std::size_t offset() const { return at_; }
-  /// What has been passed since that offset.
-  std::string_view passed(std::size_t from) const { return source_.text().substr(from, end_ - from); }
+  bool done() const { return next_ == words_.size(); }
+  /// The word that stands here; empty at the end of the text.
+  std::string_view word() const { return done() ? std::string_view() : words_[next_].text; }
+  /// The number of the word that stands here.
+  std::size_t offset() const { return next_; }
+  /// The words from that one up to the one that stands here, with a blank between.
+  std::string passed(std::size_t from) const;
 
   /// Goes back, or on, to where that one stands in the same text.
-  void stand_where(const PovWords& other) { word_ = other.word_, at_ = other.at_, end_ = other.end_; }
-  /// Passes what stands here. Precondition: !done().
-  void pass();
-  /// Passes that word, if it stands here.
-  bool take(std::string_view word);
-  /// Passes that word, or fails: `what stands here; expected word where`.
-  void expect(std::string_view word, std::string_view where);
-  /// Passes a finite number, if one stands here.
+  void stand_where(const PovWords& other) { next_ = other.next_; }
+  const PovToken* here() override { return done() ? nullptr : &words_[next_]; }
+  void pass() override { ++next_; }
+  std::optional<PovNumbers> named() override { return std::nullopt; }
+  /// Passes a number that stands here by itself, perhaps behind a −.
   std::optional<double> take_number();
-  /// Passes a comma, which the language lets one leave out; it is missed where a sign makes a sum of both numbers.
-  void comma(std::string_view where);
+  /// Passes a comma, which the language lets one leave out.
+  void comma() { take(","); }
 
-  /// @{ A finite number; three of them, or one for all three, or an axis; the same of colours. `what` names it in
-  /// messages.
+  /// @{ The value of an expression: a finite number; three of them, where one stands for all three; a colour. `what`
+  /// names it in messages.
   double number(std::string_view what);
   glm::dvec3 triple(std::string_view what);
   PovColor color(std::string_view what);
@@ -58,28 +53,22 @@ class PovWords {
 
   /// From behind a { to behind its }.
   void skip_block();
-  /// What stands behind a word that is not read: a block, or numbers, texts and switches; perhaps nothing.
+  /// Passes what stands behind a word that is not read: a block, or values and texts; perhaps nothing.
   void skip_value();
 
+  /// Fails at the word of that number.
   [[noreturn]] void fail(std::size_t offset, const std::string& wrong, const std::string& expected,
-                         const contract::clause* broken = nullptr) const {
-    source_.fail(offset, wrong, expected, broken);
-  }
+                         const contract::clause* broken = nullptr) const;
   /// `what stands here; expected …`
-  [[noreturn]] void fail_here(const std::string& expected) const;
+  void refuse(const std::string& expected) const override;
 
  private:
-  void stand(std::size_t from);
-  std::size_t behind_comments(std::size_t from) const;
-  std::size_t behind_comment(std::size_t from) const;
-  std::size_t word_end(std::size_t from) const;
-  std::string here() const;
-  bool is_value() const;
+  PovNumbers value(std::string_view what);
+  void skip_vector();
 
-  const Source& source_;
-  std::string_view word_;
-  std::size_t at_ = 0;   // of the word
-  std::size_t end_ = 0;  // of the word before it
+  const PovProgram& program_;
+  const PovTokens& words_;
+  std::size_t next_ = 0;
 };
 
 }  // namespace durero::io

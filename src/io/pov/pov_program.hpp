@@ -1,0 +1,151 @@
+#pragma once
+/// A POV-Ray text as a program: its directives are carried out, its macros and names replaced by what they stand for.
+/// What is left are objects and settings of literal values.
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "durero/scene/stage.hpp"
+#include "pov_expression.hpp"
+#include "pov_token.hpp"
+
+namespace durero::io {
+
+struct PovValue;
+/// Values by number; some have none yet.
+using PovArray = std::vector<std::shared_ptr<PovValue>>;
+
+/// A function of numbers.
+struct PovFunction {
+  std::vector<std::string_view> parameters;
+  std::shared_ptr<const PovTokens> body;
+};
+
+/// The value of a name: nothing yet, numbers, a text, an array, a function, or tokens that are put in its place.
+struct PovValue {
+  std::variant<std::monostate, PovNumbers, std::string, PovArray, PovFunction, std::shared_ptr<const PovTokens>> of;
+};
+
+/// Runs a text when it is made. Files that it includes are searched in its folder and where POV-Ray keeps its own.
+class PovProgram final : private PovTerms {
+ public:
+  /// Throws InputError, in the file and at the place where it is wrong. The source must outlive it.
+  explicit PovProgram(const Source& source);
+
+  /// What is left of the text; the tokens live as long as the program.
+  const PovTokens& tokens() const { return left_; }
+  /// The text itself.
+  const Source& source() const { return main_; }
+
+ private:
+  struct Macro {
+    std::vector<std::string_view> parameters;
+    std::shared_ptr<const PovTokens> tokens;
+    std::size_t begin, end;  // of its body
+  };
+  /// A directive that ends at an #end.
+  struct Block {
+    enum class Kind : std::uint8_t { condition, loop, count, choice } kind;
+    std::size_t again = 0;                // where a turn of a loop begins
+    std::shared_ptr<PovValue> counter{};  // of #for
+    double last = 0, step = 1;            // of #for
+  };
+  /// Tokens that are read, up to an end.
+  struct Frame {
+    std::shared_ptr<const PovTokens> tokens;
+    std::size_t next, end;
+    bool is_file = false;
+    bool has_scope = false;
+    std::vector<Block> blocks{};
+  };
+  using Scope = std::unordered_map<std::string_view, std::shared_ptr<PovValue>>;
+
+  // The tokens that expressions are read from: behind directives, macros, and names of things.
+  const PovToken* here() override;
+  void pass() override;
+  std::optional<PovNumbers> named() override;
+  void refuse(const std::string& expected) const override;
+
+  // Tokens as they stand.
+  const PovToken* raw(std::size_t ahead = 0) const;
+  PovToken take_raw(const std::string& expected);
+  void expect_raw(std::string_view text, std::string_view where);
+  bool take_raw_if(std::string_view text);
+  std::string_view name(const std::string& expected);
+  void push(Frame frame, const PovToken& at);
+  void put(const PovValue& value, const PovToken& at);
+  void leave_frame();
+  bool replace(const PovToken& token);
+
+  void run();
+  void emit();
+  void emit(const PovNumbers& numbers, const PovToken& at);
+  void emit_block_as_it_stands();
+  void keep(const PovToken& token);
+  PovToken made(std::string text, const PovToken& at);
+
+  void direct(const PovToken& directive);
+  void include(const PovToken& at);
+  void declare(bool is_local);
+  void start_condition(bool holds);
+  void skip_to_end();
+  std::string_view skip();
+  void start_loop(std::size_t again);
+  void start_count();
+  void start_choice();
+  void end_block(const PovToken& at);
+  void break_out(const PovToken& at);
+  void define_macro();
+  void set_version(const PovToken& at);
+  void say(std::string_view word, const PovToken& at);
+  void use_file(std::string_view word, const PovToken& at);
+  double in_parentheses(std::string_view where);
+  bool is_defined();
+  bool begins_text();
+  double compared_texts();
+  void pass_directives();
+
+  PovValue value();
+  PovArray array();
+  PovArray elements();
+  PovFunction function();
+  PovTokens captured();
+  void invoke(const Macro& macro, const PovToken& at);
+  std::shared_ptr<PovValue> argument();
+  double call(const PovFunction& function, const PovToken& at);
+
+  std::shared_ptr<PovValue> find(std::string_view name) const;
+  std::shared_ptr<PovValue>& place_of(std::string_view name, bool is_local);
+  std::shared_ptr<PovValue> element_of(const std::shared_ptr<PovValue>& array);
+  std::optional<std::string> take_text();
+  std::string text(std::string_view where);
+  std::vector<PovNumbers> numbers_in_parentheses(std::string_view where);
+  std::optional<PovNumbers> asked(std::string_view word);
+
+  const Source& main_;
+  const scene::Resolution size_;
+  std::deque<Source> files_;
+  std::deque<std::string> made_;
+  std::vector<Frame> frames_;
+  std::vector<Scope> scopes_;
+  std::unordered_map<std::string_view, Macro> macros_;
+  std::vector<std::uint32_t> streams_;
+  PovTokens left_;
+  PovTokens* sink_ = &left_;
+  std::size_t steps_ = 0, kept_ = 0, calls_ = 0, nested_ = 0;
+  std::size_t floor_ = 0;                  // frames that are not left
+  std::size_t statement_ = 0;              // frames where an expression may end before a directive
+  std::size_t open_ = 0;                   // parentheses within that expression
+  std::size_t settled_ = ~std::size_t{0};  // the token of the last frame that is known to stand for itself
+  double version_ = 3.62;                  // POV-Ray's where none is told
+};
+
+}  // namespace durero::io
