@@ -35,7 +35,7 @@ def main():
     stage = {
         "format": "durero-scene", "version": 1,
         "camera": {"eye": [0.6, 3.4, -8.2], "look_at": [0.05, 1.35, 0], "up": [0, 1, 0], "fov_y": 32},
-        "resolution": [1280, 960], "max_depth": 9,
+        "resolution": [1280, 960], "max_depth": 60,
         "environment": {"gradient": [[0.86, 0.84, 0.8], [0.45, 0.6, 0.8]]},
         "lights": [{"position": [-6, 9, -5], "color": [0.9, 0.88, 0.82]}],
         "textures": {"tiles": {"checker": [[0.93, 0.9, 0.84], [0.3, 0.42, 0.52]], "repeat": [12, 12]}},

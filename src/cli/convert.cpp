@@ -1,4 +1,5 @@
-// durero import FILE -o SCENE, durero export SCENE -o FILE: other scene formats, by file name.
+// durero import FILE -o SCENE, durero export SCENE -o FILE: other scene formats, by file name. durero import FOLDER
+// --survey: which files of a folder can be read.
 #include <fmt/format.h>
 
 #include <optional>
@@ -17,6 +18,7 @@
 #include "durero/text/shown.hpp"
 #include "losses.hpp"
 #include "progress.hpp"
+#include "survey.hpp"
 
 namespace durero::cli {
 namespace {
@@ -24,7 +26,7 @@ namespace {
 struct ConvertOptions {
   std::string from, to;
   std::string triangles;  // how they come in: `mesh`, `single`, or empty: as the format has them
-  bool quiet = false, binary = false;
+  bool quiet = false, binary = false, survey = false;
 };
 
 int import_scene(const ConvertOptions& options) {
@@ -64,17 +66,32 @@ void add_import(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("import", fmt::format("Read a scene in any format ({})", io::endings_to_read()));
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
-  command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json")->required();
+  auto* const output = command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json");
+  output->required();
   command
       ->add_option("--triangles", options->triangles,
                    "How triangles come in: gathered into a mesh, whose points stand once, or single, each an element "
                    "that can be edited alone; without it as the format has them")
       ->check(one_of("way", {"mesh", "single"}));
+  command
+      ->add_flag_callback(
+          "--survey",
+          [options, output] {
+            options->survey = true;
+            output->required(false);
+          },
+          "FILE is a folder: write nothing, and tell how many of the files below it are read, what stops the rest, and "
+          "what is left out")
+      ->excludes(output);
   add_quiet(*command, options->quiet);
   command->footer(
-      exit_status("it is written; what is left out is named on the standard error", "the call or the file is bad") +
-      examples({"import still-life.nff -o imported.json", "import bunny.obj -o bunny.json --triangles single"}));
-  command->callback([options, &status] { status = import_scene(*options); });
+      exit_status("it is written, what is left out is named on the standard error; or all of a folder are read",
+                  "some of a folder are not", "the call or the file is bad") +
+      examples({"import still-life.nff -o imported.json", "import bunny.obj -o bunny.json --triangles single",
+                "import scenes --survey"}));
+  command->callback([options, &status] {
+    status = options->survey ? survey(options->from, options->quiet) : import_scene(*options);
+  });
 }
 
 void add_export(CLI::App& app, int& status) {

@@ -191,8 +191,8 @@ run 0 import again.pov -o again.json
 has again.json '"u1":{"elementos":["c1","d1","d2"]}'
 has again.json '"u3":{"groups":["u1","u2"]}'
 run 0 stats again.json --engine bvh --hierarchy hand --no-times
-printf 'sphere { 0, 1 }\nblob { }\n' >bad.pov
-refused 'bad.pov:2:1: "blob" is not read; expected one of sphere, cylinder, ' import bad.pov -o bad.json
+printf 'sphere { 0, 1 }\nblobb { }\n' >bad.pov
+refused 'bad.pov:2:1: "blobb" is not read; expected one of sphere, cylinder, ' import bad.pov -o bad.json
 absent bad.json
 
 # Names that end in great letters are those of formats too; what is written ends as its format does, or not at all.
@@ -221,3 +221,27 @@ printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
 refused 'bad.nff:2:9: radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)' import bad.nff -o bad.json
 absent bad.json
 finish
+
+# A survey of a folder: how many files are read, what stops the others, and what is left out.
+mkdir -p folder/below
+printf 'torus { 1, 0.5 } sphere { 0, 1 pigment { rgb 1 } }\n#version 3.7;' >folder/one.pov
+printf 'torus { 1, 0.5 } torus { 2, 1 }\n#version 3.7;' >folder/below/two.pov
+printf 'sphere { Here, 1 }' >folder/three.pov
+printf 'sphere {\n There, 1 }' >folder/below/four.POV
+echo 'no scene' >folder/notes.txt
+run 1 import folder --survey
+empty err
+cat >expected <<'TEXT'
+folder: 2 of 4 files are read
+not read: 2 × … in sphere; expected a finite number
+  first folder/below/four.POV:2:2: "There" in sphere; expected a finite number
+read: in 2 of them, 3 in all: torus left out: a scene has none
+TEXT
+same expected out
+rm folder/three.pov folder/below/four.POV
+run 0 import folder --survey
+run 2 import nothing --survey
+has err 'durero: nothing: no folder; expected one'
+run 2 import folder --survey -o scene.json
+run 2 import folder
+has err 'durero: --output: it is missing'

@@ -36,7 +36,7 @@ using Balls = std::vector<glm::dvec4>;
 class Folder {
  public:
   Folder() : path_(std::filesystem::temp_directory_path() / fmt::format("durero_pov_{}", getpid())) {
-    std::filesystem::create_directories(path_ / "parts");
+    std::filesystem::create_directories(path_ / "parts" / "x");
   }
   ~Folder() { std::filesystem::remove_all(path_); }
   Folder(const Folder&) = delete;
@@ -147,9 +147,11 @@ TEST_CASE("Files are included from the folder of the text and below it, and from
     CHECK(std::string(error.what()) ==
           folder.path("parts/wrong.inc") + ":2:5: \"}\" in sphere; expected a finite number");
   }
-  for (const char* outside : {"/etc/hostname", "../main.pov", "parts/../../main.pov", "", "parts"}) {
-    folder.write("main.pov", fmt::format("#include \"{}\"", outside));
-    CHECK_THROWS_AS(io::read_pov(io::read_source(folder.path("main.pov"))), io::InputError);
+  folder.write("empty.inc", "");
+  for (const std::string& outside : {folder.path("empty.inc"), std::string("../empty.inc"),
+                                     std::string("x/../../empty.inc"), std::string(), std::string(".")}) {
+    folder.write("parts/inner.pov", fmt::format("#include \"{}\"", outside));
+    CHECK_THROWS_AS(io::read_pov(io::read_source(folder.path("parts/inner.pov"))), io::InputError);
   }
 }
 

@@ -1,0 +1,14 @@
+#pragma once
+/// The survey of a folder, `durero import FOLDER --survey`: which of its files can be imported, and what stops the
+/// rest.
+
+#include <string>
+
+namespace durero::cli {
+
+/// Reads each file below a folder whose name tells a format, and prints how many are read, what stops the others, and
+/// what of those that are read is left out or changed. Nothing is written. 0 where all are read, else 1. Throws
+/// io::FileError where there is no such folder.
+int survey(const std::string& folder, bool quiet);
+
+}  // namespace durero::cli
