@@ -162,7 +162,7 @@ TEST_CASE("a ray is rounded in two parts, and rays out of range are refused") {
   };
   CHECK(fits({1, 1, 1}, {0x1p-30, 1, -1}));
   CHECK_FALSE(fits({1, 1, 1}, {0x1p-31, 1, -1}));
-  CHECK_FALSE(fits({1, 1, 1}, {1, 0, 1}));
+  CHECK(fits({1, 1, 1}, {1, 0, -0.0}));
   CHECK_FALSE(fits({1, 1, 1}, {1, -0x1p31, 1}));
   CHECK_FALSE(fits({-0x1p31, 1, 1}, {1, 1, 1}));
   CHECK(fits({1e-300, 0, 0x1p29}, {1, 1, 1}));
