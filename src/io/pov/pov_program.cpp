@@ -255,61 +255,60 @@ void PovProgram::emit_block_as_it_stands() {
 
 // Directives.
 
+/// A directive by its name.
+struct PovProgram::Directive {
+  std::string_view word;
+  void (PovProgram::*carry_out)(const PovToken& directive);
+};
+
 void PovProgram::direct(const PovToken& directive) {
+  static constexpr Directive all[] = {{"include", &PovProgram::include},
+                                      {"declare", &PovProgram::declare},
+                                      {"local", &PovProgram::declare},
+                                      {"undef", &PovProgram::undefine},
+                                      {"if", &PovProgram::start_condition},
+                                      {"ifdef", &PovProgram::start_condition},
+                                      {"ifndef", &PovProgram::start_condition},
+                                      {"while", &PovProgram::start_loop},
+                                      {"for", &PovProgram::start_count},
+                                      {"switch", &PovProgram::start_choice},
+                                      {"else", &PovProgram::end_branch},
+                                      {"elseif", &PovProgram::end_branch},
+                                      {"case", &PovProgram::end_branch},
+                                      {"range", &PovProgram::end_branch},
+                                      {"end", &PovProgram::end_block},
+                                      {"break", &PovProgram::break_out},
+                                      {"macro", &PovProgram::define_macro},
+                                      {"version", &PovProgram::set_version},
+                                      {"default", &PovProgram::set_default},
+                                      {"debug", &PovProgram::say},
+                                      {"warning", &PovProgram::say},
+                                      {"error", &PovProgram::say},
+                                      {"render", &PovProgram::say},
+                                      {"statistics", &PovProgram::say},
+                                      {"fopen", &PovProgram::use_file},
+                                      {"fclose", &PovProgram::use_file},
+                                      {"write", &PovProgram::use_file},
+                                      {"read", &PovProgram::use_file}};
+  const auto* const found = std::ranges::find(all, word_of(directive), &Directive::word);
+  if (found == std::end(all))
+    directive.fail(fmt::format("#{} is not carried out", word_of(directive)), "expected another directive");
   if (++nested_ > most_nested) directive.fail("directives within each other, deeper than 200", "expected 200 at most");
-  settled_ = unsettled;
-  const std::string_view word = word_of(directive);
   const std::size_t statement = std::exchange(statement_, 0), open = std::exchange(open_, 0);
-  const std::size_t again = frames_.back().next - 1;
-  if (word == "include")
-    include(directive);
-  else if (word == "declare" || word == "local")
-    declare(word == "local");
-  else if (word == "undef") {
-    const std::string_view gone = name("expected a name behind #undef");
-    for (Scope& scope : scopes_) scope.erase(gone);
-    macros_.erase(gone);
-  } else if (word == "if")
-    start_condition(std::abs(in_parentheses("behind #if")) > same_within);
-  else if (word == "ifdef")
-    start_condition(is_defined());
-  else if (word == "ifndef")
-    start_condition(!is_defined());
-  else if (word == "while")
-    start_loop(again);
-  else if (word == "for")
-    start_count();
-  else if (word == "switch")
-    start_choice();
-  else if (word == "end")
-    end_block(directive);
-  else if (word == "else" || word == "elseif" || word == "case" || word == "range") {
-    auto& blocks = frames_.back().blocks;
-    if (blocks.empty()) directive.fail(fmt::format("#{} without #if", word), "expected one before it");
-    if (blocks.back().kind == Block::Kind::choice) {  // the branch before goes on into this one
-      if (word == "case") in_parentheses("behind #case");
-      if (word == "range") numbers_in_parentheses("behind #range");
-    } else {
-      skip_to_end();
-      blocks.pop_back();
-    }
-  } else if (word == "break")
-    break_out(directive);
-  else if (word == "macro")
-    define_macro();
-  else if (word == "version")
-    set_version(directive);
-  else if (word == "default")
-    keep({"#default", directive.source, directive.offset});
-  else if (word == "debug" || word == "warning" || word == "error" || word == "render" || word == "statistics")
-    say(word, directive);
-  else if (word == "fopen" || word == "fclose" || word == "write" || word == "read")
-    use_file(word, directive);
-  else
-    directive.fail(fmt::format("#{} is not carried out", word), "expected another directive");
+  settled_ = unsettled;
+  (this->*found->carry_out)(directive);
   statement_ = statement, open_ = open, settled_ = unsettled;
   --nested_;
 }
+
+void PovProgram::undefine(const PovToken&) {
+  const std::string_view gone = name("expected a name behind #undef");
+  for (Scope& scope : scopes_) scope.erase(gone);
+  macros_.erase(gone);
+}
+
+/// What tells of the look of what tells of none goes on to who reads what is left.
+void PovProgram::set_default(const PovToken& directive) { keep({"#default", directive.source, directive.offset}); }
 
 void PovProgram::include(const PovToken& at) {
   const std::string file = text("behind #include");
@@ -330,7 +329,7 @@ void PovProgram::include(const PovToken& at) {
   push({std::move(tokens), 0, size, true, true}, at);
 }
 
-void PovProgram::declare(bool is_local) {
+void PovProgram::declare(const PovToken& directive) {
   const PovToken at = frames_.back().next < frames_.back().end ? *raw() : PovToken{"", &main_, main_.text().size()};
   if (take_raw_if("deprecated")) {
     take_raw_if("once");
@@ -351,7 +350,7 @@ void PovProgram::declare(bool is_local) {
     pass_directives();
     statement_ = own;
     PovValue given = value();
-    *place_of(declared, is_local) = std::move(given);
+    *place_of(declared, word_of(directive) == "local") = std::move(given);
   }
   take(";");
 }
@@ -418,7 +417,9 @@ bool PovProgram::is_defined() {
   return things == nullptr || (*things)->size() != 1 || (*things)->front().text != asked;
 }
 
-void PovProgram::start_condition(bool holds) {
+void PovProgram::start_condition(const PovToken& directive) {
+  const std::string_view word = word_of(directive);
+  bool holds = word == "if" ? std::abs(in_parentheses("behind #if")) > same_within : is_defined() == (word == "ifdef");
   while (!holds) {
     const std::string_view branch = skip();
     if (branch == "end") return;
@@ -443,7 +444,8 @@ void PovProgram::skip_to_end() {
   while (skip() != "end") continue;
 }
 
-void PovProgram::start_loop(std::size_t again) {
+void PovProgram::start_loop(const PovToken&) {
+  const std::size_t again = frames_.back().next - 1;  // the directive itself
   if (std::abs(in_parentheses("behind #while")) <= same_within) return skip_to_end();
   frames_.back().blocks.push_back({Block::Kind::loop, again});
 }
@@ -455,7 +457,7 @@ bool goes_on(double counter, double last, double step) {
 }
 }  // namespace
 
-void PovProgram::start_count() {
+void PovProgram::start_count(const PovToken&) {
   expect_raw("(", "behind #for");
   const std::string_view counter = name("expected the name of a counter in #for");
   expect(",", "behind the counter of #for");
@@ -473,7 +475,7 @@ void PovProgram::start_count() {
   frames_.back().blocks.push_back(std::move(block));
 }
 
-void PovProgram::start_choice() {
+void PovProgram::start_choice(const PovToken&) {
   const double chosen = in_parentheses("behind #switch");
   while (true) {
     const std::string_view branch = skip();
@@ -487,6 +489,19 @@ void PovProgram::start_choice() {
     }
   }
   frames_.back().blocks.push_back({Block::Kind::choice});
+}
+
+/// What was carried out ends at the next branch; but a branch of a #switch goes on into it.
+void PovProgram::end_branch(const PovToken& directive) {
+  const std::string_view word = word_of(directive);
+  auto& blocks = frames_.back().blocks;
+  if (blocks.empty()) directive.fail(fmt::format("#{} without #if", word), "expected one before it");
+  if (blocks.back().kind != Block::Kind::choice) {
+    skip_to_end();
+    blocks.pop_back();
+  } else if (word == "case" || word == "range") {
+    numbers_in_parentheses(fmt::format("behind #{}", word));
+  }
 }
 
 void PovProgram::end_block(const PovToken& at) {
@@ -516,7 +531,7 @@ void PovProgram::break_out(const PovToken& at) {
   at.fail("#break outside of a loop or a #switch", "expected one around it");
 }
 
-void PovProgram::define_macro() {
+void PovProgram::define_macro(const PovToken&) {
   Macro macro{{}, frames_.back().tokens, 0, 0};
   const std::string_view defined = name("expected a name behind #macro");
   expect_raw("(", "behind the name of a macro");
@@ -545,15 +560,17 @@ void PovProgram::set_version(const PovToken& at) {
 }
 
 /// A text may end itself; what it says otherwise is of no concern here.
-void PovProgram::say(std::string_view word, const PovToken& at) {
+void PovProgram::say(const PovToken& directive) {
+  const std::string_view word = word_of(directive);
   statement_ = frames_.size();
   const std::string said = text(fmt::format("behind #{}", word));
   take(";");
-  if (word == "error") at.fail(fmt::format("the text ends itself: {}", text::shown(said)), "expected no #error");
+  if (word == "error") directive.fail(fmt::format("the text ends itself: {}", text::shown(said)), "expected no #error");
 }
 
 /// No file is written, and none that a text reads numbers from is read.
-void PovProgram::use_file(std::string_view word, const PovToken& at) {
+void PovProgram::use_file(const PovToken& at) {
+  const std::string_view word = word_of(at);
   if (word == "read")
     at.fail("#read is not carried out", "expected numbers in the text, or in a file that it includes");
   if (word == "write") {

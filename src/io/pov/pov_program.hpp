@@ -92,21 +92,27 @@ class PovProgram final : private PovTerms {
   void keep(const PovToken& token);
   PovToken made(std::string text, const PovToken& at);
 
+  // Directives, each from behind its name on.
+  struct Directive;
   void direct(const PovToken& directive);
   void include(const PovToken& at);
-  void declare(bool is_local);
-  void start_condition(bool holds);
-  void skip_to_end();
-  std::string_view skip();
-  void start_loop(std::size_t again);
-  void start_count();
-  void start_choice();
+  void declare(const PovToken& directive);
+  void undefine(const PovToken& directive);
+  void start_condition(const PovToken& directive);
+  void start_loop(const PovToken& directive);
+  void start_count(const PovToken& directive);
+  void start_choice(const PovToken& directive);
+  void end_branch(const PovToken& directive);
   void end_block(const PovToken& at);
   void break_out(const PovToken& at);
-  void define_macro();
+  void define_macro(const PovToken& directive);
   void set_version(const PovToken& at);
-  void say(std::string_view word, const PovToken& at);
-  void use_file(std::string_view word, const PovToken& at);
+  void set_default(const PovToken& directive);
+  void say(const PovToken& directive);
+  void use_file(const PovToken& at);
+
+  std::string_view skip();
+  void skip_to_end();
   double in_parentheses(std::string_view where);
   bool is_defined();
   bool begins_text();

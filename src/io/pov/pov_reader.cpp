@@ -278,7 +278,7 @@ class PovReader {
     if (!placed) return add_copy(object, look, by, into);
     ObjectMaterial own_look = look;
     if (own_look.at && !by.is_identity()) own_look.at->place += " moved";
-    const auto add_placed = [&](const auto& surface) { return add(object, surface, own_look); };
+    const auto add_placed = [&](const auto& surface) { return add_element(surface, own_look); };
     const std::string name = std::visit(add_placed, placed->surface);
     if (name.empty()) return;
     if (placed->normals) scene_.set_vertex_normals(scene_.find(name).value(), *placed->normals);
@@ -321,9 +321,9 @@ class PovReader {
     in_.fail(object.at, std::string(wrong), fmt::format("expected {} ({})", broken.predicate, broken.label), &broken);
   }
 
-  /// The name of the new element; empty where it is a triangle that is left out.
+  /// The name of the new element; empty where it is left out.
   template <class Shape>
-  std::string add(const PovObject& object, const Shape& shape, const ObjectMaterial& look) {
+  std::string add_element(const Shape& shape, const ObjectMaterial& look) {
     static constexpr std::string_view letters = "scktpdv";  // by type
     std::string name = numbered(letters[scene::place_of<Shape>], numbered_[scene::place_of<Shape>]);
     const bool has_place = !look.at || is_place_of(shape, *look.at);
