@@ -11,9 +11,9 @@
 
 #include "durero/render/light/planar_mirror.hpp"
 #include "durero/render/light/whitted.hpp"
+#include "durero/render/still_scene.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/scene/query.hpp"
-#include "raster/still_scene.hpp"
 
 namespace durero::raster {
 namespace {
@@ -89,7 +89,7 @@ MirrorPasses passes_of(const engine::Engine& engine, scene::Resolution size, con
 
 render::Picture by_second_camera(const scene::Scene& scene, const engine::Engine& engine, scene::Resolution size,
                                  std::string_view mirror, std::uint32_t max_depth) {
-  const scene::Camera& camera = still_camera(scene);
+  const scene::Camera& camera = render::still_camera(scene);
   const auto element = scene.find(mirror);
   if (!element) throw std::domain_error(fmt::format("no element is called {}; expected the name of a mirror", mirror));
   const scene::Material& look = look_of(scene, *element, mirror);

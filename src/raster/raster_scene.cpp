@@ -5,15 +5,15 @@
 
 #include "durero/model/tipos.hpp"
 #include "durero/render/light/whitted.hpp"
+#include "durero/render/still_scene.hpp"
 #include "durero/trace/first_element.hpp"
-#include "raster/still_scene.hpp"
 
 namespace durero::raster {
 namespace {
 
 const scene::Camera& camera_of(const scene::Scene& scene) {
   if (scene.stage().environment) throw std::domain_error("an environment surrounds the scene; expected a background");
-  return still_camera(scene);
+  return render::still_camera(scene);
 }
 
 /// The Z-buffer of the opaque polygons alone: the others are seen, and hide nothing.

@@ -1,11 +1,11 @@
-#include "raster/still_scene.hpp"
+#include "durero/render/still_scene.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "durero/scene/motion.hpp"
 
-namespace durero::raster {
+namespace durero::render {
 
 const scene::Camera& still_camera(const scene::Scene& scene) {
   const scene::Stage& stage = scene.stage();
@@ -21,4 +21,4 @@ const scene::Camera& still_camera(const scene::Scene& scene) {
   return *stage.camera;
 }
 
-}  // namespace durero::raster
+}  // namespace durero::render
