@@ -56,6 +56,7 @@ void add_import(CLI::App& app, int& status);
 void add_man(CLI::App& app, int& status);
 void add_raster(CLI::App& app, int& status);
 void add_render(CLI::App& app, int& status);
+void add_shader(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);
 void add_stats(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
