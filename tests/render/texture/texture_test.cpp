@@ -1,5 +1,6 @@
 #include "durero/render/texture/texture.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -166,6 +167,22 @@ TEST_CASE("p6m is kept by its generators: the turn by 60 degrees, the mirrors, t
   CHECK(apart == 0);
   CHECK(first > 20000);
   CHECK(first < 80000);
+}
+
+TEST_CASE("p6m is kept by no other motion: a quarter or a twelfth of a turn, half a translation") {
+  std::mt19937_64 draw;
+  const auto number = [&] { return std::ldexp(static_cast<double>(draw() >> 11), -50) - 4; };
+  const double root = std::numbers::sqrt3 / 2;
+  const Texture texture = rule(Pattern::p6m);
+  std::array<int, 4> changed{};
+  for (int i = 0; i < 10000; ++i) {
+    const double x = number(), y = number();
+    const glm::dvec2 images[] = {
+        {-y, x}, {root * x - 0.5 * y, 0.5 * x + root * y}, {x + 0.5, y}, {x + 0.25, y + root / 2}};
+    for (std::size_t k = 0; k < changed.size(); ++k)
+      changed[k] += texture_at(texture, {x, y}, 0) != texture_at(texture, {images[k].x, images[k].y}, 0);
+  }
+  for (const int count : changed) CHECK(count > 1000);
 }
 
 TEST_CASE("slopes of waves are exact, and differences come nearer by four when their step is halved") {
