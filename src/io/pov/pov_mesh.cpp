@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/mesh/triangulation.hpp"
+
 namespace durero::io {
 namespace {
 
@@ -83,5 +85,29 @@ std::vector<PovShape> PovMesh::triangles() const {
   }
   return all;
 }
+
+std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in) {
+  const std::size_t at = in.offset();
+  const double count = in.number("polygon");
+  if (!(count >= 3 && count <= double(most)))
+    in.fail(at, fmt::format("polygon of {} points", count), "expected 3 to 10,000,000");
+  std::vector<glm::dvec3> outline;
+  bool is_closed = false, is_one = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    in.comma();
+    const glm::dvec3 point = in.triple("polygon");
+    is_one &= !is_closed;
+    is_closed |= !outline.empty() && point == outline.front();  // an outline ends where it begins
+    if (!is_closed) outline.push_back(point);
+  }
+  if (!is_one || outline.size() < 3) return std::nullopt;
+  const auto triangles = triangulated(outline);
+  if (!triangles) return std::nullopt;
+  std::vector<PovShape> shapes;
+  for (const auto& [a, b, c] : *triangles) shapes.push_back({scene::Triangle{{outline[a], outline[b], outline[c]}}});
+  return shapes;
+}
+
+bool is_of_triangles(std::string_view word) { return word == "mesh" || word == "mesh2" || word == "polygon"; }
 
 }  // namespace durero::io

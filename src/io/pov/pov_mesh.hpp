@@ -1,8 +1,10 @@
 #pragma once
-/// The mesh2 of a POV-Ray text: vertices, and triangles by their numbers.
+/// The objects of a POV-Ray text that are triangles: mesh2, of vertices and triangles by their numbers, and polygon.
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "pov_shapes.hpp"
@@ -23,5 +25,12 @@ struct PovMesh {
 
 /// Reads it from behind its { up to what stands behind its lists.
 PovMesh read_pov_mesh(PovWords& in);
+
+/// Reads a polygon from behind its { up to what stands behind its points, as triangles; nothing where it has several
+/// outlines, or one that touches itself.
+std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in);
+
+/// Whether an object of that word is a group of triangles, which bounds no solid.
+bool is_of_triangles(std::string_view word);
 
 }  // namespace durero::io

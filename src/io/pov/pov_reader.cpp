@@ -29,13 +29,13 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
-                           holders[] = {"mesh",  "mesh2",        "union",      "object",
+                           holders[] = {"mesh",  "mesh2",        "polygon",    "union", "object",
                                         "merge", "intersection", "difference", "box"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "blob",         "cubic",      "height_field",   "isosurface",
-                                       "julia_fractal", "lathe",        "lemon",      "ovus",           "poly",
-                                       "polygon",       "prism",        "parametric", "quadric",        "quartic",
-                                       "sor",           "sphere_sweep", "text",       "superellipsoid", "torus"};
+constexpr std::string_view others[] = {"bicubic_patch", "blob",       "cubic",          "height_field", "isosurface",
+                                       "julia_fractal", "lathe",      "lemon",          "ovus",         "poly",
+                                       "prism",         "parametric", "quadric",        "quartic",      "sor",
+                                       "sphere_sweep",  "text",       "superellipsoid", "torus"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
@@ -137,8 +137,8 @@ class PovReader {
       if (object.shape->has_hole) ++left_out_["disc with a hole"];
     } else if (object.word == "box")
       object.box = solids_.box();
-    else if (object.word == "mesh2")
-      read_mesh2(object);
+    else if (object.word == "mesh2" || object.word == "polygon")
+      read_triangles(object);
     else
       read_parts(object, depth);
     object.text = in_.passed(from);
@@ -226,8 +226,7 @@ class PovReader {
     if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);
     scene::Group own;
     for (const PovObject& part : object.parts) add(part, look, here, own);
-    const bool is_mesh = object.word == "mesh" || object.word == "mesh2";
-    add_group(is_mesh ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
+    add_group(is_of_triangles(object.word) ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
   }
 
   /// The look of what tells of none: POV-Ray's own, where #default told of another.
@@ -237,11 +236,20 @@ class PovReader {
     return {true, materials_.number(std::move(read->material)), std::nullopt};
   }
 
-  /// The triangles of a mesh2, from behind its { to behind its numbers.
-  void read_mesh2(PovObject& object) {
-    const PovMesh mesh = read_pov_mesh(in_);
-    counts_.attributes += mesh.left_out;
-    for (PovShape& triangle : mesh.triangles()) {
+  /// The triangles of a mesh2 or a polygon, from behind its { to behind its numbers.
+  void read_triangles(PovObject& object) {
+    std::optional<std::vector<PovShape>> triangles;
+    if (object.word == "polygon") {
+      triangles = read_pov_polygon(in_);
+      object.is_left_out = !triangles;
+      if (!triangles) ++left_out_["polygon with holes, or that touches itself,"];
+    } else {
+      const PovMesh mesh = read_pov_mesh(in_);
+      counts_.attributes += mesh.left_out;
+      triangles = mesh.triangles();
+    }
+    if (!triangles) return;
+    for (PovShape& triangle : *triangles) {
       PovObject part{.at = object.at, .word = "triangle"};
       part.shape = std::move(triangle);
       object.parts.push_back(std::move(part));

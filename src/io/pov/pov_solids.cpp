@@ -8,6 +8,7 @@
 #include "durero/scene/scene.hpp"
 #include "durero/scene/solids.hpp"
 #include "io/losses.hpp"
+#include "pov_mesh.hpp"
 
 namespace durero::io {
 namespace {
@@ -33,8 +34,7 @@ bool PovSolids::is_solid(const PovObject& object) {
     const bool has_axis = object.shape->ends.has_value();
     return has_axis ? object.shape->is_closed : scene::bounds_a_solid(scene::unmoved(object.shape->surface));
   }
-  const bool is_mesh = object.word == "mesh" || object.word == "mesh2";
-  return !is_mesh && !object.parts.empty() && std::ranges::all_of(object.parts, is_solid);
+  return !is_of_triangles(object.word) && !object.parts.empty() && std::ranges::all_of(object.parts, is_solid);
 }
 
 const ObjectMaterial* PovSolids::first_look(const PovObject& object) {

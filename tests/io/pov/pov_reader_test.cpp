@@ -550,7 +550,7 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
   using Case = std::pair<std::string, std::string>;
   const std::string
       objects =
-          "sphere, cylinder, cone, disc, plane, triangle, smooth_triangle, mesh, mesh2, union, object, merge, "
+          "sphere, cylinder, cone, disc, plane, triangle, smooth_triangle, mesh, mesh2, polygon, union, object, merge, "
           "intersection, difference, box",
       statements = objects + ", camera, light_source, background, global_settings, sky_sphere, #version",
       attributes =

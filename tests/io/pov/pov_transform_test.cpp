@@ -57,6 +57,19 @@ TEST_CASE("Shapes that are moved, turned and scaled alike stay of their type") {
   CHECK(triangle.vertices == std::array<glm::dvec3, 3>{{{0, 1, 0}, {1, 1, 0}, {0, 3, 0}}});
 }
 
+TEST_CASE("A polygon is a group of triangles, closed or not; one of several outlines is left out") {
+  for (const char* points : {"4, <0, 0>, <2, 0>, <2, 2>, <0, 2>", "5, 0, 2*x, <2, 2, 0>, 2*y, 0"}) {
+    const io::Imported i = import_text(std::string("polygon { ") + points + " translate z }");
+    const auto triangles = i.scene.shapes<scene::Triangle>();
+    REQUIRE(triangles.size() == 2);
+    for (const scene::Triangle& triangle : triangles)
+      for (const glm::dvec3& vertex : triangle.vertices) CHECK(vertex.z == 1);
+    CHECK(i.groups.table().at("m1").elementos.size() == 2);
+  }
+  CHECK(import_text("polygon { 8, 0, 9*x, 9*y, 0, <1, 1>, <2, 1>, <1, 2>, <1, 1> } polygon { 4, 0, <1, 1>, x, y }")
+            .lost == Lines{"2 polygon with holes, or that touches itself, left out: a scene has none"});
+}
+
 TEST_CASE("Other transformations make exact copies, with their caps") {
   const io::Imported i = import_text(
       "sphere { x, 1 scale <2, 2, 1> } cone { 0, 1, y, 0.5 scale <1, 2, 3> } cylinder { 0, y, 1 open scale <1, 2, 3> "

@@ -7,7 +7,7 @@
 namespace durero::io {
 
 /// Runs a text and reads what it leaves: sphere, cylinder, cone, disc, plane, triangle, smooth_triangle and object;
-/// what is not open has caps, discs that are a group with it. mesh, mesh2 and union are groups, of what stands in them;
+/// what is not open has caps, discs that are a group with it. mesh, mesh2, polygon and union are groups, of what stands in them;
 /// box, merge, intersection and difference are solids. An object that is moved is of its type where it can be, and else
 /// a copy by an exact map. A pigment of one colour with a finish, an average of such and an ior are a material; another
 /// texture is its mean colour, or left out. camera, light_source, background, global_settings and a first line with the
