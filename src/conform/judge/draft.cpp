@@ -98,14 +98,24 @@ Places places(scene::AnyShape& any) {
 }
 
 void scale(Draft& draft, int k) {
+  draft.v *= std::ldexp(1, k);
+  scale_with_t(draft, k);
+}
+
+void scale_with_t(Draft& draft, int k) {
   const double factor = std::ldexp(1, k);
   draft.p *= factor;
-  draft.v *= factor;
   for (Draft::Element& element : draft.elements) {
     const Places of = places(element.shape);
     for (glm::dvec3* point : of.points) *point *= factor;
     for (double* length : of.lengths) *length *= factor;
   }
+}
+
+void translate(Draft& draft, const glm::dvec3& by) {
+  draft.p += by;
+  for (Draft::Element& element : draft.elements)
+    for (glm::dvec3* point : places(element.shape).points) *point += by;
 }
 
 double size_of(const Draft& draft) {

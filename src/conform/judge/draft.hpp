@@ -39,6 +39,10 @@ Places places(scene::AnyShape& shape);
 
 /// Scales the scene, the origin and v by 2^k: the crossings stay at the same t.
 void scale(Draft& draft, int k);
+/// Scales the scene and the origin by 2^k, and v not: the crossings' t is scaled as well.
+void scale_with_t(Draft& draft, int k);
+/// Moves the elements and the origin.
+void translate(Draft& draft, const glm::dvec3& by);
 /// The size of the draft: the first length of its first element; without one, the largest coordinate of the element's
 /// points, or 1 where that is 0. Precondition: there is an element.
 double size_of(const Draft& draft);

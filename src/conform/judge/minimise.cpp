@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "conform/judge/allowance.hpp"
 #include "conform/judge/draft.hpp"
 
 namespace durero::conform {
@@ -64,23 +65,23 @@ void leave_out_elements(FailureMinimiser& search) {
   }
 }
 
-void translate(Draft& draft, const glm::dvec3& by) {
-  draft.p += by;
-  for (Draft::Element& element : draft.elements)
-    for (glm::dvec3* point : places(element.shape).points) *point += by;
+void move_to_zero(FailureMinimiser& search) {
+  search.attempt([](Draft& draft) { translate(draft, -*places(draft.elements.front().shape).points.front()); });
+}
+
+/// Scales v, so that its largest coordinate is from 1 to 2.
+void scale_direction(FailureMinimiser& search) {
+  search.attempt([](Draft& draft) { draft.v *= std::ldexp(1, -std::ilogb(largest(draft.v))); });
 }
 
 /// Moves the scene to the origin, and scales it to a size near 1.
 void move_home(FailureMinimiser& search) {
-  search.attempt([](Draft& draft) { translate(draft, -*places(draft.elements.front().shape).points.front()); });
+  move_to_zero(search);
   search.attempt([](Draft& draft) {
     const Places of = places(draft.elements.front().shape);
     if (!of.lengths.empty()) scale(draft, -std::ilogb(*of.lengths.front()));
   });
-  search.attempt([](Draft& draft) {
-    const double longest = std::max({std::abs(draft.v.x), std::abs(draft.v.y), std::abs(draft.v.z)});
-    draft.v *= std::ldexp(1, -std::ilogb(longest));
-  });
+  scale_direction(search);
 }
 
 bool straighten_axis(FailureMinimiser& search, std::size_t element) {
@@ -156,12 +157,21 @@ bool round_numbers(FailureMinimiser& search) {
 
 }  // namespace
 
+Finding tidied(const Finding& finding, const Profile& profile, const Ask& ask) {
+  FailureMinimiser search(finding, profile, ask);
+  leave_out_elements(search);
+  scale_direction(search);
+  move_to_zero(search);
+  search.attempt([](Draft& draft) { scale_with_t(draft, -std::ilogb(size_of(draft))); });
+  return std::move(search).result();
+}
+
 Finding minimised(const Finding& finding, const Profile& profile, const Ask& ask) {
   constexpr int most_rounds = 4;
   FailureMinimiser search(finding, profile, ask);
   leave_out_elements(search);
+  if (search.draft().elements.size() > few) return std::move(search).result();  // elements of the case as they are
   move_home(search);
-  if (search.draft().elements.size() > few) return std::move(search).result();
   straighten_axes(search);
   for (int round = 0; round < most_rounds && round_numbers(search); ++round) leave_out_elements(search);
   return std::move(search).result();
