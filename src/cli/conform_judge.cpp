@@ -12,6 +12,7 @@
 #include "durero/conform/ask/claims_file.hpp"
 #include "durero/conform/ask/system_file.hpp"
 #include "durero/conform/families/suite_file.hpp"
+#include "durero/conform/report/causes.hpp"
 #include "durero/conform/report/judged_rays.hpp"
 #include "durero/conform/report/report.hpp"
 #include "durero/io/json/scene_file.hpp"
@@ -80,6 +81,7 @@ int run(const ConformJudgeOptions& options) {
     progress->add();
   }
   progress.reset();
+  guess_causes(report);
   io::print(report_text(report));
   if (!options.report.empty()) write_reports(options.report, report);
   return report.tally.is_conformant() ? 0 : 1;

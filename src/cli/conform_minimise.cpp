@@ -9,6 +9,7 @@
 #include "conform_system.hpp"
 #include "description.hpp"
 #include "durero/conform/report/least_findings.hpp"
+#include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "interrupted.hpp"
 #include "progress.hpp"
@@ -21,6 +22,7 @@ using namespace conform;
 struct ConformMinimiseOptions {
   SystemCall system;
   CaseCall of;
+  std::string question;
   bool quiet = false;
 };
 
@@ -34,6 +36,8 @@ Finding finding_of(const SuiteCase& whole, std::size_t ray, const Ask& ask, cons
 int run(const ConformMinimiseOptions& options) {
   const System system = system_of(options.system);
   require_present(system);
+  std::optional<io::OutputFile> question;
+  if (!options.question.empty()) question.emplace(options.question);
   const SuiteOptions suite = suite_of(options.of.suite, system.profile);
   std::optional<Progress> progress(std::in_place, options.quiet, system.name, "questions");
   const Ask ask = counted(asking(system, {}, interrupted()), *progress);
@@ -41,8 +45,13 @@ int run(const ConformMinimiseOptions& options) {
   std::string text =
       fmt::format("{}: expected {}; got {}\n", name(found.judgement.verdict), truth_words(found), claim_words(found));
   const bool is_wrong = is_failure(found.judgement.verdict);
-  if (is_wrong) text += '\n' + least_text(least_finding(found, system.profile, ask), system.profile);
+  if (is_wrong) {
+    const LeastFinding least = least_finding(found, system.profile, ask);
+    text += '\n' + least_text(least, system.profile);
+    if (question) question->write(least_question(least, system.profile));
+  }
   progress.reset();
+  if (question && is_wrong) question->commit();
   io::print(text);
   return is_wrong ? 1 : 0;
 }
@@ -54,6 +63,8 @@ void add_conform_minimise(CLI::App& conform, int& status) {
   const auto options = std::make_shared<ConformMinimiseOptions>();
   add_system(*command, options->system);
   add_case(*command, options->of);
+  command->add_option("--question", options->question,
+                      "The file for the question with all its elements, as a system reads it");
   add_quiet(*command, options->quiet);
   command->footer(
       exit_status("the system is right about the ray", "it is not", "the system is absent, or the call is bad") +

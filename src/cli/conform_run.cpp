@@ -17,6 +17,7 @@
 #include "durero/conform/ask/runner.hpp"
 #include "durero/conform/ask/setup.hpp"
 #include "durero/conform/campaign/campaign.hpp"
+#include "durero/conform/report/causes.hpp"
 #include "durero/conform/report/least_findings.hpp"
 #include "durero/io/standard_output.hpp"
 #include "interrupted.hpp"
@@ -71,10 +72,12 @@ std::string identity(const System& system, const ConformRunOptions& options) {
                      options.time, options.memory, fmt::join(options.suite.families, " "));
 }
 
+AskOptions ask_options(const ConformRunOptions& options) {
+  return {.time = std::chrono::duration<double>(options.time), .memory = std::uint64_t{options.memory} << 20U};
+}
+
 RunOptions run_options(const System& system, const ConformRunOptions& options) {
-  RunOptions run;
-  run.ask.time = std::chrono::duration<double>(options.time);
-  run.ask.memory = std::uint64_t{options.memory} << 20U;
+  RunOptions run{.ask = ask_options(options)};
   run.jobs = options.jobs;
   run.identity = identity(system, options);
   if (options.report.empty()) return run;
@@ -110,6 +113,16 @@ std::optional<Report> report_of(const System& system, const std::string& asked, 
   return std::nullopt;
 }
 
+/// Makes the failures small for a report, and finds their causes: by asking again, if failures may be changed.
+void explain(Report& report, const System& system, const ConformRunOptions& options) {
+  if (report.tally.failures() == 0) return;
+  if (options.is_not_minimised) return guess_causes(report);
+  Progress progress(options.quiet, system.name + ": minimising", "questions");
+  const Ask ask = counted(asking(system, ask_options(options), interrupted()), progress);
+  if (!options.report.empty()) minimise_findings(report, ask, options.least);
+  find_causes(report, ask, {});
+}
+
 ConformanceStatus run_one(const System& system, const std::string& asked, const ConformRunOptions& options) {
   if (const std::string why = why_absent(system); !why.empty()) {
     io::print(fmt::format("{}: absent: {}; expected durero conform setup {}\n", system.name, why, asked));
@@ -119,11 +132,7 @@ ConformanceStatus run_one(const System& system, const std::string& asked, const 
   if (!options.report.empty()) require_room_for_reports(folder);
   std::optional<Report> report = report_of(system, asked, options);
   if (!report) return ConformanceStatus::not_asked;
-  if (!options.report.empty() && !options.is_not_minimised) {
-    Progress progress(options.quiet, system.name + ": minimising", "questions");
-    const Ask ask = asking(system, run_options(system, options).ask, interrupted());
-    minimise_findings(*report, counted(ask, progress), options.least);
-  }
+  explain(*report, system, options);
   io::print(report_text(*report));
   if (!options.report.empty()) write_reports(folder, *report);
   return report->tally.is_conformant() ? ConformanceStatus::conformant : ConformanceStatus::not_conformant;

@@ -46,18 +46,34 @@ has one/tracer/report.json '"least":{"question":"scene generic/'
 has one/tracer/report.json '"hexadecimal":'
 has one/tracer/report.html 'As small as it fails:'
 has one/tracer/report.sarif '"least":"missed: expected'
+# Its failures have one cause, with how likely it is and what writes it up.
+has out '1 cause, by what makes '
+has out '  The direction is not of length 1'
+has out '    right: with v/|v| for v'
+has out '    ordinary rays: '
+has out '    severity: the worst is the answer of no data off by 2^'
+has out '    durero conform bug tracer generic/'
+has one/tracer/report.html '<h3>The direction is not of length 1</h3>'
+has one/tracer/report.json '"causes":{"asked":true,'
 run 1 conform run tracer --systems systems --family generic --rays 64 --report two --jobs 3
 same one/tracer/report.json two/tracer/report.json
 same one/tracer/report.html two/tracer/report.html
 run 1 conform run tracer --systems systems --family generic --rays 64 --report three --no-minimise
 checks=$((checks + 1))
 if grep -q '"least"' three/tracer/report.json; then fail 'it was minimised'; fi
+has three/tracer/report.json '"causes":{"asked":false,'
+has out 'have in common: no system was asked again'
 refused 'conform run: --no-minimise: it says nothing alone; expected --report with it' conform run tracer --systems systems --no-minimise
 
 # Minimised, a command of its own says the same.
 run 1 conform minimise tracer --systems systems --case $ray
 has out 'missed: expected e'
 has out 'in hexadecimal:'
+
+run 1 conform minimise tracer --systems systems --case $ray --question least.txt
+has least.txt 'rays 1'
+"$durero" conform answer <least.txt >out || fail 'the smallest question is none'
+has out 'hit e'
 
 # The report that one would file, with the program in it, or beside it.
 run 1 conform bug tracer --systems systems $ray

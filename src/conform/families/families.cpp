@@ -26,6 +26,7 @@ std::size_t count_of_few() {
 
 }  // namespace
 
+const Family& ordinary_family() { return families().front(); }
 std::span<const Family> families_of_few() { return families().first(count_of_few()); }
 std::span<const Family> families_of_meshes() { return families().subspan(count_of_few()); }
 bool is_of_meshes(const Family& family) { return row_of(family).is_of_meshes(); }

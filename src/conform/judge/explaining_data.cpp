@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -10,7 +9,7 @@
 #include "conform/judge/draft.hpp"
 #include "conform/judge/limits.hpp"
 #include "conform/judge/trial.hpp"
-#include "durero/conform/ask/question.hpp"
+#include "conform/report/report_parts.hpp"
 #include "durero/io/number_text.hpp"
 
 namespace durero::conform {
@@ -190,10 +189,9 @@ std::string explaining_text(const ExplainingData& data, const Profile& profile) 
                         : "No data within the declared backward error have that answer: proved.\n";
   if (!data.nearest)
     return text + fmt::format("Data that have it were looked for up to 2^{} ε·M, and none were found.\n", data.most);
-  constexpr std::array<std::size_t, 1> only{0};
   return text + fmt::format("The nearest data found that have it are off by 2^{:.1f} ε·M, {:.3g}:\n{}",
                             std::log2(data.nearest->off), data.nearest->off * data.epsilon * data.M,
-                            question_text(data.nearest->of, profile.caps, only));
+                            shown_question(data.nearest->of, {}, profile.caps));
 }
 
 }  // namespace durero::conform

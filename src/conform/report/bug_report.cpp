@@ -82,13 +82,13 @@ std::string about_bug(const BugReport& bug) {
 
 std::string bug_text(const BugReport& bug, bool is_beside) {
   const Finding& finding = bug.least.finding;
-  const std::string question = question_of(finding, bug.system.profile), cause = known_cause(bug);
+  const std::string question = whole_question_of(finding, bug.system.profile), cause = known_cause(bug);
   std::string text = fmt::format("# {}\n\n{} {}\n\n", bug_title(bug), expected_and_got(finding),
                                  cause.empty() ? "The cause is not known." : cause);
   text += tried_text(bug);
   text += fmt::format("{}, asked by {}: `{}`, made smaller.\n", bug.system.title, bug.asker, bug.call);
   text += "\n## Asked\n\n" + block("question", question);
-  text += "\nThe same in hexadecimal:\n\n" + block("", in_hexadecimal(question));
+  text += "\nThe same in hexadecimal:\n\n" + block("", in_hexadecimal(question_of(finding, bug.system.profile)));
   text += "\n## Got\n\n" + block("got", claim_text(finding.claim, finding.of.the_case.scene));
   text += "\n## Exact\n\n" + block("exact", exact_answer(finding.of, 0).substr(sizeof "the exact answer:"));
   return text + data_text(bug) + reproducer_part(bug, is_beside);

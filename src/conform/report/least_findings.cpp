@@ -73,6 +73,10 @@ LeastFinding least_finding(const Finding& finding, const Profile& profile, const
   return least;
 }
 
+std::string least_question(const LeastFinding& least, const Profile& profile) {
+  return whole_question_of(least.finding, profile);
+}
+
 std::string least_text(const LeastFinding& least, const Profile& profile) {
   const std::string question = question_of(least.finding, profile);
   const std::string text = fmt::format("{}\n{}in hexadecimal:\n{}{}", sentence(least.finding), question,

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
-body { max-width: 70rem; margin: 2rem auto; padding: 0 1rem; }
+body { max-width: 70rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; } .wide th, .wide td { overflow-wrap: normal; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .15rem .6rem; text-align: right; border-bottom: 1px solid #8884; }
 th:first-child, td:first-child { text-align: left; }
@@ -28,6 +29,10 @@ figcaption { font-size: 13px; opacity: .75; }
 svg { width: 100%; background: #8881; } svg text { font-size: 11px; fill: currentColor; }
 .grid { stroke: #8884; } .element { fill: none; stroke: currentColor; stroke-opacity: .3; stroke-width: .7; }
 .ray { stroke-width: 1; }
+.cause { border-left: .25rem solid #c62828; padding-left: 1rem; margin: 2rem 0; } .cause h3 { margin: 0; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1rem; margin: .5rem 0; } dd { margin: 0; }
+@media (max-width: 40rem) { dl { display: block; } dt { font-weight: 600; } h1 { font-size: 1.4rem; } }
+summary { font-weight: 600; cursor: pointer; margin: .3rem 0; } .less { font-size: 13px; opacity: .8; }
 )";
 
 std::string cell(const FamilyTally& family, Verdict verdict) {
@@ -37,18 +42,45 @@ std::string cell(const FamilyTally& family, Verdict verdict) {
 }
 
 std::string table_html(const Tally& tally) {
-  std::string html = "<table>\n<tr><th>family</th>";
-  for (const Verdict verdict : verdicts)
-    html += fmt::format("<th title=\"{}\">{}</th>", as_markup(meaning(verdict)), name(verdict));
+  const std::vector<Verdict> columns = columns_of(tally);
+  std::string html = "<div class=\"wide\"><table>\n<tr><th>family</th>";
+  for (const Verdict verdict : columns)
+    html += fmt::format("<th title=\"{}\">{}</th>", as_markup(meaning(verdict)), verdict_words(verdict));
   html += "</tr>\n";
   for (const FamilyTally* family : failures_first(tally)) {
     const std::string_view title = family->family->name;
     html += family->failures() > 0 ? fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td>", title)
                                    : fmt::format("<tr><td>{}</td>", title);
-    for (const Verdict verdict : verdicts) html += cell(*family, verdict);
+    for (const Verdict verdict : columns) html += cell(*family, verdict);
     html += "</tr>\n";
   }
-  return html + "</table>\n";
+  return html + "</table></div>\n";
+}
+
+std::string cause_html(const Report& report, const Cause& cause) {
+  std::string html = fmt::format("<div class=\"cause\">\n<h3>{}</h3>\n<dl>\n", as_markup(cause.title));
+  for (const auto& [label, value] : cause_lines(report, cause))
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", label, as_markup(value));
+  html += "</dl>\n";
+  const Finding* const shown = shown_finding(report, cause);
+  if (shown == nullptr) return html + "</div>\n";
+  const LeastFinding* const least = shown_least(report, cause);
+  const Finding& finding = least == nullptr ? *shown : least->finding;
+  html += fmt::format("<p><b>{}</b>: expected {}; got {}.</p>\n<pre>{}</pre>\n",
+                      verdict_words(finding.judgement.verdict), as_markup(truth_words(finding)),
+                      as_markup(claim_words(finding)), as_markup(question_of(finding, report.profile)));
+  const std::string call = writing_up(report, *shown);
+  if (!call.empty())
+    html += fmt::format("<p class=\"less\">The report to file, with a program that shows it:</p>\n<pre>{}</pre>\n",
+                        as_markup(call));
+  return html + "</div>\n";
+}
+
+std::string causes_html(const Report& report) {
+  if (report.causes.all.empty()) return "";
+  std::string html = fmt::format("<h2>Causes</h2>\n<p>{}.</p>\n", as_markup(causes_words(report)));
+  for (const Cause& cause : report.causes.all) html += cause_html(report, cause);
+  return html;
 }
 
 std::string figure(const std::string& svg, const std::string& caption) {
@@ -65,12 +97,14 @@ std::string finding_html(const Report& report, const Finding& finding) {
   html += fmt::format("</p>\n<pre>{}\n{}</pre>\n", as_markup(question_of(finding, report.profile)),
                       as_markup(replay(report, finding) + "\n" + minimising(report, finding)));
   const std::string least = least_of(report, finding);
-  return least.empty() ? html : html + fmt::format("<p>As small as it fails:</p>\n<pre>{}</pre>\n", as_markup(least));
+  if (least.empty()) return html;
+  return html +
+         fmt::format("<details><summary>As small as it fails:</summary>\n<pre>{}</pre></details>\n", as_markup(least));
 }
 
 std::string family_html(const Report& report, const FamilyTally& family) {
   std::string html =
-      fmt::format("<h2 id=\"{0}\">{0}</h2>\n<p>{1}. Why: {2}. {3} of {4} rays fail, {5} of them gross.</p>\n",
+      fmt::format("<h3 id=\"{0}\">{0}</h3>\n<p>{1}. Why: {2}. {3} of {4} rays fail, {5} of them gross.</p>\n",
                   family.family->name, as_markup(family.family->kind), as_markup(family.family->reason),
                   family.failures(), family.rays(), family.gross());
   html += figure(spread_svg(family), fmt::format("A dot a case: log₂ of its greatest backward error, in ε, against {}",
@@ -83,7 +117,7 @@ std::string family_html(const Report& report, const FamilyTally& family) {
 }
 
 std::string profile_html(const Profile& profile) {
-  std::string html = "<h2>The profile that was judged by</h2>\n<table>\n";
+  std::string html = "<h2>The profile that was judged by</h2>\n<div class=\"wide\"><table>\n";
   for (const ProfileLine& line : profile_lines(profile)) {
     std::string why;
     for (const Citation& source : profile.sources) {
@@ -93,7 +127,7 @@ std::string profile_html(const Profile& profile) {
     html += fmt::format("<tr><td>{}</td><td>{}</td><td style=\"text-align:left\">{}</td></tr>\n", line.claim,
                         as_markup(line.value), why);
   }
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
 std::string skipped_html(const Tally& tally) {
@@ -103,7 +137,7 @@ std::string skipped_html(const Tally& tally) {
       html += fmt::format("<tr><td>{}</td><td>{}</td><td style=\"text-align:left\">{}</td></tr>\n", family.family->name,
                           count, as_markup(clause));
   }
-  return html.empty() ? "" : "<h2>Skipped, and why</h2>\n<table>\n" + html + "</table>\n";
+  return html.empty() ? "" : "<h2>Skipped, and why</h2>\n<div class=\"wide\"><table>\n" + html + "</table></div>\n";
 }
 
 }  // namespace
@@ -112,17 +146,20 @@ std::string report_html(const Report& report) {
   const std::string title = as_markup(report.title);
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{0}: hits against the exact "
-      "answer</title>\n<style>{1}</style></head>\n<body>\n<h1>{0}</h1>\n<p>{2} rays: {3} gross, {4} off, {5} skipped. "
+      "answer</title>\n<meta name=\"viewport\" "
+      "content=\"width=device-width\"><style>{1}</style></head>\n<body>\n<h1>{0}</h1>\n<p>{2} rays: {3} gross, {4} "
+      "off, {5} skipped. "
       "{6}</p>\n",
       title, style, report.tally.rays(), report.tally.gross(), report.tally.of(Verdict::off),
       report.tally.of(Verdict::skipped), as_markup(report.version));
-  html += table_html(report.tally);
+  html += causes_html(report) + "<h2>Verdicts</h2>\n" + table_html(report.tally);
   if (const std::string unasked = unasked_words(report); !unasked.empty())
     html += fmt::format("<p>{}.</p>\n", as_markup(unasked));
   if (report.profile.directions == Directions::unchecked)
     html +=
         "<p><b>Warning</b>: v must be a unit vector, and nobody checks it: other rays get wrong answers without a "
         "word.</p>\n";
+  if (report.tally.failures() > 0) html += "<h2>Families that fail</h2>\n";
   for (const FamilyTally* family : failures_first(report.tally)) {
     if (family->failures() > 0) html += family_html(report, *family);
   }

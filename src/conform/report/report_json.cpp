@@ -54,7 +54,7 @@ void write_data(Writer& out, const Report& report, const ExplainingData& data) {
 
 void write_least(Writer& out, const Report& report, const LeastFinding& least) {
   const Finding& finding = least.finding;
-  const std::string question = question_of(finding, report.profile);
+  const std::string question = whole_question_of(finding, report.profile);
   out.new_line().key("least").begin_object().member("question", question);
   out.member("hexadecimal", in_hexadecimal(question)).member("exact", exact_answer(finding.of, 0));
   out.member("expected", truth_words(finding)).member("got", claim_words(finding));
@@ -68,11 +68,49 @@ void write_finding(Writer& out, const Report& report, const Finding& finding) {
   out.member("case", finding.of.name()).member("ray", std::uint64_t{finding.ray});
   out.member("expected", truth_words(finding)).member("got", claim_words(finding));
   out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
-  out.member("question", question_of(finding, report.profile)).member("replay", replay(report, finding));
+  out.member("question", whole_question_of(finding, report.profile)).member("replay", replay(report, finding));
   if (!report.asked.empty()) out.member("minimise", minimising(report, finding));
   const auto least = report.least.find(FindingKey(finding));
   if (least != report.least.end()) write_least(out, report, least->second);
   out.end_object();
+}
+
+void write_share(Writer& out, const CauseShare& share) {
+  out.key("ordinary").begin_object().member("failing", share.failing).member("rays", share.rays);
+  out.member("at_least", share.least).member("at_most", share.greatest).end_object();
+}
+
+template <class Names>
+void write_names(Writer& out, std::string_view key, const Names& names) {
+  out.key(key).begin_array();
+  for (const auto& each : names) out.value(each);
+  out.end_array();
+}
+
+void write_cause(Writer& out, const Report& report, const Cause& cause) {
+  out.new_line().begin_object().member("cause", name(cause.trait)).member("title", cause.title);
+  out.member("remedy", remedy(cause.trait)).member("rays", cause.examined);
+  std::vector<std::string_view> verdicts;
+  for (const Verdict verdict : cause.verdicts) verdicts.push_back(name(verdict));
+  write_names(out, "verdicts", verdicts);
+  write_names(out, "families", cause.families);
+  if (cause.ordinary) write_share(out, *cause.ordinary);
+  if (const std::string severity = severity_words(report, cause); !severity.empty()) out.member("severity", severity);
+  if (const Finding* const shown = shown_finding(report, cause)) {
+    out.member("case", shown->of.name()).member("ray", std::uint64_t{shown->ray});
+    out.member("verdict", name(shown->judgement.verdict));
+    if (!report.asked.empty()) out.member("bug", writing_up(report, *shown));
+  }
+  out.end_object();
+}
+
+void write_causes(Writer& out, const Report& report) {
+  const Causes& causes = report.causes;
+  if (causes.all.empty()) return;
+  out.new_line().key("causes").begin_object().member("asked", causes.were_asked);
+  out.member("rays", causes.examined).member("left_out", causes.left_out).key("all").begin_array();
+  for (const Cause& cause : causes.all) write_cause(out, report, cause);
+  out.end_array().end_object();
 }
 
 void write_family(Writer& out, const Report& report, const FamilyTally& family) {
@@ -105,6 +143,7 @@ std::string report_json(const Report& report) {
   out.new_line();
   write_verdicts(out, [&](Verdict verdict) { return report.tally.of(verdict); });
   if (report.not_minimised > 0) out.member("not_minimised", std::uint64_t{report.not_minimised});
+  write_causes(out, report);
   out.new_line().key("families").begin_array();
   for (const FamilyTally* family : failures_first(report.tally)) write_family(out, report, *family);
   out.end_array().end_object();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <sstream>
 
 #include "durero/conform/ask/question.hpp"
 #include "durero/conform/report/least_findings.hpp"
@@ -18,7 +20,55 @@ void add_limit(std::vector<ProfileLine>& lines, const char* claim, double limit,
   if (limit != none) lines.push_back({claim, io::number_text(limit)});
 }
 
+/// The number of elements up to which a question is shown whole.
+constexpr std::size_t most_elements_shown = 32;
+
+/// The word of a line at that place, from 0; empty where the line ends before.
+std::string word_of(const std::string& line, int place) {
+  std::istringstream words(line);
+  std::string word;
+  for (int i = 0; i <= place; ++i) {
+    if (!(words >> word)) return "";
+  }
+  return word;
+}
+
+/// Whether a line of a question is an element's: it begins with the word of a type.
+bool is_element_line(const std::string& line) {
+  bool is = false;
+  scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { is = is || word_of(line, 0) == Shape::word; });
+  return is;
+}
+
+/// The names of the elements that the ray meets first, or is claimed to meet.
+std::set<std::string> names_of_met(const SuiteCase& of, const std::optional<scene::ElementRef>& claimed) {
+  const scene::Scene& scene = of.the_case.scene;
+  std::set<std::string> names;
+  for (const scene::ElementRef e : of.truths[0].hit.elementos) names.emplace(scene.name(e).name());
+  if (claimed) names.emplace(scene.name(*claimed).name());
+  return names;
+}
+
+/// The options of a suite that a call of a system's must repeat.
+std::string unusual_suite(const Report& report, const Finding& finding) {
+  const SuiteOptions usual;
+  std::string options;
+  if (report.options.seed != usual.seed) options += fmt::format(" --seed {}", report.options.seed);
+  if (report.options.faces != usual.faces && is_of_meshes(*finding.of.family))
+    options += fmt::format(" --faces {}", report.options.faces);
+  return options;
+}
+
 }  // namespace
+
+std::vector<Verdict> columns_of(const Tally& tally) {
+  std::vector<Verdict> columns;
+  for (const Verdict verdict : verdicts) {
+    const bool always = verdict == Verdict::exact || verdict == Verdict::right || verdict == Verdict::off;
+    if (always || tally.of(verdict) > 0) columns.push_back(verdict);
+  }
+  return columns;
+}
 
 std::string type_words(std::span<const model::Tipo> tipos) {
   std::string words;
@@ -54,9 +104,34 @@ std::string verdict_words(Verdict verdict) {
   return words;
 }
 
-std::string question_of(const Finding& finding, const Profile& profile) {
+std::string whole_question_of(const Finding& finding, const Profile& profile) {
   constexpr std::array<std::size_t, 1> only{0};
   return question_text(finding.of, profile.caps, only);
+}
+
+std::string question_of(const Finding& finding, const Profile& profile) {
+  return shown_question(finding.of, finding.claim.element, profile.caps);
+}
+
+std::string shown_question(const SuiteCase& of, const std::optional<scene::ElementRef>& claimed, Caps caps) {
+  constexpr std::array<std::size_t, 1> only{0};
+  const std::string whole = question_text(of, caps, only);
+  const std::size_t elements = of.the_case.scene.size();
+  if (elements <= most_elements_shown) return whole;
+  const std::set<std::string> names = names_of_met(of, claimed);
+  std::string text;
+  std::size_t shown = 0;
+  std::istringstream lines(whole);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("rays ")) text += fmt::format("({} more elements)\n", elements - shown);
+    if (!is_element_line(line)) {
+      text += line + "\n";
+    } else if (names.contains(word_of(line, 1))) {
+      text += line + "\n";
+      ++shown;
+    }
+  }
+  return text;
 }
 
 std::string sentence(Verdict verdict, const std::string& expected, const std::string& got) {
@@ -73,11 +148,14 @@ std::string replay(const Report& report, const Finding& finding) {
 
 std::string minimising(const Report& report, const Finding& finding) {
   if (report.asked.empty()) return "";
-  std::string call =
-      fmt::format("durero conform minimise {} --case {} --ray {}", report.asked, finding.of.name(), finding.ray);
-  const SuiteOptions usual;
-  if (report.options.seed != usual.seed) call += fmt::format(" --seed {}", report.options.seed);
-  return call;
+  return fmt::format("durero conform minimise {} --case {} --ray {}{}", report.asked, finding.of.name(), finding.ray,
+                     unusual_suite(report, finding));
+}
+
+std::string writing_up(const Report& report, const Finding& finding) {
+  if (report.asked.empty()) return "";
+  return fmt::format("durero conform bug {} {} --ray {}{}", report.asked, finding.of.name(), finding.ray,
+                     unusual_suite(report, finding));
 }
 
 std::string least_of(const Report& report, const Finding& finding) {

@@ -8,16 +8,6 @@
 namespace durero::conform {
 namespace {
 
-/// The verdicts with a column: exact, right and off always, any other where a ray has it.
-std::vector<Verdict> columns_of(const Tally& tally) {
-  std::vector<Verdict> columns;
-  for (const Verdict verdict : verdicts) {
-    const bool always = verdict == Verdict::exact || verdict == Verdict::right || verdict == Verdict::off;
-    if (always || tally.of(verdict) > 0) columns.push_back(verdict);
-  }
-  return columns;
-}
-
 constexpr int family_width = 20, column_width = 15;
 
 template <class Count>
@@ -25,6 +15,13 @@ std::string row(std::string_view title, std::span<const Verdict> columns, Count 
   std::string line = fmt::format("{:<{}}", title, family_width);
   for (const Verdict verdict : columns) line += fmt::format("{:>{}}", count(verdict), column_width);
   return line + "\n";
+}
+
+std::string indented(const std::string& text, std::string_view by) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) out += fmt::format("{}{}\n", by, line);
+  return out;
 }
 
 std::string findings_text(const Report& report, const FamilyTally& family) {
@@ -35,9 +32,26 @@ std::string findings_text(const Report& report, const FamilyTally& family) {
       text += fmt::format("  backward error 2^{:.1f} of its unit\n", std::log2(finding->judgement.backward));
     text += fmt::format("  {}\n", replay(report, *finding));
     if (!report.asked.empty()) text += fmt::format("  {}\n", minimising(report, *finding));
-    std::istringstream least(least_of(report, *finding));
-    for (std::string line; std::getline(least, line);) text += fmt::format("    {}\n", line);
+    text += indented(least_of(report, *finding), "    ");
   }
+  return text;
+}
+
+std::string cause_text(const Report& report, const Cause& cause) {
+  std::string text = fmt::format("  {}\n", cause.title);
+  for (const auto& [label, value] : cause_lines(report, cause)) text += fmt::format("    {}: {}\n", label, value);
+  const Finding* const shown = shown_finding(report, cause);
+  if (shown == nullptr) return text;
+  if (!report.asked.empty()) text += fmt::format("    {}\n", writing_up(report, *shown));
+  const LeastFinding* const least = shown_least(report, cause);
+  const Finding& finding = least == nullptr ? *shown : least->finding;
+  return text + indented(sentence(finding) + "\n" + question_of(finding, report.profile), "      ");
+}
+
+std::string causes_text(const Report& report) {
+  if (report.causes.all.empty()) return "";
+  std::string text = "\n" + causes_words(report) + "\n";
+  for (const Cause& cause : report.causes.all) text += cause_text(report, cause);
   return text;
 }
 
@@ -69,6 +83,7 @@ std::string report_text(const Report& report) {
   if (const std::string unasked = unasked_words(report); !unasked.empty()) text += unasked + "\n";
   if (report.profile.directions == Directions::unchecked)
     text += "warning: v must be a unit vector and nobody checks it: other rays get wrong answers without a word\n";
+  text += causes_text(report);
   for (const FamilyTally* family : failures_first(tally)) text += findings_text(report, *family);
   if (const std::string left_out = left_out_words(report); !left_out.empty()) text += "\n" + left_out + "\n";
   return text;

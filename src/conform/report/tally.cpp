@@ -38,6 +38,13 @@ void keep_worst(FamilyTally& tally, const SuiteCase& of, std::size_t ray, const 
   worst = Finding{with_ray_alone(of, ray), ray, claim, is};
 }
 
+void keep_sample(FamilyTally& tally, const SuiteCase& of, std::size_t ray, const Claim& claim,
+                 const ClaimJudgement& is) {
+  if (is.verdict == Verdict::skipped || tally.sample.size() == sample_size(*of.family)) return;
+  ++tally.sampled_rays;
+  if (is_failure(is.verdict)) tally.sample.push_back({with_ray_alone(of, ray), ray, claim, is});
+}
+
 std::size_t failures_in(std::span<const ClaimJudgement> judgements) {
   return static_cast<std::size_t>(
       std::ranges::count_if(judgements, [](const ClaimJudgement& is) { return is_failure(is.verdict); }));
@@ -70,6 +77,12 @@ std::size_t ulp_bin(double ulps) {
   return ulps <= 1 ? 1 : 1 + static_cast<std::size_t>(std::ceil(std::log2(ulps)));
 }
 
+std::size_t sample_size(const Family& family) {
+  constexpr std::size_t of_ordinary = 32, of_others = 4, of_meshes = 1;
+  if (&family == &ordinary_family()) return of_ordinary;
+  return &family != &own_family && is_of_meshes(family) ? of_meshes : of_others;
+}
+
 SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray) {
   SuiteCase cut = of;
   cut.the_case.rays = {of.the_case.rays[ray]};
@@ -99,6 +112,7 @@ std::vector<ClaimJudgement> Tally::add(const SuiteCase& of, std::span<const Clai
     if (is.verdict == Verdict::skipped) ++tally.clauses[is.clause];
     if (claims[ray].outcome == Claim::Outcome::hit && has_distance(is.verdict)) ++tally.ulps[ulp_bin(is.ulps)];
     if (is_failure(is.verdict)) keep_worst(tally, of, ray, claims[ray], is);
+    keep_sample(tally, of, ray, claims[ray], is);
   }
   tally.spreads.push_back(spread_of(of, judgements));
   const std::size_t failures = failures_in(judgements);

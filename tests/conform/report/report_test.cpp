@@ -102,3 +102,14 @@ TEST_CASE("the same report is the same bytes, in four files") {
   std::filesystem::remove_all(folder);
   CHECK_THROWS_AS(write_reports("/dev/null/x", blind_report()), io::FileError);
 }
+
+TEST_CASE("of a mesh a report shows the faces that the ray meets, and JSON has all") {
+  Report report{.title = "Blind", .profile = test::profile_of_all()};
+  const SuiteCase of = test::answered_case("mesh_solid", 0);
+  report.tally.add(of, Claims(of.truths.size(), {Claim::Outcome::miss}), report.profile);
+  const std::string html = report_html(report);
+  CHECK(count_of(html, "triangulo m:") <= 4);
+  CHECK(html.find(" more elements)\nrays 1\n") != html.npos);
+  CHECK(report_junit(report).find(" more elements)") != std::string::npos);
+  CHECK(report_json(report).find(" more elements)") == std::string::npos);
+}

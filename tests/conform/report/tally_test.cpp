@@ -98,3 +98,26 @@ TEST_CASE("ulps fall into bins of powers of two") {
   CHECK(ulp_bin(std::numeric_limits<double>::infinity()) == 65);
   CHECK(ulp_bin(std::numeric_limits<double>::quiet_NaN()) == 0);
 }
+
+TEST_CASE("a sample has the first failing rays, and counts the rays that were judged until it was full") {
+  Profile profile = test::profile_of_all();
+  profile.greatest_t = 4;
+  Tally tally;
+  std::uint64_t judged = 0, failures = 0;
+  for (std::uint64_t number = 0; number < 4; ++number) {
+    const SuiteCase of = test::answered_case("rim", number);
+    const CaseJudge judge(of, profile);
+    const Claims claims(of.truths.size(), {Claim::Outcome::miss});
+    tally.add(of, claims, profile);
+    for (std::size_t ray = 0; ray < claims.size(); ++ray) {
+      const Verdict verdict = judge.judge(ray, claims[ray]).verdict;
+      if (failures < sample_size(*of.family)) judged += verdict != Verdict::skipped;
+      failures += is_failure(verdict);
+    }
+  }
+  const FamilyTally& family = tally.families()[0];
+  REQUIRE(failures > sample_size(*family.family));
+  REQUIRE(family.of(Verdict::skipped) > 0);
+  CHECK(family.sample.size() == sample_size(*family.family));
+  CHECK(family.sampled_rays == judged);
+}

@@ -44,6 +44,8 @@ struct Family {
 
 /// Every family, the generic one first: families_of_few(), then families_of_meshes().
 std::span<const Family> families();
+/// The generic family, whose rays are those that anybody would trace.
+const Family& ordinary_family();
 /// The families whose scenes have a few elements of any type.
 std::span<const Family> families_of_few();
 /// The families whose scenes are one mesh of many triangles.

@@ -21,6 +21,9 @@ void minimise_findings(Report& report, const Ask& ask, const LeastLimits& limits
 /// The reduced finding, with the data that would explain it.
 LeastFinding least_finding(const Finding& finding, const Profile& profile, const Ask& ask);
 
+/// The question of the finding with all its elements, as a system reads it.
+std::string least_question(const LeastFinding& least, const Profile& profile);
+
 /// The finding in full: the question in decimal and in hexadecimal, the exact answer to 40 digits and as x + y√Δ, the
 /// expected and the given answer, and data that would explain it.
 std::string least_text(const LeastFinding& least, const Profile& profile);

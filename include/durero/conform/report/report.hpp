@@ -4,11 +4,14 @@
 /// gives the same bytes.
 
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "durero/conform/judge/explaining_data.hpp"
+#include "durero/conform/judge/trait.hpp"
 #include "durero/conform/report/tally.hpp"
 
 namespace durero::conform {
@@ -29,6 +32,32 @@ struct LeastFinding {
   std::optional<ExplainingData> data{};  ///< nothing for a failure that no data explain, such as a crash
 };
 
+/// The share of ordinary rays (ordinary_family) that a cause makes wrong.
+struct CauseShare {
+  std::uint64_t failing = 0, rays = 0;  ///< so many of so many judged rays
+  double least = 0, greatest = 1;       ///< the interval of Clopper and Pearson, of 95 %, for rays drawn as these
+};
+
+/// A cause of failures: those of all families and verdicts that the same change makes vanish. Where no change does, the
+/// failures on one type of elements stand together.
+struct Cause {
+  Trait trait = Trait::none;             ///< the trait that the change takes away
+  std::string title{};                   ///< the title, a sentence without its end
+  std::vector<FindingKey> findings{};    ///< its worst findings, the smallest first
+  std::set<Verdict> verdicts{};          ///< the verdicts on its rays
+  std::set<std::string> families{};      ///< the names of the families of its rays
+  std::uint64_t examined = 0;            ///< the number of its failing rays among those that were examined
+  std::optional<CauseShare> ordinary{};  ///< nothing where no ordinary ray was judged
+};
+
+/// The causes of the failures in a report.
+struct Causes {
+  bool were_asked = false;     ///< false: they are guessed from the questions alone, as nobody was there to be asked
+  std::vector<Cause> all{};    ///< those with the most ordinary rays first, then those with the most examined ones
+  std::uint64_t examined = 0;  ///< the number of failing rays that were examined
+  std::uint64_t left_out = 0;  ///< of the chosen ones, the number that were not, for the time was over
+};
+
 /// The findings on one system with one suite.
 struct Report {
   std::string title;                           ///< the title of the system
@@ -39,6 +68,7 @@ struct Report {
   Tally tally{};                               ///< the tally of the verdicts on all its rays
   std::map<FindingKey, LeastFinding> least{};  ///< worst findings, reduced (least_findings.hpp)
   std::size_t not_minimised = 0;               ///< the number of worst findings that the reduction left out
+  Causes causes{};                             ///< the causes of its failures (causes.hpp)
 };
 
 /// The families, those with gross failures first, then those that are off; otherwise in their order.

@@ -42,6 +42,10 @@ inline constexpr std::size_t ulp_bins = 66;
 /// The bin, less than ulp_bins, that counts a hit off by so many ulps.
 std::size_t ulp_bin(double ulps);
 
+/// The number of failing rays of a family that a tally keeps as a sample: most of the ordinary ones, whose share
+/// counts, and one of a mesh, which is large.
+std::size_t sample_size(const Family& family);
+
 /// The verdicts on the rays of one family.
 struct FamilyTally {
   const Family* family = nullptr;                     ///< one of families()
@@ -51,6 +55,8 @@ struct FamilyTally {
   std::vector<Spread> spreads{};                      ///< one for each case
   std::array<std::optional<Finding>, verdict_count> worst{};  ///< the worst ray of each failing verdict, by Verdict
   std::optional<JudgedCase> most_failures{};                  ///< the case with the most failing rays
+  std::vector<Finding> sample{};                              ///< the first failing rays, sample_size() at most
+  std::uint64_t sampled_rays = 0;  ///< the number of rays that were judged until the sample was full, or all
 
   /// The number of rays with the verdict.
   std::uint64_t of(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
