@@ -21,6 +21,7 @@ void add_conform(CLI::App& app, int& status) {
   add_conform_show(*conform, status);
   add_conform_minimise(*conform, status);
   add_conform_bug(*conform, status);
+  add_conform_fuzz(*conform, status);
   add_conform_compare(*conform, status);
 }
 

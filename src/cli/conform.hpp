@@ -17,6 +17,7 @@ void add_conform_judge(CLI::App& conform, int& status);
 void add_conform_show(CLI::App& conform, int& status);
 void add_conform_minimise(CLI::App& conform, int& status);
 void add_conform_bug(CLI::App& conform, int& status);
+void add_conform_fuzz(CLI::App& conform, int& status);
 void add_conform_compare(CLI::App& conform, int& status);
 
 /// The option --systems of a command.

@@ -67,12 +67,22 @@ void add_faces(CLI::App& command, SuiteCall& call) {
       ->capture_default_str();
 }
 
-}  // namespace
-
-void add_rays(CLI::App& command, SuiteCall& call) {
+void add_families(CLI::App& command, SuiteCall& call) {
   command.add_option("--family", call.families, "Families of the suite; without it, all")
       ->delimiter(',')
       ->check(one_of("family", family_names()));
+}
+
+void add_numbers(CLI::App& command, SuiteCall& call) {
+  command.add_option("--numbers", call.numbers, "The format that every number of scenes and rays is of")
+      ->check(one_of("format", {"binary32", "binary64"}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_rays(CLI::App& command, SuiteCall& call) {
+  add_families(command, call);
   add_seed(command, call);
   command.add_option("--rays", call.rays, "How many rays of each family")
       ->check(whole_number(1, 100'000'000))
@@ -85,9 +95,14 @@ void add_elements(CLI::App& command, SuiteCall& call) {
       ->delimiter(',')
       ->check(one_of("type", type_words()));
   command.add_flag("--solids", call.solids, "Discs close the cylinders, cones and truncated cones");
-  command.add_option("--numbers", call.numbers, "The format that every number of scenes and rays is of")
-      ->check(one_of("format", {"binary32", "binary64"}))
-      ->capture_default_str();
+  add_numbers(command, call);
+}
+
+void add_sources(CLI::App& command, SuiteCall& call) {
+  add_families(command, call);
+  add_seed(command, call);
+  add_faces(command, call);
+  add_numbers(command, call);
 }
 
 SuiteOptions suite_of(const SuiteCall& call) {

@@ -20,6 +20,8 @@ struct SuiteCall {
 
 /// Adds --family, --seed, --rays and --faces.
 void add_rays(CLI::App& command, SuiteCall& call);
+/// Adds --family, --seed, --faces and --numbers, which say where fuzzing begins.
+void add_sources(CLI::App& command, SuiteCall& call);
 /// Adds --types, --solids and --numbers, which a system's profile gives for its own suite.
 void add_elements(CLI::App& command, SuiteCall& call);
 

@@ -12,6 +12,21 @@
 namespace durero::conform {
 namespace {
 
+bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Whether every number of the shape is one: a change may have left the range of binary64.
+bool is_finite(scene::AnyShape shape) {
+  const Places of = places(shape);
+  const auto is = [](const auto* number) {
+    if constexpr (std::is_same_v<decltype(number), const double*>)
+      return std::isfinite(*number);
+    else
+      return is_finite(*number);
+  };
+  return std::ranges::all_of(of.points, is) && std::ranges::all_of(of.axes, is) &&
+         std::ranges::all_of(of.lengths, is) && std::ranges::all_of(of.ratios, is);
+}
+
 /// The disc at an end of an element, with its numbers rounded to binary64, as those of a suite are; nothing at an apex.
 template <surface::Axial Shape>
 std::optional<scene::Disc> closing_disc(const Shape& wall, bool at_base) {
@@ -32,7 +47,7 @@ bool close(SuiteCase& of, const Draft::Element& element) {
       for (const bool at_base : {true, false}) {
         const std::optional<scene::Disc> disc = closing_disc(wall, at_base);
         const std::string name = element.name + (at_base ? ".base" : ".top");
-        if (disc && !scene.add(model::Elemento(name), *disc).ok()) return false;
+        if (disc && !(is_finite(*disc) && scene.add(model::Elemento(name), *disc).ok())) return false;
         if (disc) solid.discs.push_back(*scene.find(name));
       }
     }
@@ -42,8 +57,6 @@ bool close(SuiteCase& of, const Draft::Element& element) {
   if (!solid.discs.empty()) of.solids.push_back(std::move(solid));
   return true;
 }
-
-bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 }  // namespace
 
@@ -60,6 +73,7 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
   SuiteCase of{.family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}};
   for (const Element& element : elements) {
+    if (!is_finite(element.shape)) return std::nullopt;
     const auto add = [&](const auto& shape) { return of.the_case.scene.add(model::Elemento(element.name), shape); };
     if (!std::visit(add, element.shape).ok()) return std::nullopt;
   }

@@ -24,15 +24,15 @@ std::vector<glm::dvec3*> vectors(Draft& draft) {
 }
 
 template <class Change>
-Draft changed(const FailedQuestion& failed, Change change) {
-  Draft draft = failed.draft;
+Draft changed(const MeasuredQuestion& question, Change change) {
+  Draft draft = question.draft;
   change(draft);
   return draft;
 }
 
-Remedy plus_zeros(const FailedQuestion& failed) {
+Remedy plus_zeros(const MeasuredQuestion& question) {
   bool has = false;
-  Draft draft = failed.draft;
+  Draft draft = question.draft;
   for (glm::dvec3* of : vectors(draft)) {
     for (int i = 0; i < 3; ++i) {
       const bool is_minus_zero = (*of)[i] == 0 && std::signbit((*of)[i]);
@@ -45,44 +45,45 @@ Remedy plus_zeros(const FailedQuestion& failed) {
 }
 
 /// v/|v|, and as a control a v whose direction was rounded as v/|v| is and whose length is no nearer to 1.
-Remedy unit_direction(const FailedQuestion& failed, const Profile& profile) {
+Remedy unit_direction(const MeasuredQuestion& question, const Profile& profile) {
   constexpr double nearly_1 = 0x1p-20;
-  if (!std::isfinite(failed.length) || std::abs(failed.length - 1) < nearly_1) return {};
+  if (!std::isfinite(question.length) || std::abs(question.length - 1) < nearly_1) return {};
   const glm::dvec3 rounded =
-      profile.format == NumberFormat::binary32 ? glm::dvec3(glm::vec3(failed.unit)) : failed.unit;
-  const double length = failed.length * (failed.length > 1 ? 1.5 : 0.75);
-  return {{changed(failed, [&](Draft& draft) { draft.v = failed.unit; })},
-          changed(failed, [&](Draft& draft) { draft.v = length * rounded; })};
+      profile.format == NumberFormat::binary32 ? glm::dvec3(glm::vec3(question.unit)) : question.unit;
+  const double length = question.length * (question.length > 1 ? 1.5 : 0.75);
+  return {{changed(question, [&](Draft& draft) { draft.v = question.unit; })},
+          changed(question, [&](Draft& draft) { draft.v = length * rounded; })};
 }
 
-Remedy size_near_1(const FailedQuestion& failed) {
-  return {{changed(failed, [&](Draft& draft) { scale_with_t(draft, -std::ilogb(failed.size)); })}};
+Remedy size_near_1(const MeasuredQuestion& question) {
+  return {{changed(question, [&](Draft& draft) { scale_with_t(draft, -std::ilogb(question.size)); })}};
 }
 
-Remedy moved_to_zero(const FailedQuestion& failed) {
-  return {{changed(failed, [&](Draft& draft) { translate(draft, -failed.middle); })}};
+Remedy moved_to_zero(const MeasuredQuestion& question) {
+  return {{changed(question, [&](Draft& draft) { translate(draft, -question.middle); })}};
 }
 
 /// The origin two sizes before the point.
-Remedy nearer(const FailedQuestion& failed) {
-  return {{changed(failed, [&](Draft& draft) { draft.p += (failed.distance - 2 * failed.size) * failed.unit; })}};
+Remedy nearer(const MeasuredQuestion& question) {
+  return {
+      {changed(question, [&](Draft& draft) { draft.p += (question.distance - 2 * question.size) * question.unit; })}};
 }
 
 /// The way by which farther_back() moves the origin, to before the whole target.
-double way_back(const FailedQuestion& failed) {
-  return glm::length(failed.middle - failed.draft.p) + 2 * failed.extent;
+double way_back(const MeasuredQuestion& question) {
+  return glm::length(question.middle - question.draft.p) + 2 * question.extent;
 }
 
-Remedy farther_back(const FailedQuestion& failed) {
-  return {{changed(failed, [&](Draft& draft) { draft.p -= way_back(failed) * failed.unit; })}};
+Remedy farther_back(const MeasuredQuestion& question) {
+  return {{changed(question, [&](Draft& draft) { draft.p -= way_back(question) * question.unit; })}};
 }
 
-Remedy target_alone(const FailedQuestion& failed) {
-  return {{changed(failed, [&](Draft& draft) { draft.elements = {failed.draft.elements[failed.target]}; })}};
+Remedy target_alone(const MeasuredQuestion& question) {
+  return {{changed(question, [&](Draft& draft) { draft.elements = {question.draft.elements[question.target]}; })}};
 }
 
-Remedy turned_round(const FailedQuestion& failed) {
-  return {{changed(failed, [](Draft& draft) {
+Remedy turned_round(const MeasuredQuestion& question) {
+  return {{changed(question, [](Draft& draft) {
     for (Draft::Element& element : draft.elements) {
       const Places of = places(element.shape);
       if (of.points.size() == 3) std::swap(*of.points[1], *of.points[2]);
@@ -95,35 +96,35 @@ glm::dvec3 rotated(const glm::dvec3& w) {
   return glm::dvec3(8 * w.x + w.y - 4 * w.z, -4 * w.x + 4 * w.y - 7 * w.z, w.x + 8 * w.y + 4 * w.z) / 9.0;
 }
 
-Remedy turned(const FailedQuestion& failed) {
-  return {{changed(failed, [](Draft& draft) {
+Remedy turned(const MeasuredQuestion& question) {
+  return {{changed(question, [](Draft& draft) {
     for (glm::dvec3* of : vectors(draft)) *of = rotated(*of);
   })}};
 }
 
 /// x, y and z in the two other orders that keep their orientation.
-Remedy permuted(const FailedQuestion& failed) {
+Remedy permuted(const MeasuredQuestion& question) {
   const auto once = [](Draft& draft) {
     for (glm::dvec3* of : vectors(draft)) *of = glm::dvec3(of->y, of->z, of->x);
   };
-  const Draft first = changed(failed, once);
+  const Draft first = changed(question, once);
   Draft second = first;
   once(second);
   return {{first, std::move(second)}};
 }
 
 /// The ray from the same origin to the middle of the target.
-Remedy aimed(const FailedQuestion& failed) {
-  const glm::dvec3 way = failed.middle - failed.draft.p;
+Remedy aimed(const MeasuredQuestion& question) {
+  const glm::dvec3 way = question.middle - question.draft.p;
   if (way == glm::dvec3(0)) return {};
-  return {{changed(failed, [&](Draft& draft) { draft.v = failed.length / glm::length(way) * way; })}};
+  return {{changed(question, [&](Draft& draft) { draft.v = question.length / glm::length(way) * way; })}};
 }
 
 bool has_zero(const glm::dvec3& w) { return w.x == 0 || w.y == 0 || w.z == 0; }
 
-bool is_parallel(const FailedQuestion& failed) {
-  Draft draft = failed.draft;
-  const Places of = places(draft.elements[failed.target].shape);
+bool is_parallel(const MeasuredQuestion& question) {
+  Draft draft = question.draft;
+  const Places of = places(draft.elements[question.target].shape);
   return has_zero(draft.v) || std::ranges::any_of(of.axes, [](const glm::dvec3* axis) { return has_zero(*axis); });
 }
 
@@ -142,8 +143,8 @@ bool is_same_answer(const SuiteCase& a, const SuiteCase& b) {
 }
 
 /// The place of the first point of a ray that began farther back, as a way from the old origin.
-double way_to_point(const FailedQuestion& failed, const SuiteCase& back) {
-  return back.truths[0].hit.t * failed.length - way_back(failed);
+double way_to_point(const MeasuredQuestion& question, const SuiteCase& back) {
+  return back.truths[0].hit.t * question.length - way_back(question);
 }
 
 }  // namespace
@@ -160,49 +161,49 @@ std::vector<Draft> shaken(const Draft& given, const Profile& profile) {
   return all;
 }
 
-Remedy remedy_of(Trait trait, const FailedQuestion& failed, const SuiteCase& of, const Profile& profile) {
+Remedy remedy_of(Trait trait, const MeasuredQuestion& question, const SuiteCase& of, const Profile& profile) {
   const auto where = [](bool has, Remedy remedy) { return has ? std::move(remedy) : Remedy{}; };
   switch (trait) {
     case Trait::minus_zero:
-      return plus_zeros(failed);
+      return plus_zeros(question);
     case Trait::not_unit:
-      return unit_direction(failed, profile);
+      return unit_direction(question, profile);
     case Trait::small:
-      return where(failed.size < 1 / far, size_near_1(failed));
+      return where(question.size < 1 / far, size_near_1(question));
     case Trait::large:
-      return where(failed.size > far, size_near_1(failed));
+      return where(question.size > far, size_near_1(question));
     case Trait::far_from_zero:
-      return where(largest(failed.middle) > far * failed.size, moved_to_zero(failed));
+      return where(largest(question.middle) > far * question.size, moved_to_zero(question));
     case Trait::far_origin:
-      return where(failed.distance > far * failed.size, nearer(failed));
+      return where(question.distance > far * question.size, nearer(question));
     case Trait::inside:
     case Trait::near_surface:
-      return farther_back(failed);
+      return farther_back(question);
     case Trait::several:
-      return where(failed.draft.elements.size() > 1, target_alone(failed));
+      return where(question.draft.elements.size() > 1, target_alone(question));
     case Trait::one_sided:
-      return where(failed.has_sides, turned_round(failed));
+      return where(question.has_sides, turned_round(question));
     case Trait::coincidence:
-      return where(of.truths[0].ambiguity != Ambiguity::none, Remedy{shaken(failed.draft, profile)});
+      return where(of.truths[0].ambiguity != Ambiguity::none, Remedy{shaken(question.draft, profile)});
     case Trait::parallel:
-      return where(is_parallel(failed), turned(failed));
+      return where(is_parallel(question), turned(question));
     case Trait::one_axis:
-      return permuted(failed);
+      return permuted(question);
     case Trait::grazing:
-      return aimed(failed);
+      return aimed(question);
     case Trait::none:
       return {};
   }
   contract::unreachable();
 }
 
-bool corresponds(Trait trait, const FailedQuestion& failed, const SuiteCase& of, const SuiteCase& cured) {
-  const double near = failed.size / far;
-  const auto is_target = [&] { return meets(cured, failed.draft.elements[failed.target].name); };
+bool corresponds(Trait trait, const MeasuredQuestion& question, const SuiteCase& of, const SuiteCase& cured) {
+  const double near = question.size / far;
+  const auto is_target = [&] { return meets(cured, question.draft.elements[question.target].name); };
   if (trait == Trait::coincidence) return true;
   if (trait == Trait::grazing) return cured.truths[0].hit.resultado == model::Resultado::hit;
-  if (trait == Trait::inside) return is_target() && way_to_point(failed, cured) < -near;
-  if (trait == Trait::near_surface) return is_target() && std::abs(way_to_point(failed, cured)) <= near;
+  if (trait == Trait::inside) return is_target() && way_to_point(question, cured) < -near;
+  if (trait == Trait::near_surface) return is_target() && std::abs(way_to_point(question, cured)) <= near;
   return is_same_answer(of, cured);
 }
 

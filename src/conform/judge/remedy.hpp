@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "conform/judge/failed_question.hpp"
+#include "conform/judge/measured_question.hpp"
 #include "durero/conform/judge/trait.hpp"
 
 namespace durero::conform {
@@ -20,10 +20,10 @@ struct Remedy {
 std::vector<Draft> shaken(const Draft& given, const Profile& profile);
 
 /// The remedy of a trait for a question.
-Remedy remedy_of(Trait trait, const FailedQuestion& failed, const SuiteCase& of, const Profile& profile);
+Remedy remedy_of(Trait trait, const MeasuredQuestion& question, const SuiteCase& of, const Profile& profile);
 
 /// Whether the answers to a question that was cured correspond to those before: both are hits of the same element or
 /// misses; or, where a remedy makes another question on purpose, this is the one it meant to make.
-bool corresponds(Trait trait, const FailedQuestion& failed, const SuiteCase& of, const SuiteCase& cured);
+bool corresponds(Trait trait, const MeasuredQuestion& question, const SuiteCase& of, const SuiteCase& cured);
 
 }  // namespace durero::conform

@@ -40,10 +40,10 @@ const TraitRow& row(Trait trait) { return rows[static_cast<std::size_t>(trait)];
 class Curing {
  public:
   Curing(const Finding& finding, const Profile& profile, const Ask& ask)
-      : finding_(&finding), profile_(&profile), ask_(&ask), failed_(finding, profile) {}
+      : finding_(&finding), profile_(&profile), ask_(&ask), question_(finding, profile) {}
 
   bool cures(Trait trait) const {
-    const Remedy remedy = remedy_of(trait, failed_, finding_->of, *profile_);
+    const Remedy remedy = remedy_of(trait, question_, finding_->of, *profile_);
     if (remedy.cures.empty()) return false;
     const auto is_cured = [&](const Draft& draft) { return is_right(trait, draft).value_or(false); };
     return std::ranges::all_of(remedy.cures, is_cured) && !(remedy.control && is_cured(*remedy.control)) &&
@@ -61,7 +61,7 @@ class Curing {
   /// Whether the system is right about the question; nothing where it shows nothing.
   std::optional<bool> is_right(Trait trait, const Draft& draft) const {
     const std::optional<SuiteCase> of = draft.built(finding_->of);
-    if (!of || !outside(*of, 0, *profile_).empty() || !corresponds(trait, failed_, finding_->of, *of))
+    if (!of || !outside(*of, 0, *profile_).empty() || !corresponds(trait, question_, finding_->of, *of))
       return std::nullopt;
     const Verdict verdict = judge(*of, 0, (*ask_)(*of), *profile_).verdict;
     return verdict == Verdict::exact || verdict == Verdict::right;
@@ -70,7 +70,7 @@ class Curing {
   const Finding* finding_;
   const Profile* profile_;
   const Ask* ask_;
-  FailedQuestion failed_;
+  MeasuredQuestion question_;
 };
 
 /// The traits that a question is seen to have, the rarest first.
@@ -93,12 +93,12 @@ Trait cause_of(const Finding& finding, const Profile& profile, const Ask& ask) {
 }
 
 Trait likely_cause(const Finding& finding, const Profile& profile) {
-  const FailedQuestion failed(finding, profile);
+  const MeasuredQuestion question(finding, profile);
   const auto* const found = std::ranges::find_if(visible, [&](Trait trait) {
-    const std::vector<Draft> cures = remedy_of(trait, failed, finding.of, profile).cures;
+    const std::vector<Draft> cures = remedy_of(trait, question, finding.of, profile).cures;
     if (cures.empty() || (trait != Trait::inside && trait != Trait::near_surface)) return !cures.empty();
     const std::optional<SuiteCase> of = cures[0].built(finding.of);
-    return of && corresponds(trait, failed, finding.of, *of);
+    return of && corresponds(trait, question, finding.of, *of);
   });
   return found == std::end(visible) ? Trait::none : *found;
 }

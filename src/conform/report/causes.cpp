@@ -8,7 +8,6 @@
 #include <optional>
 #include <tuple>
 
-#include "conform/judge/failed_question.hpp"
 #include "conform/report/report_parts.hpp"
 
 namespace durero::conform {
@@ -37,24 +36,13 @@ std::vector<const Finding*> chosen_failures(const Tally& tally) {
   return all;
 }
 
-/// The type of the element that a failure is about, in files' words.
-std::string_view tipo_of(const Finding& finding, const Profile& profile) {
-  const FailedQuestion failed(finding, profile);
-  return std::visit([]<class Shape>(const Shape&) { return Shape::word; }, failed.draft.elements[failed.target].shape);
-}
-
-std::string title_of(Trait trait, const Finding& finding, const Profile& profile) {
-  if (trait != Trait::none) return std::string(title(trait));
-  return fmt::format("{}: {}", title(trait), tipo_of(finding, profile));
-}
-
 /// The causes of failures while they are counted.
 class CauseCount {
  public:
   explicit CauseCount(const Report& report) : report_(&report) {}
 
   void add(const Finding& finding, Trait trait) {
-    Cause& cause = cause_with(trait, title_of(trait, finding, report_->profile));
+    Cause& cause = cause_with(trait, cause_title(trait, finding, report_->profile));
     ++cause.examined;
     cause.verdicts.insert(finding.judgement.verdict);
     cause.families.emplace(finding.of.family->name);

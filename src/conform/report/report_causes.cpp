@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conform/judge/measured_question.hpp"
 #include "conform/report/report_parts.hpp"
 
 namespace durero::conform {
@@ -19,7 +20,19 @@ std::string share_words(const CauseShare& share) {
 
 std::string rays_words(std::uint64_t count) { return fmt::format("{} failing ray{}", count, count == 1 ? "" : "s"); }
 
+/// The type of the element that a failure is about, in files' words.
+std::string_view tipo_of(const Finding& finding, const Profile& profile) {
+  const MeasuredQuestion question(finding, profile);
+  return std::visit([]<class Shape>(const Shape&) { return Shape::word; },
+                    question.draft.elements[question.target].shape);
+}
+
 }  // namespace
+
+std::string cause_title(Trait trait, const Finding& finding, const Profile& profile) {
+  if (trait != Trait::none) return std::string(title(trait));
+  return fmt::format("{}: {}", title(trait), tipo_of(finding, profile));
+}
 
 std::string causes_words(const Report& report) {
   const Causes& causes = report.causes;

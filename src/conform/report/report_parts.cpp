@@ -190,6 +190,13 @@ std::vector<const Finding*> findings_of(const FamilyTally& family) {
   return findings;
 }
 
+std::string indented(const std::string& text, std::string_view by) {
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) out += fmt::format("{}{}\n", by, line);
+  return out;
+}
+
 std::string as_markup(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -63,6 +63,8 @@ std::string unasked_words(const Report& report);
 std::vector<const Finding*> findings_of(const FamilyTally& family);
 
 /// @{ The parts of the section on causes.
+/// The cause of a failure in a sentence without its end; one that is not known is told by the type of the element.
+std::string cause_title(Trait trait, const Finding& finding, const Profile& profile);
 /// "3 causes, by what makes 41 failing rays right", and how sure that is.
 std::string causes_words(const Report& report);
 /// A line on a cause, such as "families: apex, rim".
@@ -78,6 +80,9 @@ std::string severity_words(const Report& report, const Cause& cause);
 const Finding* shown_finding(const Report& report, const Cause& cause);
 const LeastFinding* shown_least(const Report& report, const Cause& cause);
 /// @}
+
+/// The text with something before each of its lines.
+std::string indented(const std::string& text, std::string_view by);
 
 /// A text as XML and HTML take it, in elements and in attributes; a byte that neither allows is `?`.
 std::string as_markup(std::string_view text);

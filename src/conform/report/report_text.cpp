@@ -17,13 +17,6 @@ std::string row(std::string_view title, std::span<const Verdict> columns, Count 
   return line + "\n";
 }
 
-std::string indented(const std::string& text, std::string_view by) {
-  std::string out;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) out += fmt::format("{}{}\n", by, line);
-  return out;
-}
-
 std::string findings_text(const Report& report, const FamilyTally& family) {
   std::string text;
   for (const Finding* finding : findings_of(family)) {

@@ -25,12 +25,6 @@ std::uint64_t sum_of(const std::vector<FamilyTally>& families, Count count) {
   return sum;
 }
 
-/// Whether a judgement is worse than a finding: farther from the surface, then of a scene that is easier to read.
-bool is_worse(const ClaimJudgement& a, std::size_t elements, const Finding& b) {
-  if (a.backward != b.judgement.backward) return a.backward > b.judgement.backward;
-  return elements < b.of.the_case.scene.size();
-}
-
 void keep_worst(FamilyTally& tally, const SuiteCase& of, std::size_t ray, const Claim& claim,
                 const ClaimJudgement& is) {
   std::optional<Finding>& worst = tally.worst[place(is.verdict)];
@@ -81,6 +75,11 @@ std::size_t sample_size(const Family& family) {
   constexpr std::size_t of_ordinary = 32, of_others = 4, of_meshes = 1;
   if (&family == &ordinary_family()) return of_ordinary;
   return &family != &own_family && is_of_meshes(family) ? of_meshes : of_others;
+}
+
+bool is_worse(const ClaimJudgement& is, std::size_t elements, const Finding& than) {
+  if (is.backward != than.judgement.backward) return is.backward > than.judgement.backward;
+  return elements < than.of.the_case.scene.size();
 }
 
 SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray) {

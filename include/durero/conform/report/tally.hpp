@@ -22,6 +22,10 @@ struct Finding {
   ClaimJudgement judgement;  ///< the judgement on the claim
 };
 
+/// Whether a judgement on a ray of a scene of so many elements is worse than a finding: farther from the surface, then
+/// of a scene that is easier to read.
+bool is_worse(const ClaimJudgement& is, std::size_t elements, const Finding& than);
+
 /// A case, and the judgements on its rays.
 struct JudgedCase {
   SuiteCase of;                            ///< the case with all its rays

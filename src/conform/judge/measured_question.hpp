@@ -1,6 +1,6 @@
 #pragma once
-/// A failed question is a failing one with the measures that remedies need, in binary64: the exact judge judges what
-/// they make.
+/// A measured question is a draft with the lengths that remedies and mutations need, in binary64: the exact judge
+/// judges what they make.
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace durero::conform {
 
-struct FailedQuestion {
+struct MeasuredQuestion {
   Draft draft;
   std::size_t target = 0;  ///< the number of the element that is met first, or else claimed, or else the first
   double size = 1;         ///< the lesser of radius and height of the target, or its longest edge; 1 of a plane
@@ -21,7 +21,7 @@ struct FailedQuestion {
   double distance = 0;     ///< from the origin to the first point, or the claimed one, or the one next to the middle
   bool has_sides = false;  ///< whether the order of the target's corners gives it a side in front
 
-  FailedQuestion(const Finding& finding, const Profile& profile);
+  MeasuredQuestion(const Finding& finding, const Profile& profile);
 };
 
 }  // namespace durero::conform

@@ -1,4 +1,4 @@
-#include "conform/judge/failed_question.hpp"
+#include "conform/judge/measured_question.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -48,25 +48,26 @@ Measures measures(const Shape& shape) {
   }
 }
 
-std::optional<double> claimed_distance(const Finding& finding, const FailedQuestion& failed, const Profile& profile) {
+std::optional<double> claimed_distance(const Finding& finding, const MeasuredQuestion& question,
+                                       const Profile& profile) {
   const Claim& claim = finding.claim;
   if (claim.outcome != Claim::Outcome::hit) return std::nullopt;
-  if (claim.punto) return glm::length(*claim.punto - failed.draft.p);
+  if (claim.punto) return glm::length(*claim.punto - question.draft.p);
   if (!claim.t) return std::nullopt;
-  return profile.measure == Measure::length ? *claim.t : *claim.t * failed.length;
+  return profile.measure == Measure::length ? *claim.t : *claim.t * question.length;
 }
 
-double distance_of(const Finding& finding, const FailedQuestion& failed, const Profile& profile) {
+double distance_of(const Finding& finding, const MeasuredQuestion& question, const Profile& profile) {
   const scene::Hit& hit = finding.of.truths[0].hit;
-  if (hit.resultado == model::Resultado::hit) return hit.t * failed.length;
-  const auto claimed = claimed_distance(finding, failed, profile);
+  if (hit.resultado == model::Resultado::hit) return hit.t * question.length;
+  const auto claimed = claimed_distance(finding, question, profile);
   if (claimed && std::isfinite(*claimed)) return *claimed;
-  return std::max(0.0, glm::dot(failed.middle - failed.draft.p, failed.unit));
+  return std::max(0.0, glm::dot(question.middle - question.draft.p, question.unit));
 }
 
 }  // namespace
 
-FailedQuestion::FailedQuestion(const Finding& finding, const Profile& profile)
+MeasuredQuestion::MeasuredQuestion(const Finding& finding, const Profile& profile)
     : draft(finding.of), target(target_of(finding, draft)), length(std::hypot(draft.v.x, draft.v.y, draft.v.z)) {
   const scene::AnyShape& shape = draft.elements[target].shape;
   const Measures of = std::visit([](const auto& known) { return measures(known); }, shape);

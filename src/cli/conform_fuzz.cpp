@@ -1,0 +1,102 @@
+// durero conform fuzz SYSTEM --minutes N: a search for questions about which a system is wrong.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "conform.hpp"
+#include "conform_suite.hpp"
+#include "conform_system.hpp"
+#include "description.hpp"
+#include "durero/conform/report/fuzz_report.hpp"
+#include "durero/io/standard_output.hpp"
+#include "interrupted.hpp"
+#include "numbers.hpp"
+#include "progress.hpp"
+
+namespace durero::cli {
+namespace {
+
+using namespace conform;
+
+struct ConformFuzzOptions {
+  SystemCall system;
+  SuiteCall suite{.faces = fuzzed_faces};
+  std::uint64_t steps = 0;
+  double minutes = 1;
+  double time = 10;
+  bool has_minutes = false, quiet = false;
+};
+
+/// The call that finds the same again in so many steps.
+std::string call_again(const ConformFuzzOptions& options, std::uint64_t steps) {
+  std::string call =
+      fmt::format("durero conform fuzz {} --seed {} --steps {}",
+                  words_of_system(options.system.system, options.system.profile), options.suite.seed, steps);
+  if (!options.suite.families.empty()) call += fmt::format(" --family {}", fmt::join(options.suite.families, ","));
+  if (options.suite.faces != fuzzed_faces) call += fmt::format(" --faces {}", options.suite.faces);
+  if (options.suite.numbers != SuiteCall().numbers) call += fmt::format(" --numbers {}", options.suite.numbers);
+  return call;
+}
+
+Fuzzing search(const ConformFuzzOptions& options, const System& system, const Ask& ask) {
+  using Clock = std::chrono::steady_clock;
+  const bool is_timed = options.has_minutes || options.steps == 0;
+  const auto end = Clock::now() + std::chrono::duration<double>(60 * options.minutes);
+  Progress progress(options.quiet, system.name, "questions", options.steps);
+  const auto goes_on = [&] { return !interrupted() && !(is_timed && Clock::now() >= end); };
+  const FuzzOptions fuzzing{.suite = suite_of(options.suite, system.profile), .steps = options.steps};
+  return fuzz(fuzzing, system.profile, counted(ask, progress), goes_on);
+}
+
+int run(const ConformFuzzOptions& options) {
+  const System system = system_of(options.system);
+  require_present(system);
+  const Ask ask = asking(system, {.time = std::chrono::duration<double>(options.time)}, interrupted());
+  const Fuzzing found = search(options, system, ask);
+  const bool is_stopped = interrupted();
+  FuzzedCauses causes;
+  if (is_stopped) {
+    causes = guessed_causes(found, system.profile);
+  } else {
+    Progress progress(options.quiet, system.name + ": minimising", "questions");
+    causes = fuzzed_causes(found, system.profile, counted(ask, progress), {});
+  }
+  io::print(fmt::format("{}{}", is_stopped ? "stopped, so that nothing is made small: " : "",
+                        fuzz_text(found, causes, system.profile, call_again(options, found.steps))));
+  return found.failures > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_conform_fuzz(CLI::App& conform, int& status) {
+  auto* command = conform.add_subcommand("fuzz", "Search for questions about which a system is wrong");
+  const auto options = std::make_shared<ConformFuzzOptions>();
+  add_system(*command, options->system);
+  auto* minutes = command->add_option("--minutes", options->minutes, "So long it searches, before it makes small")
+                      ->check(number(0.001, 100'000))
+                      ->capture_default_str();
+  command->add_option("--steps", options->steps, "So many questions it makes; then --minutes counts only where given")
+      ->check(whole_number(1, std::uint64_t{1} << 53U));
+  add_sources(*command, options->suite);
+  command->add_option("--timeout", options->time, "Seconds that a ray may take")
+      ->check(number(0.001, 86400))
+      ->capture_default_str();
+  add_quiet(*command, options->quiet);
+  command->footer(
+      "Questions of the families are changed at random, again and again, towards new places and larger errors. The\n"
+      "seed and the steps find the same again. An interrupt ends the search and keeps what was found.\n\n" +
+      exit_status("the system was right about all", "it was not", "the system is absent, or the call is bad") +
+      examples({"conform fuzz embree --minutes 5",
+                "conform fuzz 'command:./my-tracer' --profile my-profile.json --steps 20000"}));
+  command->callback([options, minutes, &status] {
+    options->has_minutes = minutes->count() > 0;
+    status = run(*options);
+  });
+}
+
+}  // namespace durero::cli
