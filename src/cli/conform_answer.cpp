@@ -27,6 +27,14 @@ conform::Claim claim_of(const scene::Hit& hit) {
   __builtin_unreachable();  // a Resultado is one of its enumerators
 }
 
+/// The answer to a shadow ray: whether the first hit is not behind its end. A stretch inside a surface begins before.
+conform::Claim shadow_of(const scene::Hit& hit, double end) {
+  using Outcome = conform::Claim::Outcome;
+  const bool is_hit =
+      hit.resultado == model::Resultado::no_minimum || (hit.resultado == model::Resultado::hit && hit.t <= end);
+  return {.outcome = is_hit ? Outcome::hit : Outcome::miss};
+}
+
 /// The line that a system writes for the claim; a ray without an answer is refused.
 std::string answer_line(const conform::Claim& claim, const scene::Scene& scene) {
   return claim.outcome == conform::Claim::Outcome::unanswered ? "refused " + claim.why
@@ -39,8 +47,11 @@ int answer(const std::string& engine_name) {
   while (const auto question = questions.next()) {
     const auto engine = engine::find(engine_name)->prepare(question->scene);
     std::string answers;
-    for (const scene::Hit& hit : engine::first_hits(*engine, question->rays))
-      answers += answer_line(claim_of(hit), question->scene) + "\n";
+    const std::vector<scene::Hit> hits = engine::first_hits(*engine, question->rays);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const conform::Claim claim = question->ends.empty() ? claim_of(hits[i]) : shadow_of(hits[i], question->ends[i]);
+      answers += answer_line(claim, question->scene) + "\n";
+    }
     io::print(answers);
   }
   return 0;

@@ -22,7 +22,7 @@ using namespace conform;
 struct ConformMinimiseOptions {
   SystemCall system;
   CaseCall of;
-  std::string question;
+  std::string write;
   bool quiet = false;
 };
 
@@ -37,7 +37,7 @@ int run(const ConformMinimiseOptions& options) {
   const System system = system_of(options.system);
   require_present(system);
   std::optional<io::OutputFile> question;
-  if (!options.question.empty()) question.emplace(options.question);
+  if (!options.write.empty()) question.emplace(options.write);
   const SuiteOptions suite = suite_of(options.of.suite, system.profile);
   std::optional<Progress> progress(std::in_place, options.quiet, system.name, "questions");
   const Ask ask = counted(asking(system, {}, interrupted()), *progress);
@@ -63,7 +63,8 @@ void add_conform_minimise(CLI::App& conform, int& status) {
   const auto options = std::make_shared<ConformMinimiseOptions>();
   add_system(*command, options->system);
   add_case(*command, options->of);
-  command->add_option("--question", options->question,
+  add_question(*command, options->of.suite);
+  command->add_option("--write", options->write,
                       "The file for the question with all its elements, as a system reads it");
   add_quiet(*command, options->quiet);
   command->footer(

@@ -58,6 +58,7 @@ struct Plan {
     const auto make = [this](std::size_t place) {
       SuiteCase made = suite_case(suite, *places[place].first, places[place].second);
       answer(made);
+      ask_question(made, suite);
       return made;
     };
     return {places.size(), make, [&profile](const SuiteCase& of) { return CaseJudge(of, profile).outside(); }};
@@ -66,10 +67,12 @@ struct Plan {
 
 /// The identity of a run: only a run with the same identity goes on with its claims.
 std::string identity(const System& system, const ConformRunOptions& options) {
-  return fmt::format("durero {} conform run {}, {}, --seed {} --rays {}{} --timeout {} --memory {} {}", DURERO_VERSION,
-                     system.name, system.title, options.suite.seed, options.suite.rays,
-                     options.suite.faces == usual_faces ? "" : fmt::format(" --faces {}", options.suite.faces),
-                     options.time, options.memory, fmt::join(options.suite.families, " "));
+  return fmt::format(
+      "durero {} conform run {}, {}, --seed {} --rays {}{} {} --timeout {} --memory {} {}", DURERO_VERSION, system.name,
+      system.title, options.suite.seed, options.suite.rays,
+      options.suite.faces == usual_faces ? "" : fmt::format(" --faces {}", options.suite.faces),
+      options.suite.question == SuiteCall().question ? "" : fmt::format(" --question {}", options.suite.question),
+      options.time, options.memory, fmt::join(options.suite.families, " "));
 }
 
 AskOptions ask_options(const ConformRunOptions& options) {
@@ -179,6 +182,7 @@ void add_conform_run(CLI::App& conform, int& status) {
   const auto options = std::make_shared<ConformRunOptions>();
   command->add_option("SYSTEM", options->names, "Names of systems, files of systems, or command:PROGRAM")->required();
   add_rays(*command, options->suite);
+  add_question(*command, options->suite);
   add_amounts(*command, *options);
   add_systems(*command, options->systems);
   command->add_option("--profile", options->profile, profile_help);

@@ -98,6 +98,14 @@ void add_elements(CLI::App& command, SuiteCall& call) {
   add_numbers(command, call);
 }
 
+void add_question(CLI::App& command, SuiteCall& call) {
+  command
+      .add_option("--question", call.question,
+                  "What is asked: the first hit; or shadow, whether anything is hit up to an end of each ray")
+      ->check(one_of("question", {"first", "shadow"}))
+      ->capture_default_str();
+}
+
 void add_sources(CLI::App& command, SuiteCall& call) {
   add_families(command, call);
   add_seed(command, call);
@@ -110,6 +118,7 @@ SuiteOptions suite_of(const SuiteCall& call) {
   for (const std::string& name : call.families) options.families.push_back(&family_of(name));
   for (const std::string& word : call.types) options.tipos.push_back(type_of(word));
   options.caps = call.solids ? Caps::solid : Caps::open;
+  options.question = call.question == word(QuestionKind::shadow) ? QuestionKind::shadow : QuestionKind::first;
   options.numbers = call.numbers == word(NumberFormat::binary64) ? NumberFormat::binary64 : NumberFormat::binary32;
   return options;
 }
@@ -118,6 +127,9 @@ SuiteOptions suite_of(const SuiteCall& call, const Profile& profile) {
   SuiteOptions options = suite_of(call);
   options.tipos = profile.tipos;
   options.caps = profile.caps;
+  if (std::ranges::find(profile.questions, options.question) == profile.questions.end())
+    throw std::runtime_error(fmt::format("{} does not claim the question {}; expected one of its profile's questions",
+                                         profile.system, call.question));
   return options;
 }
 
@@ -145,6 +157,7 @@ SuiteCase case_of(const CaseCall& call, SuiteOptions suite) {
     throw std::runtime_error(
         fmt::format("ray {} of {}; expected a ray of the case, from 0", call.ray, of.the_case.rays.size()));
   answer(of);
+  ask_question(of, suite);
   return of;
 }
 

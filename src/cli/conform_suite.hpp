@@ -16,10 +16,13 @@ struct SuiteCall {
   std::vector<std::string> types;
   bool solids = false;
   std::string numbers{word(conform::NumberFormat::binary32)};
+  std::string question{word(conform::QuestionKind::first)};
 };
 
 /// Adds --family, --seed, --rays and --faces.
 void add_rays(CLI::App& command, SuiteCall& call);
+/// Adds --question.
+void add_question(CLI::App& command, SuiteCall& call);
 /// Adds --family, --seed, --faces and --numbers, which say where fuzzing begins.
 void add_sources(CLI::App& command, SuiteCall& call);
 /// Adds --types, --solids and --numbers, which a system's profile gives for its own suite.
@@ -27,7 +30,8 @@ void add_elements(CLI::App& command, SuiteCall& call);
 
 /// The suite of the call. Throws std::runtime_error where there is no such family or type.
 conform::SuiteOptions suite_of(const SuiteCall& call);
-/// The suite of the call, with elements that a system of this profile has.
+/// The suite of the call, with elements that a system of this profile has. Throws std::runtime_error also where the
+/// profile does not claim the question.
 conform::SuiteOptions suite_of(const SuiteCall& call, const conform::Profile& profile);
 
 /// One ray of a suite.

@@ -26,7 +26,7 @@ constexpr std::array rows = {
     ArgumentRow{"REPORT", Kind::file, "REPORT"},     ArgumentRow{"CAMPAIGN", Kind::file, "CAMPAIGN"},
     ArgumentRow{"--scene", Kind::file, "SCENE"},     ArgumentRow{"--script", Kind::file, "FILE"},
     ArgumentRow{"--output", Kind::file, "FILE"},     ArgumentRow{"--reproducer", Kind::file, "FILE"},
-    ArgumentRow{"--question", Kind::file, "FILE"},   ArgumentRow{"--profile", Kind::file, "PROFILE"},
+    ArgumentRow{"--write", Kind::file, "FILE"},      ArgumentRow{"--profile", Kind::file, "PROFILE"},
     ArgumentRow{"SYSTEM", Kind::file, "SYSTEM"},     ArgumentRow{"DIR", Kind::folder, "DIR"},
     ArgumentRow{"--systems", Kind::folder, "DIR"},   ArgumentRow{"--report", Kind::folder, "DIR"},
     ArgumentRow{"--directory", Kind::folder, "DIR"}, ArgumentRow{"EXPR", Kind::text, "EXPR"},

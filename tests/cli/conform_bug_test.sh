@@ -70,7 +70,7 @@ run 1 conform minimise tracer --systems systems --case $ray
 has out 'missed: expected e'
 has out 'in hexadecimal:'
 
-run 1 conform minimise tracer --systems systems --case $ray --question least.txt
+run 1 conform minimise tracer --systems systems --case $ray --write least.txt
 has least.txt 'rays 1'
 "$durero" conform answer <least.txt >out || fail 'the smallest question is none'
 has out 'hit e'

@@ -45,7 +45,7 @@ struct RightTracer {
 /// What a tracer claims, clause by clause. A new clause of a profile does not compile here until it is one of these.
 inline std::map<std::string, std::string> clauses(const conform::Profile& profile) {
   const auto& [system, format, tipos, caps, measure, directions, inside, thickness, least_t, greatest_t, least_size,
-               greatest_size, greatest_coordinate, names_elements, watertight, sources] = profile;
+               greatest_size, greatest_coordinate, names_elements, watertight, questions, sources] = profile;
   const auto claimed = [](bool is) { return std::string(is ? "claimed" : "none"); };
   return {{"format", std::string(word(format))},
           {"tipos", claimed(tipos.size() < model::tipo_count)},
@@ -60,7 +60,8 @@ inline std::map<std::string, std::string> clauses(const conform::Profile& profil
           {"greatest_size", claimed(std::isfinite(greatest_size))},
           {"greatest_coordinate", claimed(std::isfinite(greatest_coordinate))},
           {"names_elements", claimed(names_elements)},
-          {"watertight", claimed(watertight)}};
+          {"watertight", claimed(watertight)},
+          {"questions", claimed(questions.size() > 1)}};
 }
 
 /// Whether the element is a wall that discs close, to a tracer that has solids.

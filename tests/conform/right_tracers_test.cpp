@@ -84,6 +84,7 @@ RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
   tracer.sees_beyond_greatest = random.chance(1, 4);
   tracer.excludes_limits = random.chance(1, 2);
   tracer.answers_element = random.chance(1, 8);
+  if (random.chance(1, 2)) tracer.profile.questions.push_back(QuestionKind::shadow);
   return tracer;
 }
 
@@ -117,6 +118,7 @@ std::string shown(const RightTracer& tracer, const Claim& claim) {
 /// What was judged: how many rays, of each clause and value, and of each kind of data.
 struct Judged {
   std::size_t rays = 0, failures = 0, beyond = 0;
+  std::size_t doubtful_shadows = 0;
   std::size_t nudged = 0, off = 0;  ///< answers a little beside their place, and how many of these are off
   std::map<std::string, std::map<std::string, std::size_t>> clauses{};
   std::map<Data, std::size_t> data{};
@@ -161,6 +163,23 @@ std::optional<Claim> nudged(Random& random, const RightTracer& tracer, const Sui
   return is_possible ? std::optional(claim) : std::nullopt;
 }
 
+/// The end of a shadow ray at or beside a t, or anywhere, as the tracer is asked about it.
+double drawn_end(Random& random, double t) {
+  const double end = random.chance(1, 8) ? std::abs(random.number(-30, 30)) : std::abs(near(random, t));
+  return end > 0 && std::isfinite(end) ? end : 1;
+}
+
+/// The tracer's answer to a shadow ray, in its own number and format, from its answer to the first hit; nothing where
+/// that has no number.
+std::optional<Claim> shadow_claim(const RightTracer& tracer, const Claim& first, double length, double end) {
+  if (first.outcome == Claim::Outcome::miss) return first;
+  if (!first.t) return std::nullopt;
+  const double own = tracer.profile.measure == Measure::length ? end * length : end;
+  const bool is_narrow = tracer.profile.format == NumberFormat::binary32;
+  const bool is_hit = *first.t <= (is_narrow ? static_cast<double>(static_cast<float>(own)) : own);
+  return Claim{.outcome = is_hit ? Claim::Outcome::hit : Claim::Outcome::miss};
+}
+
 /// One ray for one tracer of that seed. `beyond` are rays that end otherwise by their limits.
 void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64_t seed) {
   Random random(seed);
@@ -185,6 +204,20 @@ void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64
                          << shown(tracer, with));
   };
   if (verdict != Verdict::exact && verdict != Verdict::right) fail(verdict, *claim);
+  if (tracer.profile.questions.size() > 1) {
+    const double length = length_of(1, of.the_case.rays[ray].rayo.v().xyz());
+    const double unit = tracer.profile.measure == Measure::length ? length : 1;
+    const double t = claim->t ? *claim->t / unit : of.truths[ray].hit.t;
+    SuiteCase asked = with_ray_alone(of, ray);
+    asked.ends = {drawn_end(random, t)};
+    const std::optional<Claim> says = shadow_claim(tracer, *claim, length, asked.ends[0]);
+    const Verdict of_shadow = says ? judge(asked, 0, *says, tracer.profile).verdict : Verdict::exact;
+    judged.doubtful_shadows += of_shadow == Verdict::right;
+    if (is_failure(of_shadow)) {
+      UNSCOPED_INFO("a shadow ray up to " << asked.ends[0] << ": " << (says->outcome == Claim::Outcome::hit));
+      fail(of_shadow, *claim);
+    }
+  }
   const std::optional<Claim> beside = random.chance(1, 4) ? nudged(random, tracer, of, ray, *claim) : std::nullopt;
   if (!beside) return;
   ++judged.nudged;
@@ -230,6 +263,7 @@ void check_members(const Judged& judged, std::size_t least) {
   CHECK(count("inside") == inside_words.size());
   CHECK(judged.data.size() == data_words.size());
   CHECK(judged.beyond > judged.rays / 50);
+  CHECK(judged.doubtful_shadows > judged.rays / 50);
   CHECK(judged.nudged > judged.rays / 50);
   CHECK(judged.off > judged.nudged / 4);
   CHECK(judged.failures == 0);

@@ -22,7 +22,8 @@ enum ProfileKey : std::size_t {
   least_size,
   greatest_size,
   greatest_coordinate,
-  watertight
+  watertight,
+  questions
 };
 constexpr std::string_view profile_keys[] = {"format",
                                              "tipos",
@@ -37,7 +38,8 @@ constexpr std::string_view profile_keys[] = {"format",
                                              "least_size",
                                              "greatest_size",
                                              "greatest_coordinate",
-                                             "watertight"};
+                                             "watertight",
+                                             "questions"};
 constexpr std::size_t required_keys = 7;
 
 constexpr auto shape_words = [] {
@@ -51,6 +53,13 @@ void read_bound(Reader& in, std::string_view what, double& bound) {
   const std::size_t at = in.offset();
   bound = in.number(what);
   if (bound < 0) in.fail(at, fmt::format("{} is {}", what, bound), "expected a number that is not negative");
+}
+
+void read_questions(Reader& in, std::string_view what, std::vector<QuestionKind>& read) {
+  const std::size_t at = in.offset();
+  read.clear();
+  in.array(what, [&] { read.push_back(read_word<QuestionKind>(in, "a question", question_words)); });
+  if (read.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one question at least");
 }
 
 void read_member(Reader& in, ProfileKey key, Profile& profile) {
@@ -91,6 +100,8 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
     case watertight:
       profile.watertight = in.boolean(what);
       return;
+    case questions:
+      return read_questions(in, what, profile.questions);
   }
 }
 

@@ -89,11 +89,13 @@ void read_element(const QuestionLine& line, scene::Scene& scene) {
   if (!answer->ok()) line.fail(0, std::string(model::name(answer->r)), *answer->violated);
 }
 
-scene::Query read_ray(const QuestionLine& line) {
+/// Reads a ray, and its end where it is a shadow ray's.
+scene::Query read_ray(const QuestionLine& line, double* end) {
   glm::dvec3 p, v;
   NumberReader numbers(line, 0);
   numbers.read(p);
   numbers.read(v);
+  if (end != nullptr) numbers.read(*end);
   numbers.end();
   if (v == glm::dvec3(0)) line.fail(3, "v is (0, 0, 0)", model::Rayo_inv_1);
   return {{model::Punto(p), model::Vector(v)}};
@@ -129,9 +131,12 @@ std::optional<Question> QuestionReader::next() {
   if (first.words.size() != 2 || first.words[0] != "scene")
     first.fail(0, text::shown(*head), "expected scene and its name");
   Question question{std::string(first.words[1]), {}, {}};
-  for (std::size_t left = read_elements(question.scene); left > 0; --left) {
+  const auto [count, are_shadows] = read_elements(question.scene);
+  for (std::size_t left = count; left > 0; --left) {
     const std::string text = required_line("a ray");
-    question.rays.push_back(read_ray({lines_, text}));
+    double end = 0;
+    question.rays.push_back(read_ray({lines_, text}, are_shadows ? &end : nullptr));
+    if (are_shadows) question.ends.push_back(end);
   }
   return question;
 }
@@ -142,12 +147,13 @@ std::string QuestionReader::required_line(std::string_view what) {
   return *line;
 }
 
-std::size_t QuestionReader::read_elements(scene::Scene& scene) {
+QuestionReader::Rays QuestionReader::read_elements(scene::Scene& scene) {
   for (;;) {
     const std::string text = required_line("an element, or rays and their number");
     const QuestionLine line(lines_, text);
     if (line.words.empty()) line.fail(0, "the line is empty", "expected an element, or rays and their number");
-    if (line.words.front() == "rays") return read_count(line);
+    const bool are_shadows = line.words.front() == "shadows";
+    if (are_shadows || line.words.front() == "rays") return {read_count(line), are_shadows};
     read_element(line, scene);
   }
 }

@@ -170,7 +170,9 @@ std::string identity(const Campaign& campaign, const Profile& profile) {
   out.key("families").begin_array();
   for (const Family* family : campaign.families) out.value(family->name);
   out.end_array();
-  for (const ProfileLine& line : profile_lines(profile)) out.member(line.claim, line.value);
+  for (const ProfileLine& line : profile_lines(profile)) {
+    if (line.claim != "questions") out.member(line.claim, line.value);  // a campaign asks for first hits alone
+  }
   out.end_object();
   return digest_text(digest(text));
 }

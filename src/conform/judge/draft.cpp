@@ -66,11 +66,13 @@ Draft::Draft(const SuiteCase& of)
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (solid_closed_by(of.solids, e) == nullptr) elements.push_back({std::string(scene.name(e).name()), shape});
   });
+  if (!of.ends.empty()) end = of.ends[0];
   for (const scene::ElementRef e : of.the_case.rays[0].en) on.emplace_back(scene.name(e).name());
 }
 
 std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
+  if (end && !(std::isfinite(*end) && *end > 0)) return std::nullopt;
   SuiteCase of{.family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}};
   for (const Element& element : elements) {
     if (!is_finite(element.shape)) return std::nullopt;
@@ -86,6 +88,7 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   }
   std::ranges::sort(ray.en);
   of.the_case.rays.push_back(std::move(ray));
+  if (end) of.ends = {*end};
   answer(of);
   return of;
 }
@@ -111,14 +114,25 @@ Places places(scene::AnyShape& any) {
   return all;
 }
 
+void scale_direction(Draft& draft, double factor) {
+  draft.v *= factor;
+  if (draft.end) *draft.end /= factor;
+}
+
+void move_along(Draft& draft, double t) {
+  draft.p += t * draft.v;
+  if (draft.end) *draft.end -= t;
+}
+
 void scale(Draft& draft, int k) {
-  draft.v *= std::ldexp(1, k);
   scale_with_t(draft, k);
+  scale_direction(draft, std::ldexp(1, k));
 }
 
 void scale_with_t(Draft& draft, int k) {
   const double factor = std::ldexp(1, k);
   draft.p *= factor;
+  if (draft.end) *draft.end *= factor;
   for (Draft::Element& element : draft.elements) {
     const Places of = places(element.shape);
     for (glm::dvec3* point : of.points) *point *= factor;

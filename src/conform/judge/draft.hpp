@@ -17,6 +17,7 @@ struct Draft {
   };
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
+  std::optional<double> end{};  ///< of a shadow ray
   std::vector<std::string> on;  ///< the names of the elements that the ray starts on
   bool are_closed = false;      ///< discs close the elements that have ends
 
@@ -37,6 +38,10 @@ struct Places {
 };
 Places places(scene::AnyShape& shape);
 
+/// Scales v, and the end of a shadow ray so that it stays where it is.
+void scale_direction(Draft& draft, double factor);
+/// Moves the origin by so many v, and the end of a shadow ray so that it stays where it is.
+void move_along(Draft& draft, double t);
 /// Scales the scene, the origin and v by 2^k: the crossings stay at the same t.
 void scale(Draft& draft, int k);
 /// Scales the scene and the origin by 2^k, and v not: the crossings' t is scaled as well.

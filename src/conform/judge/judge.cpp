@@ -180,7 +180,36 @@ ClaimJudgement of_hit(const ClaimContext& trial, const Claim& claim) {
           .backward = is_near ? backward_error_near_truth(trial, claim, *where) : backward_error(trial, claim, *where)};
 }
 
+/// Whether the exact first hit of a shadow ray, rounded, is not behind its end.
+bool is_in_shadow(const ClaimContext& trial, double end) {
+  if (trial.truth.hit.resultado == model::Resultado::no_minimum) return true;
+  return trial.has_hit() && trial.truth.hit.t <= end;
+}
+
+/// Whether the ray of some data may meet an element before the end, or the system answers the origin inside a solid.
+bool may_be_in_shadow(const ClaimContext& trial, double end) {
+  if (trial.profile.inside == Inside::origin && !trial.solids_around_origin().empty()) return true;
+  return trial.scene.any_of([&](ElementRef element, const auto&) {
+    const auto t = earliest(trial.elements(), element, trial.ray.rayo, trial.precision());
+    return t && may_be_within_end(trial, element, *t, end);
+  });
+}
+
+/// The verdict on a claim about a shadow ray: a hit is right where some data have one before the end, and a miss where
+/// not all data have one there. Whatever the claim says of a hit besides is not judged.
+Verdict of_shadow(const ClaimContext& trial, const Claim& claim, double end) {
+  const bool is_hit = claim.outcome == Claim::Outcome::hit;
+  if (is_hit == is_in_shadow(trial, end)) return Verdict::exact;
+  if (is_hit) return may_be_in_shadow(trial, end) ? Verdict::right : Verdict::phantom;
+  const std::vector<Zone> all = walls(trial, trace::no_limit);
+  const bool is_certain =
+      std::any_of(all.begin(), all.end(), [&](const Zone& zone) { return is_within_end(trial, zone, end); });
+  return is_certain ? Verdict::missed : Verdict::right;
+}
+
 ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
+  const bool is_answer = claim.outcome == Claim::Outcome::hit || claim.outcome == Claim::Outcome::miss;
+  if (trial.end && is_answer) return {.verdict = of_shadow(trial, claim, *trial.end)};
   switch (claim.outcome) {
     case Claim::Outcome::hit:
       return of_hit(trial, claim);

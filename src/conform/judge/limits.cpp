@@ -20,9 +20,9 @@ using surface::exact::Parameter;
 /// Lengths are compared by their squares: (t·|v|)² is one number with the root of t. For the parameter,
 /// (limit·|v| + by)² would need a second root; the largest coordinate of v stands for |v| in by/|v|, whose magnitude is
 /// larger by that.
-int compared(const ClaimContext& trial, const Parameter& t, double limit, const Dyadic& by) {
+int compared(const ClaimContext& trial, Measure measure, const Parameter& t, double limit, const Dyadic& by) {
   const glm::dvec3& v = trial.ray.rayo.v().xyz();
-  if (trial.profile.measure != Measure::length) {
+  if (measure != Measure::length) {
     const Dyadic longest(largest(v));
     return sign_at({{}, number::shifted(longest, -1), -(Dyadic(limit) * longest + by)}, t);
   }
@@ -31,7 +31,26 @@ int compared(const ClaimContext& trial, const Parameter& t, double limit, const 
   return sign_at({squared_length(Point<Dyadic>{v.x, v.y, v.z}), {}, -square(length)}, t);
 }
 
+/// The comparison by what the profile measures.
+int compared(const ClaimContext& trial, const Parameter& t, double limit, const Dyadic& by) {
+  return compared(trial, trial.profile.measure, t, limit, by);
+}
+
 }  // namespace
+
+bool is_within_end(const ClaimContext& trial, const Zone& zone, double end) {
+  return compared(trial, Measure::parameter, zone.end, end, -number::shifted(zone.delta, 1)) <= 0;
+}
+
+bool may_be_within_end(const ClaimContext& trial, scene::ElementRef element, const Parameter& earliest, double end) {
+  const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
+  const auto coordinate = [&](double from, double step) { return Dyadic(from) + Dyadic(end) * Dyadic(step); };
+  const ClaimedPoint at{.t = {.x = end},
+                        .punto = {coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)},
+                        .way = Dyadic(end) * Dyadic(largest(v))};
+  const Dyadic own = delta(trial.elements(), element, at, trial.ray.rayo, trial.precision());
+  return compared(trial, Measure::parameter, earliest, end, number::shifted(own, 1)) <= 0;
+}
 
 bool is_truth_beyond_limits(const ClaimContext& trial) {
   if (!trial.has_hit()) return false;

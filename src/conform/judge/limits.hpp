@@ -26,4 +26,13 @@ Profile without_limits(Profile profile);
 /// Together this is less than 2δ, in t less than 2δ/|v|.
 bool is_within_limits(const ClaimContext& trial, const Zone& zone);
 
+/// Whether no data put the crossing of the zone behind the end of a shadow ray, which is a t and whose error is that of
+/// a limit.
+bool is_within_end(const ClaimContext& trial, const Zone& zone, double end);
+
+/// Whether some data may put a meeting of an element, which is not before `earliest`, before the end. The error of the
+/// end is that of a limit, with δ of the element at the end.
+bool may_be_within_end(const ClaimContext& trial, scene::ElementRef element, const surface::exact::Parameter& earliest,
+                       double end);
+
 }  // namespace durero::conform

@@ -70,8 +70,8 @@ void move_to_zero(FailureMinimiser& search) {
 }
 
 /// Scales v, so that its largest coordinate is from 1 to 2.
-void scale_direction(FailureMinimiser& search) {
-  search.attempt([](Draft& draft) { draft.v *= std::ldexp(1, -std::ilogb(largest(draft.v))); });
+void round_length(FailureMinimiser& search) {
+  search.attempt([](Draft& draft) { scale_direction(draft, std::ldexp(1, -std::ilogb(largest(draft.v)))); });
 }
 
 /// Moves the scene to the origin, and scales it to a size near 1.
@@ -81,7 +81,7 @@ void move_home(FailureMinimiser& search) {
     const Places of = places(draft.elements.front().shape);
     if (!of.lengths.empty()) scale(draft, -std::ilogb(*of.lengths.front()));
   });
-  scale_direction(search);
+  round_length(search);
 }
 
 bool straighten_axis(FailureMinimiser& search, std::size_t element) {
@@ -127,6 +127,7 @@ std::vector<double*> numbers(Draft& draft) {
   }
   add(draft.p);
   add(draft.v);
+  if (draft.end) all.push_back(&*draft.end);
   return all;
 }
 
@@ -160,7 +161,7 @@ bool round_numbers(FailureMinimiser& search) {
 Finding tidied(const Finding& finding, const Profile& profile, const Ask& ask) {
   FailureMinimiser search(finding, profile, ask);
   leave_out_elements(search);
-  scale_direction(search);
+  round_length(search);
   move_to_zero(search);
   search.attempt([](Draft& draft) { scale_with_t(draft, -std::ilogb(size_of(draft))); });
   return std::move(search).result();

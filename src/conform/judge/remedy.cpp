@@ -44,6 +44,12 @@ Remedy plus_zeros(const MeasuredQuestion& question) {
   return {{std::move(draft)}};
 }
 
+/// Sets v to one that is `longer` times as long, and the end of a shadow ray so that it stays where it is.
+void turn(Draft& draft, const glm::dvec3& v, double longer) {
+  draft.v = v;
+  if (draft.end) *draft.end /= longer;
+}
+
 /// v/|v|, and as a control a v whose direction was rounded as v/|v| is and whose length is no nearer to 1.
 Remedy unit_direction(const MeasuredQuestion& question, const Profile& profile) {
   constexpr double nearly_1 = 0x1p-20;
@@ -51,8 +57,8 @@ Remedy unit_direction(const MeasuredQuestion& question, const Profile& profile) 
   const glm::dvec3 rounded =
       profile.format == NumberFormat::binary32 ? glm::dvec3(glm::vec3(question.unit)) : question.unit;
   const double length = question.length * (question.length > 1 ? 1.5 : 0.75);
-  return {{changed(question, [&](Draft& draft) { draft.v = question.unit; })},
-          changed(question, [&](Draft& draft) { draft.v = length * rounded; })};
+  return {{changed(question, [&](Draft& draft) { turn(draft, question.unit, 1 / question.length); })},
+          changed(question, [&](Draft& draft) { turn(draft, length * rounded, length / question.length); })};
 }
 
 Remedy size_near_1(const MeasuredQuestion& question) {
@@ -65,8 +71,8 @@ Remedy moved_to_zero(const MeasuredQuestion& question) {
 
 /// The origin two sizes before the point.
 Remedy nearer(const MeasuredQuestion& question) {
-  return {
-      {changed(question, [&](Draft& draft) { draft.p += (question.distance - 2 * question.size) * question.unit; })}};
+  return {{changed(
+      question, [&](Draft& draft) { move_along(draft, (question.distance - 2 * question.size) / question.length); })}};
 }
 
 /// The way by which farther_back() moves the origin, to before the whole target.
@@ -75,7 +81,7 @@ double way_back(const MeasuredQuestion& question) {
 }
 
 Remedy farther_back(const MeasuredQuestion& question) {
-  return {{changed(question, [&](Draft& draft) { draft.p -= way_back(question) * question.unit; })}};
+  return {{changed(question, [&](Draft& draft) { move_along(draft, -way_back(question) / question.length); })}};
 }
 
 Remedy target_alone(const MeasuredQuestion& question) {

@@ -19,7 +19,8 @@ struct ClaimContext {
   const scene::Query& ray;
   const ExactAnswer& truth;
   const Profile& profile;
-  const SceneFacts& facts;  ///< about the scene
+  const SceneFacts& facts;      ///< about the scene
+  std::optional<double> end{};  ///< of a shadow ray
 
   ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
       : scene(of.the_case.scene),
@@ -27,7 +28,9 @@ struct ClaimContext {
         ray(of.the_case.rays[number]),
         truth(of.truths[number]),
         profile(asked),
-        facts(of_scene) {}
+        facts(of_scene) {
+    if (!of.ends.empty()) end = of.ends[number];
+  }
 
   /// The format and the thickness of surfaces that the profile declares.
   Precision precision() const { return {profile.format, profile.thickness}; }

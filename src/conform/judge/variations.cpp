@@ -10,10 +10,14 @@
 namespace durero::conform {
 namespace {
 
-void make_unit(Draft& draft) { draft.v /= std::hypot(draft.v.x, draft.v.y, draft.v.z); }
+void make_unit(Draft& draft) {
+  const double length = std::hypot(draft.v.x, draft.v.y, draft.v.z);
+  draft.v /= length;
+  if (draft.end) *draft.end *= length;
+}
 
 /// Moves the origin seven eighths of the way to the point at t, rounded.
-void come_nearer(Draft& draft, double t) { draft.p += 0.875 * t * draft.v; }
+void come_nearer(Draft& draft, double t) { move_along(draft, 0.875 * t); }
 
 class Varying {
  public:

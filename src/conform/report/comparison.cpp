@@ -43,12 +43,13 @@ Summary::OfFamily read_family(Reader& in) {
 }
 
 void read_suite(Reader& in, Summary& read) {
-  some_members(in, "suite", {"version", "seed", "rays", "numbers", "faces"}, [&](std::string_view key) {
+  some_members(in, "suite", {"version", "seed", "rays", "numbers", "faces", "question"}, [&](std::string_view key) {
     if (key == "version") read.suite_version = io::json::whole_number(in, key);
     if (key == "seed") read.seed = io::json::whole_number(in, key);
     if (key == "rays") read.rays = io::json::whole_number(in, key);
     if (key == "numbers") read.numbers = in.string(key);
     if (key == "faces") read.faces = io::json::whole_number(in, key);
+    if (key == "question") read.question = in.string(key);
   });
 }
 
@@ -78,8 +79,8 @@ std::uint64_t judged(const VerdictCounts& counts) {
 void sort_and_check(std::vector<Summary>& systems) {
   for (const Summary& system : systems) {
     const Summary& first = systems.front();
-    if (std::tie(system.suite_version, system.seed, system.rays, system.numbers, system.faces) !=
-        std::tie(first.suite_version, first.seed, first.rays, first.numbers, first.faces))
+    if (std::tie(system.suite_version, system.seed, system.rays, system.numbers, system.faces, system.question) !=
+        std::tie(first.suite_version, first.seed, first.rays, first.numbers, first.faces, first.question))
       throw std::invalid_argument(fmt::format("{} and {} were asked other rays; expected reports of one suite",
                                               text::shown(first.system), text::shown(system.system)));
   }

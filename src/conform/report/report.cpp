@@ -58,6 +58,7 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
     text += " --types " + type_words(options.tipos);
   if (options.caps == Caps::solid) text += " --solids";
   if (options.numbers == NumberFormat::binary64) text += " --numbers binary64";
+  if (options.question != usual.question) text += fmt::format(" --question {}", word(options.question));
   return text;
 }
 
@@ -74,7 +75,16 @@ std::string claim_words(const Finding& finding) { return claim_words(finding.cla
 
 std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene) { return hit_words(truth.hit, scene); }
 
-std::string truth_words(const Finding& finding) { return truth_words(finding.of.truths[0], finding.of.the_case.scene); }
+std::string truth_words(const Finding& finding) {
+  const std::string first = truth_words(finding.of.truths[0], finding.of.the_case.scene);
+  if (finding.of.ends.empty()) return first;
+  const scene::Hit& hit = finding.of.truths[0].hit;
+  const double end = finding.of.ends[0];
+  if (hit.resultado == model::Resultado::miss) return "no hit";
+  const bool is_before = hit.resultado == model::Resultado::no_minimum || hit.t <= end;
+  return fmt::format("{} up to t = {}, the first being {}", is_before ? "a hit" : "no hit", io::number_text(end),
+                     first);
+}
 
 void require_room_for_reports(const std::string& folder) {
   std::error_code error;

@@ -19,6 +19,7 @@ void write_suite(Writer& out, const SuiteOptions& options) {
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps));
   out.member("tipos", type_words(options.tipos));
   if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});
+  if (options.question != QuestionKind::first) out.member("question", word(options.question));
   out.end_object();
 }
 
@@ -99,7 +100,7 @@ void write_cause(Writer& out, const Report& report, const Cause& cause) {
   if (const Finding* const shown = shown_finding(report, cause)) {
     out.member("case", shown->of.name()).member("ray", std::uint64_t{shown->ray});
     out.member("verdict", name(shown->judgement.verdict));
-    if (!report.asked.empty()) out.member("bug", writing_up(report, *shown));
+    if (const std::string call = writing_up(report, *shown); !call.empty()) out.member("bug", call);
   }
   out.end_object();
 }

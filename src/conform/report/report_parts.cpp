@@ -56,6 +56,8 @@ std::string unusual_suite(const Report& report, const Finding& finding) {
   if (report.options.seed != usual.seed) options += fmt::format(" --seed {}", report.options.seed);
   if (report.options.faces != usual.faces && is_of_meshes(*finding.of.family))
     options += fmt::format(" --faces {}", report.options.faces);
+  if (report.options.question != usual.question)
+    options += fmt::format(" --question {}", word(report.options.question));
   return options;
 }
 
@@ -88,6 +90,11 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
                                     {"directions", std::string(word(profile.directions))},
                                     {"inside", std::string(word(profile.inside))},
                                     {"names_elements", profile.names_elements ? "true" : "false"}};
+  if (profile.questions != Profile().questions) {
+    std::string words;
+    for (const QuestionKind question : profile.questions) words.append(words.empty() ? "" : ",").append(word(question));
+    lines.push_back({"questions", words});
+  }
   if (profile.watertight) lines.push_back({"watertight", "true"});
   add_limit(lines, "thickness", profile.thickness, 0);
   add_limit(lines, "least_t", profile.least_t, 0);
@@ -153,7 +160,7 @@ std::string minimising(const Report& report, const Finding& finding) {
 }
 
 std::string writing_up(const Report& report, const Finding& finding) {
-  if (report.asked.empty()) return "";
+  if (report.asked.empty() || report.options.question == QuestionKind::shadow) return "";
   return fmt::format("durero conform bug {} {} --ray {}{}", report.asked, finding.of.name(), finding.ray,
                      unusual_suite(report, finding));
 }

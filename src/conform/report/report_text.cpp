@@ -35,7 +35,7 @@ std::string cause_text(const Report& report, const Cause& cause) {
   for (const auto& [label, value] : cause_lines(report, cause)) text += fmt::format("    {}: {}\n", label, value);
   const Finding* const shown = shown_finding(report, cause);
   if (shown == nullptr) return text;
-  if (!report.asked.empty()) text += fmt::format("    {}\n", writing_up(report, *shown));
+  if (const std::string call = writing_up(report, *shown); !call.empty()) text += fmt::format("    {}\n", call);
   const LeastFinding* const least = shown_least(report, cause);
   const Finding& finding = least == nullptr ? *shown : least->finding;
   return text + indented(sentence(finding) + "\n" + question_of(finding, report.profile), "      ");

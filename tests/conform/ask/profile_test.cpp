@@ -21,6 +21,8 @@ TEST_CASE("each word of a profile stands at the place of its enumerator") {
   CHECK(word(Inside::nothing) == "nothing");
   CHECK(word(Inside::origin) == "origin");
   CHECK(word(Inside::undefined) == "undefined");
+  CHECK(word(QuestionKind::first) == "first");
+  CHECK(word(QuestionKind::shadow) == "shadow");
 }
 
 TEST_CASE("a profile that claims no limit has none") {
@@ -32,4 +34,5 @@ TEST_CASE("a profile that claims no limit has none") {
   CHECK(profile.greatest_size == infinity);
   CHECK(profile.greatest_coordinate == infinity);
   CHECK(profile.names_elements);
+  CHECK(profile.questions == std::vector{QuestionKind::first});
 }

@@ -144,3 +144,29 @@ TEST_CASE("a disc that closes a solid is of one solid alone, and lies at an end 
   CHECK(discs > 600);
   CHECK(shared_places > 5);  // two solids that end in one place have a disc each
 }
+
+TEST_CASE("shadow rays end before, near and behind the first hits, the same for the same options") {
+  const SuiteOptions first{.rays = 64}, shadow{.rays = 64, .question = QuestionKind::shadow};
+  std::size_t before = 0, near = 0, behind = 0;
+  for (const Family& family : families_of_few()) {
+    for (std::uint64_t number = 0; number < 4; ++number) {
+      SuiteCase of = suite_case(shadow, family, number), again = of, usual = of;
+      for (SuiteCase* each : {&of, &again, &usual}) answer(*each);
+      ask_question(of, shadow);
+      ask_question(again, shadow);
+      ask_question(usual, first);
+      CHECK(of.ends == again.ends);
+      CHECK(usual.ends.empty());
+      REQUIRE(of.ends.size() == of.truths.size());
+      for (std::size_t ray = 0; ray < of.ends.size(); ++ray) {
+        const double end = of.ends[ray], t = of.truths[ray].hit.t;
+        CHECK((end > 0 && std::isfinite(end) && end == static_cast<double>(static_cast<float>(end))));
+        if (of.truths[ray].hit.resultado != model::Resultado::hit) continue;
+        before += end<t, behind += end> t, near += std::abs(end / t - 1) < 0x1p-10;
+      }
+    }
+  }
+  CHECK(before > 300);
+  CHECK(behind > 300);
+  CHECK(near > 200);
+}

@@ -70,6 +70,11 @@ TEST_CASE("what is no report, or of other rays, is refused") {
   --former.suite_version;
   CHECK_THROWS_WITH(comparison_text({summary(report_of("a", false)), former}),
                     Catch::Contains("expected reports of one suite"));
+  Summary of_shadows = summary(report_of("b", false));
+  CHECK(of_shadows.question == "first");
+  of_shadows.question = "shadow";
+  CHECK_THROWS_WITH(comparison_text({summary(report_of("a", false)), of_shadows}),
+                    Catch::Contains("expected reports of one suite"));
   std::string unversioned = report_json(report_of("a", false));
   const std::string version = fmt::format("\"version\":{},\"seed\"", suite_version);
   unversioned.replace(unversioned.find(version), version.size(), "\"seed\"");

@@ -121,3 +121,10 @@ TEST_CASE("a sample has the first failing rays, and counts the rays that were ju
   CHECK(family.sample.size() == sample_size(*family.family));
   CHECK(family.sampled_rays == judged);
 }
+
+TEST_CASE("a shadow ray alone keeps its own end") {
+  SuiteCase of = test::answered_case("generic", 0);
+  for (std::size_t ray = 0; ray < of.truths.size(); ++ray) of.ends.push_back(1 + static_cast<double>(ray));
+  CHECK(with_ray_alone(of, 3).ends == std::vector<double>{4});
+  CHECK(with_ray_alone(test::answered_case("generic", 0), 3).ends.empty());
+}

@@ -37,12 +37,19 @@ enum class Directions {
 /// The answer of a system to a ray from inside a solid; undefined where the system promises nothing in particular.
 enum class Inside { exit_point, nothing, origin, undefined };
 
+/// The question that a system is asked about a ray.
+enum class QuestionKind {
+  first,  ///< the first hit
+  shadow  ///< whether anything is hit at t ≤ the ray's end, and no more
+};
+
 /// @{ The words of the enumerators above in files, in their order.
 inline constexpr std::array<std::string_view, 2> format_words = {"binary32", "binary64"};
 inline constexpr std::array<std::string_view, 2> caps_words = {"open", "solid"};
 inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "length", "point"};
 inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
 inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
+inline constexpr std::array<std::string_view, 2> question_words = {"first", "shadow"};
 /// @}
 
 /// @{ The word of a value in files.
@@ -52,6 +59,7 @@ constexpr std::string_view word(Measure measure) { return measure_words[static_c
 constexpr std::string_view word(Directions directions) {
   return directions_words[static_cast<std::size_t>(directions)];
 }
+constexpr std::string_view word(QuestionKind question) { return question_words[static_cast<std::size_t>(question)]; }
 constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
 /// @}
 
@@ -78,7 +86,8 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();        ///< the greatest size inside the profile
   double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude of a coordinate
   bool names_elements = true;                                            ///< whether its hits name their element
-  bool watertight = false;          ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
+  bool watertight = false;  ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
+  std::vector<QuestionKind> questions{QuestionKind::first};  ///< the questions that it answers
   std::vector<Citation> sources{};  ///< the sources of its claims: they are shown, and decide nothing
 };
 

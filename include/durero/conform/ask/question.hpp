@@ -14,11 +14,14 @@
 ///   PX PY PZ VX VY VZ           for each ray
 ///
 /// An element is its word in files, its name, its points and vectors, then its lengths. A number is the shortest
-/// decimal that reads back. The system writes `system NAME VERSION`, then a line for each ray, in order:
+/// decimal that reads back. A system whose profile claims the question `shadow` may be asked `shadows N` for `rays N`,
+/// with a number T behind each ray: whether anything is hit at t ≤ T. It answers `miss` or `hit`, and what it may say
+/// of the hit besides is not judged. The system writes `system NAME VERSION`, then a line for each ray, in order:
 ///
 ///   miss
 ///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
 ///   hit ELEMENT T X Y Z
+///   hit                         to a shadow ray alone
 ///   refused WHY
 ///
 /// The system flushes its lines at least after each scene. A question to a system of solids leaves out the discs that
@@ -57,6 +60,7 @@ struct Question {
   std::string scene_name;            ///< such as generic/0003
   scene::Scene scene;                ///< the elements, in the order of their lines
   std::vector<scene::Query> rays{};  ///< in order; they start on no elements
+  std::vector<double> ends{};        ///< of shadow rays; otherwise none
 };
 
 /// A reader of questions, one by one.
@@ -71,7 +75,11 @@ class QuestionReader {
  private:
   std::optional<std::string> next_line();
   std::string required_line(std::string_view what);
-  std::size_t read_elements(scene::Scene& scene);  // the number of rays that follows them
+  struct Rays {
+    std::size_t count;
+    bool are_shadows;
+  };
+  Rays read_elements(scene::Scene& scene);  // the rays that follow them
 
   std::FILE* from_;
   std::size_t lines_ = 0;

@@ -21,6 +21,7 @@ struct SuiteOptions {
   Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
   NumberFormat numbers = NumberFormat::binary32;  ///< the format of scenes and rays, except discs that close solids
   std::size_t faces = usual_faces;                ///< about so many faces has a mesh
+  QuestionKind question = QuestionKind::first;    ///< the question about the rays
 };
 
 /// The number of rays of a case, of which the last of a family may have fewer. It is small, for radii and poses differ
@@ -39,6 +40,9 @@ struct SuiteCase {
   Case the_case;                      ///< the scene and its rays, which in a suite start on no elements
   std::vector<Solid> solids{};        ///< with Caps::solid, the elements that discs close
   std::vector<ExactAnswer> truths{};  ///< the truths of the rays, in their order
+  /// The ends of shadow rays, in their order: each is asked whether anything is hit at t ≤ its end. None where the
+  /// question is the first hit.
+  std::vector<double> ends{};
 
   std::string name() const;  ///< FAMILY/0000
 };
@@ -61,7 +65,11 @@ extern const Family own_family;
 /// elements that it starts on, as no system is told of them.
 SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays);
 
-/// Answers the rays of the case exactly: each truth is that of truth().
+/// Answers the rays of the case exactly: each truth is that of truth(), the first hit whatever the question.
 void answer(SuiteCase& of);
+
+/// Makes shadow rays of the rays of a case, where the options ask for them: their ends lie before, at and behind the
+/// first hits, often by little, and are the same for the same options. Precondition: the case was answered.
+void ask_question(SuiteCase& of, const SuiteOptions& options);
 
 }  // namespace durero::conform

@@ -11,6 +11,9 @@
 /// conform/judge/shell.hpp, conform/judge/zones.hpp and conform/judge/limits.hpp this is proved as a theorem, with
 /// exact arithmetic.
 ///
+/// Of a shadow ray (SuiteCase::ends) a hit is right where the ray of some such data meets an element at a t that may be
+/// up to the end, and a miss where not all such rays meet one certainly before it.
+///
 /// The limits least_t and greatest_t of a profile bound the distances at which the system must see a hit. The data
 /// given decide which rays are judged: rays whose exact first hit is not beyond a limit, and rays that hit nothing. All
 /// data within the declared backward error decide which claims are right: hits beyond a limit may be seen or passed by,

@@ -23,13 +23,14 @@ struct Summary {
     VerdictCounts counts{};  ///< of its rays
   };
 
-  std::string system, title, version;  ///< name, title, and version as it says it, which may be empty
-  std::uint64_t suite_version = 1;     ///< of the suite, 1 where the report says none
-  std::uint64_t seed = 0, rays = 0;    ///< of the suite: reports that agree in these have the same rays
-  std::string numbers;                 ///< the format of the suite, binary32 or binary64
-  std::uint64_t faces = usual_faces;   ///< about so many faces have its meshes
-  VerdictCounts counts{};              ///< of the rays of all families
-  std::vector<OfFamily> families;      ///< in the order of the report: those that fail first
+  std::string system, title, version;               ///< name, title, and version as it says it, which may be empty
+  std::uint64_t suite_version = 1;                  ///< of the suite, 1 where the report says none
+  std::uint64_t seed = 0, rays = 0;                 ///< of the suite: reports that agree in these have the same rays
+  std::string numbers;                              ///< the format of the suite, binary32 or binary64
+  std::uint64_t faces = usual_faces;                ///< about so many faces have its meshes
+  std::string question{word(QuestionKind::first)};  ///< the word of the question about the rays
+  VerdictCounts counts{};                           ///< of the rays of all families
+  std::vector<OfFamily> families;                   ///< in the order of the report: those that fail first
 };
 
 /// Reads a report. Throws io::InputError.

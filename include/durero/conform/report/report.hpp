@@ -81,7 +81,7 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding);
 std::string claim_words(const Claim& claim, const scene::Scene& scene);
 std::string claim_words(const Finding& finding);
 /// @}
-/// @{ The exact answer, in a line without its end. Precondition: the case was answered.
+/// @{ The exact answer, in a line without its end; of a shadow ray also its end. Precondition: the case was answered.
 std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene);
 std::string truth_words(const Finding& finding);
 /// @}

@@ -1,0 +1,58 @@
+#!/bin/sh
+# durero conform run --question shadow: whether anything is hit up to an end, asked of systems that claim to answer it.
+. "$(dirname "$0")/harness.sh"
+export XDG_CACHE_HOME="$PWD/cache"
+
+run 0 conform run durero --question shadow --rays 64
+has out 'durero 0.1.0 analytic'
+run 0 conform run durero-exact --question shadow --family rim,tiny --rays 512
+refused 'bullet does not claim the question shadow; expected one of ' conform run 'command:cat questions' --profile bullet --question shadow
+refused 'conform run: --question second: ' conform run durero --question second
+
+# A system that hits whatever the end is caught; one that refuses is skipped.
+cat >endless.py <<'PY'
+import subprocess, sys
+right = subprocess.Popen(sys.argv[1:], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+right.stdout.readline()
+print("system Endless 1.0", flush=True)
+while head := sys.stdin.readline():
+    lines = [head]
+    while not lines[-1].startswith(("rays ", "shadows ")):
+        lines.append(sys.stdin.readline())
+    for _ in range(int(lines[-1].split()[1])):
+        ray = sys.stdin.readline().split()
+        lines.append(" ".join(ray[:6] + ["1e300"] * (len(ray) - 6)) + "\n")
+    right.stdin.write("".join(lines))
+    right.stdin.flush()
+    for _ in lines[[line.split()[0] in ("rays", "shadows") for line in lines].index(True) + 1 :]:
+        print(right.stdout.readline(), end="", flush=True)
+PY
+printf '%s' '{"format":"durero-profile","version":1,"system":"endless","profile":{"format":"binary64","tipos":["esfera"],"caps":"open",
+"measure":"parameter","directions":"any","inside":"exit_point","names_elements":true,"questions":["first","shadow"]},"sources":[]}' >endless.json
+asked="command:python3 endless.py $durero conform answer"
+run 0 conform run "$asked" --profile endless.json --family generic --rays 64
+run 1 conform run "$asked" --profile endless.json --family generic --rays 128 --question shadow --report found
+has out 'phantom: expected no hit up to t = '
+has out '; got a hit'
+has out 'shadows 1'
+has found/python3-endless.py-durero-conform-answer/report.json '"question":"shadow"'
+checks=$((checks + 1))
+if grep -q 'durero conform bug' out; then fail 'no program shows a shadow ray, and bug is named'; fi
+minimise=$(sed -n 's/^  \(durero conform minimise .*\)/\1/p' out | head -n 1)
+show=$(sed -n 's/^  \(durero conform show .*\)/\1/p' out | head -n 1)
+called=$minimise
+checks=$((checks + 2))
+(durero() { "$durero" "$@"; }; eval "$minimise") >out 2>err && fail 'it is right'
+has out 'phantom: expected no hit up to t = '
+(durero() { "$durero" "$@"; }; eval "$show") >out 2>err || fail 'it is not shown'
+has out 'shadows 1'
+
+# Durero answers them as a system does.
+printf 'scene a\nesfera e 0 0 5 1\nshadows 3\n0 0 0 0 0 2 2\n0 0 0 0 0 2 1.99\n0 0 0 0 0 -2 9\n' >questions
+"$durero" conform answer <questions >out 2>err || fail 'conform answer'
+called='conform answer'
+is out 'system durero 0.1.0 fast
+hit - -
+miss
+miss'
+finish
