@@ -62,6 +62,8 @@ struct Element {
 
 struct Ray {
   Vec p, v;
+  double end = std::numeric_limits<double>::infinity();  // a shadow ray asks whether anything is hit up to there
+  bool is_shadow = false;
 };
 
 struct Scene {
@@ -85,10 +87,11 @@ inline bool read(Scene& scene) {
   while (std::getline(std::cin, line)) {
     std::istringstream in(line);
     in >> word;
-    if (word == "rays") {
+    if (word == "rays" || word == "shadows") {
       std::size_t count;
       in >> count;
       scene.rays.resize(count);
+      for (Ray& ray : scene.rays) ray.is_shadow = word == "shadows";
       break;
     }
     Element element{word, "", {}};
@@ -101,12 +104,15 @@ inline bool read(Scene& scene) {
     std::istringstream in(line);
     for (double& x : ray.p) x = read_number(in);
     for (double& x : ray.v) x = read_number(in);
+    if (ray.is_shadow) ray.end = read_number(in);
   }
   return true;
 }
 
 inline void miss() { std::puts("miss"); }
 inline void hit(const std::string& element, double t) { std::printf("hit %s %.17g\n", element.c_str(), t); }
+// The answer to a shadow ray.
+inline void shadow(bool is_hit) { std::puts(is_hit ? "hit" : "miss"); }
 inline void refused(const char* why) { std::printf("refused %s\n", why); }
 
 // Says what the system is, then answers each scene: begin(scene) makes it, and what that returns is asked ray by ray.

@@ -119,14 +119,28 @@ def shown(claim):
     return " ".join(["hit", name or "-", *("-" if x is None else repr(float(x)) for x in numbers)])
 
 
-def serve(system, version, load):
-    """Answers until the questions end: load(elements) is a function of the rays to their answers, see each()."""
+def shadow_lines(load_shadows, elements, rays):
+    try:
+        is_hit = load_shadows(elements)
+        return ["hit" if is_hit(tuple(n[:3]), tuple(n[3:6]), n[6]) else "miss" for n in rays]
+    except Exception as why:
+        return [refusal(why)] * len(rays)
+
+
+def serve(system, version, load, load_shadows=None):
+    """Answers until the questions end: load(elements) is a function of the rays to their answers, see each().
+
+    Of a system that answers shadow rays, load_shadows(elements)(p, v, end) is whether anything is hit up to the end.
+    """
     print("system", system, version, file=answers, flush=True)
     elements = []
     for line in sys.stdin:
         word = line.split(None, 1)[0]
         if word == "scene":
             elements = []
+        elif word == "shadows":
+            rays = [[float(number) for number in sys.stdin.readline().split()] for _ in range(int(line.split()[1]))]
+            print(*shadow_lines(load_shadows, elements, rays), sep="\n", file=answers, flush=True)
         elif word != "rays":
             elements.append(Element(line))
         else:

@@ -1,5 +1,6 @@
-// Asks Embree 3 through rtcIntersect1, a geometry an element: `open` and `solid` are its own points, curves and
-// triangles, `user` a quadratic in binary64 in a user geometry, as its users write them.
+// Asks Embree 3 through rtcIntersect1, and of shadow rays through rtcOccluded1, a geometry an element: `open` and
+// `solid` are its own points, curves and triangles, `user` a quadratic in binary64 in a user geometry, as its users
+// write them.
 #include "../ask.hpp"
 
 #include <embree3/rtcore.h>
@@ -140,8 +141,12 @@ class Asked {
     RTCRay& ray = rayhit.ray;
     ray.org_x = float(asked.p[0]), ray.org_y = float(asked.p[1]), ray.org_z = float(asked.p[2]);
     ray.dir_x = float(asked.v[0]), ray.dir_y = float(asked.v[1]), ray.dir_z = float(asked.v[2]);
-    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.tfar = float(asked.end);
     ray.mask = ~0U;
+    if (asked.is_shadow) {
+      rtcOccluded1(scene_, &context, &ray);
+      return shadow(ray.tfar < 0);
+    }
     rayhit.hit.geomID = rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_, &context, &rayhit);
     if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return miss();

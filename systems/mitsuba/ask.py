@@ -49,8 +49,12 @@ def claims_of_packet(scene, rays):
     return [(name[shape], t) if valid else None for valid, shape, t in columns]
 
 
+def scene_of(elements):
+    return mitsuba.load_dict({"type": "scene", **{element.name: shape(element) for element in elements}})
+
+
 def load(elements):
-    scene = mitsuba.load_dict({"type": "scene", **{element.name: shape(element) for element in elements}})
+    scene = scene_of(elements)
     if not variant.startswith("scalar"):
         return lambda rays: claims_of_packet(scene, rays)
 
@@ -61,4 +65,15 @@ def load(elements):
     return protocol.each(first)
 
 
-protocol.serve("Mitsuba", f"{mitsuba.__version__} {variant}", load)
+def load_shadows(elements):
+    scene = scene_of(elements)
+
+    def is_hit(p, v, end):
+        ray = mitsuba.Ray3f(p, v)
+        ray.maxt = end
+        return scene.ray_test(ray)
+
+    return is_hit
+
+
+protocol.serve("Mitsuba", f"{mitsuba.__version__} {variant}", load, load_shadows)
