@@ -116,7 +116,9 @@ class CauseCount {
 }  // namespace
 
 CauseShare cause_share(std::uint64_t failing, std::uint64_t rays) {
-  using Binomial = boost::math::binomial_distribution<>;
+  // In binary64 throughout: a long double differs between machines.
+  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  using Binomial = boost::math::binomial_distribution<double, Policy>;
   constexpr double one_side = 0.025;
   const double n = static_cast<double>(rays), k = static_cast<double>(failing);
   return {.failing = failing,
