@@ -39,6 +39,7 @@ std::string call_again(const ConformFuzzOptions& options, std::uint64_t steps) {
                   words_of_system(options.system.system, options.system.profile), options.suite.seed, steps);
   if (!options.suite.families.empty()) call += fmt::format(" --family {}", fmt::join(options.suite.families, ","));
   if (options.suite.faces != fuzzed_faces) call += fmt::format(" --faces {}", options.suite.faces);
+  if (options.suite.question != SuiteCall().question) call += fmt::format(" --question {}", options.suite.question);
   if (options.suite.numbers != SuiteCall().numbers) call += fmt::format(" --numbers {}", options.suite.numbers);
   return call;
 }
@@ -83,6 +84,7 @@ void add_conform_fuzz(CLI::App& conform, int& status) {
   command->add_option("--steps", options->steps, "So many questions it makes; then --minutes counts only where given")
       ->check(whole_number(1, std::uint64_t{1} << 53U));
   add_sources(*command, options->suite);
+  add_question(*command, options->suite);
   command->add_option("--timeout", options->time, "Seconds that a ray may take")
       ->check(number(0.001, 86400))
       ->capture_default_str();

@@ -47,6 +47,12 @@ has out 'phantom: expected no hit up to t = '
 (durero() { "$durero" "$@"; }; eval "$show") >out 2>err || fail 'it is not shown'
 has out 'shadows 1'
 
+# A search asks them too.
+run 1 conform fuzz "$asked" --profile endless.json --steps 300 --question shadow
+has out ' --seed 1 --steps 300 --question shadow'
+has out 'shadows 1'
+run 0 conform fuzz durero --steps 500 --question shadow
+
 # Durero answers them as a system does.
 printf 'scene a\nesfera e 0 0 5 1\nshadows 3\n0 0 0 0 0 2 2\n0 0 0 0 0 2 1.99\n0 0 0 0 0 -2 9\n' >questions
 "$durero" conform answer <questions >out 2>err || fail 'conform answer'

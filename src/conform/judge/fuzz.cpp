@@ -97,6 +97,7 @@ class FuzzSearch {
     const scene::Query ray = random_.any_of(of.the_case.rays);
     of.the_case.rays = {ray};
     answer(of);
+    ask_question(of, suite_);
     return of;
   }
 

@@ -24,6 +24,7 @@ std::vector<double*> free_numbers(Draft& draft) {
     all.insert(all.end(), of.lengths.begin(), of.lengths.end());
     all.insert(all.end(), of.ratios.begin(), of.ratios.end());
   }
+  if (draft.end) all.push_back(&*draft.end);
   return all;
 }
 
@@ -46,6 +47,12 @@ void scale_v(Draft& draft, const MeasuredQuestion&, Random& random) {
 void move_origin(Draft& draft, const MeasuredQuestion& question, Random& random) {
   const double before = random.chance(1, 8) ? 0 : question.size * random.number(-30, 30);
   draft.p += (question.distance - std::abs(before)) * question.unit;
+}
+
+/// Puts the end of a shadow ray near the point, where it has one.
+void move_end(Draft& draft, const MeasuredQuestion& question, Random& random) {
+  const double factor = 1 + random.signed_power(-50, -1);
+  if (draft.end) draft.end = question.distance / question.length * factor;
 }
 
 void move_scene(Draft& draft, const MeasuredQuestion& question, Random& random) {
@@ -142,8 +149,8 @@ void double_one(Draft& draft, const MeasuredQuestion& question, Random& random) 
 }
 
 using Mutation = void (*)(Draft&, const MeasuredQuestion&, Random&);
-constexpr std::array<Mutation, 9> of_rays = {scale_scene,   scale_v, move_origin, move_scene, change_number,
-                                             change_number, aim,     aim,         align_v};
+constexpr std::array<Mutation, 10> of_rays = {scale_scene,   scale_v,       move_origin, move_scene, move_end,
+                                              change_number, change_number, aim,         aim,        align_v};
 constexpr std::array<Mutation, 5> of_elements = {straighten_target, stretch_target, leave_out_one, double_one,
                                                  change_number};
 

@@ -205,6 +205,24 @@ TEST_CASE("each planted fault is found in few steps, from all families or from t
   CHECK(by_all * 10 >= test::faults().size() * 9);
 }
 
+TEST_CASE("faults of shadow rays are found, and nothing in right ones") {
+  const FuzzOptions shadows{.suite = {.question = QuestionKind::shadow}, .steps = 3000};
+  const auto shadow_of = [](double end_factor, bool measures_length) {
+    return [=](const SuiteCase& of) {
+      const scene::Hit& hit = of.truths[0].hit;
+      REQUIRE(of.ends.size() == 1);
+      const double end = of.ends[0] * end_factor / (measures_length ? glm::length(direction_of(of)) : 1);
+      const bool is_hit =
+          hit.resultado == model::Resultado::no_minimum || (hit.resultado == model::Resultado::hit && hit.t <= end);
+      return Claim{.outcome = is_hit ? Claim::Outcome::hit : Claim::Outcome::miss};
+    };
+  };
+  const Profile profile = test::profile_of_all();
+  CHECK(fuzz(shadows, profile, shadow_of(1, false), for_ever).failures == 0);
+  CHECK(fuzz(shadows, profile, shadow_of(1 - 0x1p-12, false), for_ever).failures > 20);
+  CHECK(fuzz(shadows, profile, shadow_of(1, true), for_ever).failures > 100);
+}
+
 TEST_CASE("faults of few questions are found that a run of as many rays of the families does not find") {
   constexpr std::size_t rays = 256;
   const Profile profile = test::profile_of_all();
