@@ -124,6 +124,7 @@ void explain(Report& report, const System& system, const ConformRunOptions& opti
   const Ask ask = counted(asking(system, ask_options(options), interrupted()), progress);
   if (!options.report.empty()) minimise_findings(report, ask, options.least);
   find_causes(report, ask, {});
+  if (interrupted()) guess_causes(report);  // what was asked after the interrupt has no answer
 }
 
 ConformanceStatus run_one(const System& system, const std::string& asked, const ConformRunOptions& options) {
