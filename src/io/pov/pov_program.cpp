@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "durero/io/number_text.hpp"
-#include "durero/scene/camera.hpp"
 #include "durero/text/shown.hpp"
 #include "pov_stage.hpp"
 
@@ -20,6 +19,9 @@ namespace {
 /// what is within each other.
 constexpr std::size_t most_steps = 200'000'000, most_kept = 16'000'000, most_frames = 10'000, most_files = 2000,
                       most_calls = 300, most_nested = 200;
+
+/// image_width and image_height where no size is told: as wide by its height as POV-Ray's own picture, and its camera.
+constexpr scene::Resolution usual_size{640, 480};
 
 /// Two numbers are the same to POV-Ray's directives where they differ by less.
 constexpr double same_within = 1e-10;
@@ -57,8 +59,7 @@ std::optional<std::string> file_below(const std::filesystem::path& folder, const
 
 }  // namespace
 
-PovProgram::PovProgram(const Source& source)
-    : main_(source), size_(pov_size(source).value_or(scene::default_resolution)) {
+PovProgram::PovProgram(const Source& source) : main_(source), size_(pov_size(source).value_or(usual_size)) {
   scopes_.emplace_back();
   auto tokens = std::make_shared<const PovTokens>(pov_tokens(source));
   const std::size_t size = tokens->size();

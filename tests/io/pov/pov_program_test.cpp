@@ -70,6 +70,8 @@ TEST_CASE("Expressions have the values that POV-Ray gives them") {
     CAPTURE(expression);
     CHECK(glm::distance(value(expression), expected) < 1e-14);
   }
+  CHECK(value("<image_width, image_height, 0>") == glm::dvec3(640, 480, 0));
+  CHECK(balls("// +W32 +H18\nsphere { <image_width, image_height, clock>, 1 }") == Balls{{32, 18, 0, 1}});
   CHECK(value("<rand(seed(1)), 0, 0>").x == 1812445598.0 / 4294967295.0);
 }
 
