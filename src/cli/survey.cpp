@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What several files have in common, and the first of them.
+/// A reason that several files have in common, and the first of them.
 struct SharedReason {
   std::size_t files = 0;
   std::uint64_t things = 0;  // of a loss

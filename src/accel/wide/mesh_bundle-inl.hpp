@@ -16,8 +16,8 @@
 ///
 /// A bundle. The bounds of p and of î·(1 ± 4u) are rounded outwards. The test is that of `met` of wide_node.hpp, whose
 /// two roundings are monotonic. `grow` pays for them, as 16u is more than the 5u by which an entry and an exit differ.
-/// Where a component is 0, p is 2⁻³⁴ wider, which times 2⁹⁶ is 2⁶². Of segments that are turned round, the ends are 4u
-/// of that wider, which times 2⁹⁶ is 2⁴⁰; the greatest t is 1 there.
+/// The bounds of p are 2⁻³⁴ wider where a component is 0, which times 2⁹⁶ is 2⁶². The ends of segments that are turned
+/// round are 4u of that wider, which times 2⁹⁶ is 2⁴⁰; the greatest t is 1 there.
 
 #if defined(DURERO_ACCEL_WIDE_MESH_BUNDLE_INL_HPP_) == defined(HWY_TARGET_TOGGLE)
 #ifdef DURERO_ACCEL_WIDE_MESH_BUNDLE_INL_HPP_

@@ -35,7 +35,8 @@ std::string verdict_words(Verdict verdict);
 
 /// The question of the finding's ray, as a system would read it.
 std::string whole_question_of(const Finding& finding, const Profile& profile);
-/// The same for a reader: of a scene of many elements, those alone that the ray meets, and the number of the others.
+/// The text of it for a reader: a scene of many elements has those alone that the ray meets, and the number of the
+/// others.
 std::string question_of(const Finding& finding, const Profile& profile);
 std::string shown_question(const SuiteCase& of, const std::optional<scene::ElementRef>& claimed, Caps caps);
 

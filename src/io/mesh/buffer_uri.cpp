@@ -10,6 +10,7 @@
 
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
+#include "io/stays_within.hpp"
 
 namespace durero::io {
 namespace {
@@ -57,12 +58,6 @@ std::optional<std::string> percent_decoded(std::string_view text) {
     i += 2;
   }
   return decoded;
-}
-
-/// Whether a name leads to nothing but files in a folder and beneath it.
-bool stays_within(const std::filesystem::path& name) {
-  return !name.empty() && name.is_relative() && std::ranges::find(name, "..") == name.end() &&
-         name.native().find('\0') == std::string::npos;
 }
 
 /// Whether a URI begins with a scheme, such as `http:`.

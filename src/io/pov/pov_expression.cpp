@@ -355,8 +355,8 @@ class Expression {
   PovNumbers color(const ColorWord& word) {
     in_.pass();
     if (const PovToken* const next = in_.here(); next != nullptr && share_of(next->text) != nullptr)
-      return with_shares(unit(0, 5), true);
-    return with_shares(of_word(word), false);
+      return with_shares(black());
+    return with_shares(of_word(word));
   }
 
   PovNumbers of_word(const ColorWord& word) {
@@ -370,14 +370,18 @@ class Expression {
     return given;
   }
 
+  static PovNumbers black() {
+    PovNumbers color;
+    color.count = 5;
+    return color;
+  }
+
   static const Component* share_of(std::string_view word) {
-    const Component* const share = word.size() > 1 ? found_in(components, word) : nullptr;
-    return share;
+    return word.size() > 1 ? found_in(components, word) : nullptr;
   }
 
   /// A colour with the shares that stand behind it: `red 1 green 0.5`, `filter 0.3`.
-  PovNumbers with_shares(PovNumbers color, bool is_empty) {
-    if (is_empty) color.of[0] = 0;
+  PovNumbers with_shares(PovNumbers color) {
     for (const PovToken* next = in_.here(); next != nullptr; next = in_.here()) {
       const Component* const share = share_of(next->text);
       if (share == nullptr) break;
@@ -431,7 +435,6 @@ void PovTerms::expect(std::string_view text, std::string_view where) {
 
 PovNumbers pov_sum(PovTerms& in) { return Expression(in).sum(); }
 PovNumbers pov_condition(PovTerms& in) { return Expression(in).condition(); }
-PovNumbers pov_factor(PovTerms& in) { return Expression(in).factor(); }
 
 bool begins_pov_expression(const PovToken& token) {
   if (token.is_number()) return true;

@@ -20,7 +20,7 @@ struct PovNumbers {
   PovNumbers() = default;
   PovNumbers(double value) { of[0] = value; }
   PovNumbers(double x, double y, double z) : of{x, y, z}, count(3) {}
-  /// So many of them: the one number for each place, or those that there are, and 0.
+  /// A vector of so many numbers: the one number at each place, or those that there are, and 0.
   PovNumbers widened(std::size_t to) const;
   /// The first three, where one stands for all three.
   glm::dvec3 triple() const;
@@ -56,8 +56,6 @@ class PovTerms {
 PovNumbers pov_sum(PovTerms& in);
 /// Passes one that may compare, and choose by ?: at its outside.
 PovNumbers pov_condition(PovTerms& in);
-/// Passes one factor: what a * may stand behind.
-PovNumbers pov_factor(PovTerms& in);
 /// Whether an expression begins with such a token, where no program names it.
 bool begins_pov_expression(const PovToken& token);
 

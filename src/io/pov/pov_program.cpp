@@ -10,6 +10,7 @@
 
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
+#include "io/stays_within.hpp"
 #include "pov_stage.hpp"
 
 namespace durero::io {
@@ -23,15 +24,18 @@ constexpr std::size_t most_steps = 200'000'000, most_kept = 16'000'000, most_fra
 /// image_width and image_height where no size is told: as wide by its height as POV-Ray's own picture, and its camera.
 constexpr scene::Resolution usual_size{640, 480};
 
-/// Two numbers are the same to POV-Ray's directives where they differ by less.
-constexpr double same_within = 1e-10;
-
 /// The number of no token.
 constexpr std::size_t unsettled = ~std::size_t{0};
 
-/// Where POV-Ray keeps the files that its texts include.
+/// The folders in which POV-Ray keeps the files that its texts include.
 constexpr std::array<std::string_view, 3> include_folders{
     "/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include", "/opt/homebrew/share/povray-3.7/include"};
+
+/// Whether a value is nothing but the name that has it, as that of a name without a value which a macro is given.
+bool is_itself(const PovValue& value, std::string_view name) {
+  const auto* const things = std::get_if<std::shared_ptr<const PovTokens>>(&value.of);
+  return things != nullptr && (*things)->size() == 1 && (*things)->front().text == name;
+}
 
 bool is_directive(const PovToken& token) { return token.text.starts_with('#'); }
 /// The name of a directive, which may stand apart from its sign.
@@ -47,23 +51,17 @@ bool opens_block(std::string_view directive) {
 
 /// The file of that name below a folder; nothing where there is none. A name that leads out of the folder is none.
 std::optional<std::string> file_below(const std::filesystem::path& folder, const std::string& name) {
-  namespace fs = std::filesystem;
-  const fs::path relative(name);
-  if (relative.empty() || relative.is_absolute()) return std::nullopt;
-  for (const fs::path& part : relative)
-    if (part == "..") return std::nullopt;
+  if (!stays_within(name)) return std::nullopt;
   std::error_code error;
-  const fs::path path = folder / relative;
-  return fs::is_regular_file(path, error) ? std::optional(path.string()) : std::nullopt;
+  const std::filesystem::path path = folder / name;
+  return std::filesystem::is_regular_file(path, error) ? std::optional(path.string()) : std::nullopt;
 }
 
 }  // namespace
 
 PovProgram::PovProgram(const Source& source) : main_(source), size_(pov_size(source).value_or(usual_size)) {
   scopes_.emplace_back();
-  auto tokens = std::make_shared<const PovTokens>(pov_tokens(source));
-  const std::size_t size = tokens->size();
-  frames_.push_back({std::move(tokens), 0, size, true});
+  frames_.emplace_back(source, false);
   run();
 }
 
@@ -95,9 +93,13 @@ const PovToken* PovProgram::here() {
   return nullptr;
 }
 
+void PovProgram::count_step(const PovToken& at) {
+  if (++steps_ > most_steps) at.fail("a program of more than 200,000,000 steps", "expected one that ends before");
+}
+
 void PovProgram::pass() {
   const std::string_view text = here()->text;
-  if (++steps_ > most_steps) here()->fail("a program of more than 200,000,000 steps", "expected one that ends before");
+  count_step(*here());
   if (text == "(" || text == "[" || text == "{") ++open_;
   if ((text == ")" || text == "]" || text == "}") && open_ > 0) --open_;
   ++frames_.back().next;
@@ -109,7 +111,7 @@ bool PovProgram::replace(const PovToken& token) {
   if (const auto macro = macros_.find(token.text); macro != macros_.end() && raw(1) != nullptr && raw(1)->text == "(") {
     const PovToken at = token;
     ++frames_.back().next;
-    invoke(macro->second, at);
+    invoke(*std::shared_ptr(macro->second), at);  // what it is given may define another by its name
     return true;
   }
   const auto value = find(token.text);
@@ -119,8 +121,8 @@ bool PovProgram::replace(const PovToken& token) {
     put(*element_of(value), at);
     return true;
   }
-  const auto* const things = value ? std::get_if<std::shared_ptr<const PovTokens>>(&value->of) : nullptr;
-  if (things == nullptr || ((*things)->size() == 1 && (*things)->front().text == token.text)) return false;
+  if (!value || !std::holds_alternative<std::shared_ptr<const PovTokens>>(value->of) || is_itself(*value, token.text))
+    return false;
   const PovToken at = token;
   ++frames_.back().next;
   put(*value, at);
@@ -135,22 +137,20 @@ void PovProgram::put(const PovValue& value, const PovToken& at) {
     const bool is_within = sink_->size() >= 2 && sink_->back().text == "{" && all.size() >= 3 && all[1].text == "{" &&
                            (*sink_)[sink_->size() - 2].text == all.front().text && all.back().text == "}";
     const std::size_t around = is_within ? 1 : 0;
-    return push({*things, 2 * around, all.size() - around}, at);
+    return push(Frame(*things, 2 * around, all.size() - around), at);
   }
-  PovTokens tokens;
-  PovTokens* const sink = std::exchange(sink_, &tokens);
-  if (const auto* const numbers = std::get_if<PovNumbers>(&value.of)) emit(*numbers, at);
-  if (const auto* const said = std::get_if<std::string>(&value.of)) keep(made('"' + *said + '"', at));
-  sink_ = sink;
+  PovTokens tokens = kept_by([&] {
+    if (const auto* const numbers = std::get_if<PovNumbers>(&value.of)) emit(*numbers, at);
+    if (const auto* const said = std::get_if<std::string>(&value.of)) keep(made('"' + *said + '"', at));
+  });
   if (tokens.empty()) at.fail(fmt::format("an element of {} has no value here", text::shown(at.text)), "expected one");
-  const std::size_t size = tokens.size();
-  push({std::make_shared<const PovTokens>(std::move(tokens)), 0, size}, at);
+  push(Frame(std::make_shared<const PovTokens>(std::move(tokens))), at);
 }
 
 void PovProgram::push(Frame frame, const PovToken& at) {
   if (frames_.size() >= most_frames)
     at.fail("macros, files and names within each other, deeper than 10,000", "expected 10,000 at most");
-  if (++steps_ > most_steps) at.fail("a program of more than 200,000,000 steps", "expected one that ends before");
+  count_step(at);
   if (frame.has_scope) scopes_.emplace_back();
   settled_ = unsettled;
   frames_.push_back(std::move(frame));
@@ -182,6 +182,16 @@ bool PovProgram::take_raw_if(std::string_view text) {
   if (raw() == nullptr || raw()->text != text) return false;
   ++frames_.back().next;
   return true;
+}
+
+/// The names of parameters, from behind a ( to behind its ).
+std::vector<std::string_view> PovProgram::parameters() {
+  std::vector<std::string_view> all;
+  while (!take_raw_if(")")) {
+    all.push_back(name("expected the name of a parameter"));
+    take_raw_if(",");
+  }
+  return all;
 }
 
 void PovProgram::expect_raw(std::string_view text, std::string_view where) {
@@ -308,7 +318,7 @@ void PovProgram::undefine(const PovToken&) {
   macros_.erase(gone);
 }
 
-/// What tells of the look of what tells of none goes on to who reads what is left.
+/// The default look goes on to the reader of what is left.
 void PovProgram::set_default(const PovToken& directive) { keep({"#default", directive.source, directive.offset}); }
 
 void PovProgram::include(const PovToken& at) {
@@ -325,9 +335,7 @@ void PovProgram::include(const PovToken& at) {
             "expected one below the folder of the text, or one of POV-Ray's own where it is installed");
   if (files_.size() >= most_files) at.fail("more than 2000 files are included", "expected 2000 at most");
   const Source& source = files_.emplace_back(read_source(*known));
-  auto tokens = std::make_shared<const PovTokens>(pov_tokens(source));
-  const std::size_t size = tokens->size();
-  push({std::move(tokens), 0, size, true, true}, at);
+  push(Frame(source, true), at);
 }
 
 void PovProgram::declare(const PovToken& directive) {
@@ -413,9 +421,7 @@ bool PovProgram::is_defined() {
   while (raw() != nullptr && raw()->text != ")") take_raw("expected )");
   expect_raw(")", "behind a name");
   if (macros_.contains(asked)) return true;
-  if (!value || std::holds_alternative<std::monostate>(value->of)) return false;
-  const auto* const things = std::get_if<std::shared_ptr<const PovTokens>>(&value->of);
-  return things == nullptr || (*things)->size() != 1 || (*things)->front().text != asked;
+  return value && !std::holds_alternative<std::monostate>(value->of) && !is_itself(*value, asked);
 }
 
 void PovProgram::start_condition(const PovToken& directive) {
@@ -451,12 +457,10 @@ void PovProgram::start_loop(const PovToken&) {
   frames_.back().blocks.push_back({Block::Kind::loop, again});
 }
 
-namespace {
 /// Whether a counter has not passed the last number.
-bool goes_on(double counter, double last, double step) {
-  return step > 0 ? counter < last + same_within : counter > last - same_within;
+bool PovProgram::Block::goes_on(double count) const {
+  return step > 0 ? count < last + same_within : count > last - same_within;
 }
-}  // namespace
 
 void PovProgram::start_count(const PovToken&) {
   expect_raw("(", "behind #for");
@@ -471,7 +475,7 @@ void PovProgram::start_count(const PovToken&) {
   expect(")", "behind #for");
   block.counter = place_of(counter, true);
   block.counter->of = PovNumbers(first);
-  if (!goes_on(first, block.last, block.step)) return skip_to_end();
+  if (!block.goes_on(first)) return skip_to_end();
   block.again = frames_.back().next;
   frames_.back().blocks.push_back(std::move(block));
 }
@@ -492,7 +496,7 @@ void PovProgram::start_choice(const PovToken&) {
   frames_.back().blocks.push_back({Block::Kind::choice});
 }
 
-/// What was carried out ends at the next branch; but a branch of a #switch goes on into it.
+/// A branch that was carried out ends at the next one; but one of a #switch goes on into it.
 void PovProgram::end_branch(const PovToken& directive) {
   const std::string_view word = word_of(directive);
   auto& blocks = frames_.back().blocks;
@@ -510,13 +514,13 @@ void PovProgram::end_block(const PovToken& at) {
   if (frame.blocks.empty()) at.fail("#end without a beginning", "expected #if, #while, #for or #switch before it");
   Block block = std::move(frame.blocks.back());
   frame.blocks.pop_back();
-  if (++steps_ > most_steps) at.fail("a program of more than 200,000,000 steps", "expected one that ends before");
+  count_step(at);
   if (block.kind == Block::Kind::loop) frame.next = block.again;
   if (block.kind != Block::Kind::count) return;
   auto* const counter = std::get_if<PovNumbers>(&block.counter->of);
   if (counter == nullptr) at.fail("the counter of #for is no number any more", "expected a number");
   counter->of[0] += block.step;
-  if (!goes_on(counter->of[0], block.last, block.step)) return;
+  if (!block.goes_on(counter->of[0])) return;
   frame.next = block.again;
   frame.blocks.push_back(std::move(block));
 }
@@ -533,20 +537,17 @@ void PovProgram::break_out(const PovToken& at) {
 }
 
 void PovProgram::define_macro(const PovToken&) {
-  Macro macro{{}, frames_.back().tokens, 0, 0};
   const std::string_view defined = name("expected a name behind #macro");
   expect_raw("(", "behind the name of a macro");
-  while (!take_raw_if(")")) {
-    macro.parameters.push_back(name("expected the name of a parameter"));
-    take_raw_if(",");
-  }
-  macro.begin = frames_.back().next;
+  std::vector<std::string_view> given = parameters();
+  const std::size_t begin = frames_.back().next;
   skip_to_end();
-  macro.end = frames_.back().next - 1;
-  macros_.insert_or_assign(defined, std::move(macro));
+  const Frame& here = frames_.back();
+  macros_[defined] = std::make_shared<const Macro>(Macro{std::move(given), here.tokens, begin, here.next - 1});
 }
 
-/// The version of the text itself goes on to who reads what is left; that of a file that it includes is that file's.
+/// The version of the text itself goes on to the reader of what is left; that of a file that it includes is that
+/// file's.
 void PovProgram::set_version(const PovToken& at) {
   const auto is_file = [](const Frame& frame) { return frame.is_file; };
   const bool is_own = std::ranges::count_if(frames_, is_file) == 1;
@@ -560,7 +561,7 @@ void PovProgram::set_version(const PovToken& at) {
   keep({";", at.source, at.offset});
 }
 
-/// A text may end itself; what it says otherwise is of no concern here.
+/// A text may end itself; other messages are of no concern here.
 void PovProgram::say(const PovToken& directive) {
   const std::string_view word = word_of(directive);
   statement_ = frames_.size();
@@ -605,7 +606,7 @@ void PovProgram::invoke(const Macro& macro, const PovToken& at) {
   if (arguments.size() != macro.parameters.size())
     at.fail(fmt::format("{} is given {} values", at.text, arguments.size()),
             fmt::format("expected {}", macro.parameters.size()));
-  push({macro.tokens, macro.begin, macro.end, false, true}, at);
+  push(Frame(macro.tokens, macro.begin, macro.end, true), at);
   for (std::size_t i = 0; i < arguments.size(); ++i) scopes_.back()[macro.parameters[i]] = arguments[i];
   statement_ = statement;
 }
@@ -631,7 +632,7 @@ double PovProgram::call(const PovFunction& function, const PovToken& at) {
             fmt::format("expected {}", function.parameters.size()));
   if (++calls_ > most_calls) at.fail("functions within each other, deeper than 300", "expected 300 at most");
   const std::size_t statement = std::exchange(statement_, 0), floor = std::exchange(floor_, frames_.size());
-  push({function.body, 0, function.body->size(), false, true}, at);
+  push(Frame(function.body, 0, function.body->size(), true), at);
   for (std::size_t i = 0; i < given.size(); ++i)
     scopes_.back()[function.parameters[i]] = std::make_shared<PovValue>(PovValue{given[i]});
   const double result = pov_condition(*this).of[0];

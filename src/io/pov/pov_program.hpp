@@ -1,6 +1,6 @@
 #pragma once
 /// A POV-Ray text as a program: its directives are carried out, its macros and names replaced by what they stand for.
-/// What is left are objects and settings of literal values.
+/// Objects and settings of literal values are left.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -40,7 +41,7 @@ class PovProgram final : private PovTerms {
   /// Throws InputError, in the file and at the place where it is wrong. The source must outlive it.
   explicit PovProgram(const Source& source);
 
-  /// What is left of the text; the tokens live as long as the program.
+  /// The tokens that are left; they live as long as the program.
   const PovTokens& tokens() const { return left_; }
   /// The text itself.
   const Source& source() const { return main_; }
@@ -57,9 +58,18 @@ class PovProgram final : private PovTerms {
     std::size_t again = 0;                // where a turn of a loop begins
     std::shared_ptr<PovValue> counter{};  // of #for
     double last = 0, step = 1;            // of #for
+    bool goes_on(double count) const;
   };
   /// Tokens that are read, up to an end.
   struct Frame {
+    explicit Frame(std::shared_ptr<const PovTokens> all) : tokens(std::move(all)), next(0), end(tokens->size()) {}
+    Frame(std::shared_ptr<const PovTokens> some, std::size_t from, std::size_t to, bool scope = false)
+        : tokens(std::move(some)), next(from), end(to), has_scope(scope) {}
+    /// A file, whose local names are its own; but those of the text itself are of all.
+    Frame(const Source& source, bool is_included) : Frame(std::make_shared<const PovTokens>(pov_tokens(source))) {
+      is_file = true, has_scope = is_included;
+    }
+
     std::shared_ptr<const PovTokens> tokens;
     std::size_t next, end;
     bool is_file = false;
@@ -80,16 +90,20 @@ class PovProgram final : private PovTerms {
   void expect_raw(std::string_view text, std::string_view where);
   bool take_raw_if(std::string_view text);
   std::string_view name(const std::string& expected);
+  void count_step(const PovToken& at);
   void push(Frame frame, const PovToken& at);
   void put(const PovValue& value, const PovToken& at);
   void leave_frame();
   bool replace(const PovToken& token);
+  std::vector<std::string_view> parameters();
 
   void run();
   void emit();
   void emit(const PovNumbers& numbers, const PovToken& at);
   void emit_block_as_it_stands();
   void keep(const PovToken& token);
+  template <class Keep>
+  PovTokens kept_by(Keep keep);
   PovToken made(std::string text, const PovToken& at);
 
   // Directives, each from behind its name on.
@@ -136,13 +150,16 @@ class PovProgram final : private PovTerms {
   std::vector<PovNumbers> numbers_in_parentheses(std::string_view where);
   std::optional<PovNumbers> asked(std::string_view word);
 
+  /// Two numbers are the same to POV-Ray's directives where they differ by less.
+  static constexpr double same_within = 1e-10;
+
   const Source& main_;
   const scene::Resolution size_;
   std::deque<Source> files_;
   std::deque<std::string> made_;
   std::vector<Frame> frames_;
   std::vector<Scope> scopes_;
-  std::unordered_map<std::string_view, Macro> macros_;
+  std::unordered_map<std::string_view, std::shared_ptr<const Macro>> macros_;
   std::vector<std::uint32_t> streams_;
   PovTokens left_;
   PovTokens* sink_ = &left_;
@@ -153,5 +170,15 @@ class PovProgram final : private PovTerms {
   std::size_t settled_ = ~std::size_t{0};  // the token of the last frame that is known to stand for itself
   double version_ = 3.62;                  // POV-Ray's where none is told
 };
+
+/// The tokens that keep() keeps.
+template <class Keep>
+PovTokens PovProgram::kept_by(Keep keep) {
+  PovTokens tokens;
+  PovTokens* const sink = std::exchange(sink_, &tokens);
+  keep();
+  sink_ = sink;
+  return tokens;
+}
 
 }  // namespace durero::io

@@ -19,7 +19,7 @@ class PovSolids {
   std::array<glm::dvec3, 2> box();
   /// The first look that an object or one of its parts tells of; null where none does.
   static const ObjectMaterial* first_look(const PovObject& object);
-  /// What an object bounds where it is put, of which the whole has that look. Precondition: is_solid(object).
+  /// The body that an object bounds where it is put; the whole has that look. Precondition: is_solid(object).
   scene::Body body(const PovObject& object, const ObjectMaterial& whole, const PovTransform& by);
   /// Whether an object bounds a solid that a scene has.
   static bool is_solid(const PovObject& object);

@@ -29,10 +29,10 @@ using PovTokens = std::vector<PovToken>;
 /// The tokens of a text, which must outlive them. Throws InputError where a comment or a text in quotes does not end.
 PovTokens pov_tokens(const Source& source);
 
-/// What a text in quotes says.
+/// The text that stands in quotes.
 std::string unquoted_pov_text(std::string_view quoted);
 
-/// The same words with one blank between them, by which texts are compared.
+/// The text of the same words with one blank between them, by which texts are compared.
 std::string pov_normal_text(std::string_view text);
 
 }  // namespace durero::io

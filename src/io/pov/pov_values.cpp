@@ -34,7 +34,7 @@ PovArray array_of(std::span<const std::size_t> sizes) {
   return array;
 }
 
-/// What a program tells in numbers, and the words of texts that are made.
+/// The questions that a program answers in numbers, and the functions that make texts.
 constexpr std::string_view questions[] = {"defined",     "rand",         "seed",       "strlen",         "strcmp",
                                           "asc",         "val",          "dimensions", "dimension_size", "version",
                                           "image_width", "image_height", "file_exists"},
@@ -84,25 +84,23 @@ PovValue PovProgram::value() {
 
 /// A block behind its word, with the texture or textures behind a first one; or a word alone.
 PovTokens PovProgram::captured() {
-  PovTokens things;
-  PovTokens* const sink = std::exchange(sink_, &things);
-  const std::string first(here()->text);
-  while (true) {
-    emit();
-    if (here() == nullptr || here()->text != "{") break;
-    std::size_t open = 0, at = things.size();
-    do {
-      if (here() == nullptr) fail_here("expected } for each {");
+  return kept_by([&] {
+    const std::string first(here()->text);
+    while (true) {
       emit();
-      for (; at < things.size(); ++at) {
-        if (things[at].text == "{") ++open;
-        if (things[at].text == "}") --open;
-      }
-    } while (open > 0);
-    if (first != "texture" || here() == nullptr || here()->text != "texture") break;
-  }
-  sink_ = sink;
-  return things;
+      if (!at("{")) break;
+      std::size_t open = 0, counted = sink_->size();
+      do {
+        if (here() == nullptr) fail_here("expected } for each {");
+        emit();
+        for (; counted < sink_->size(); ++counted) {
+          if ((*sink_)[counted].text == "{") ++open;
+          if ((*sink_)[counted].text == "}") --open;
+        }
+      } while (open > 0);
+      if (first != "texture" || !at("texture")) break;
+    }
+  });
 }
 
 PovArray PovProgram::array() {
@@ -141,30 +139,22 @@ PovArray PovProgram::elements() {
 PovFunction PovProgram::function() {
   pass();
   PovFunction made{{"x", "y", "z"}, nullptr};
-  if (take_raw_if("(")) {
-    made.parameters.clear();
-    while (!take_raw_if(")")) {
-      made.parameters.push_back(name("expected the name of a parameter"));
-      take_raw_if(",");
-    }
-  }
+  if (take_raw_if("(")) made.parameters = parameters();
   expect_raw("{", "behind function");
-  PovTokens body;
-  PovTokens* const sink = std::exchange(sink_, &body);
-  for (std::size_t open = 1; open > 0;) {
-    const PovToken token = take_raw("expected } behind a function");
-    if (token.text == "{") ++open;
-    if (token.text == "}" && --open == 0) break;
-    const bool is_parameter = std::ranges::find(made.parameters, token.text) != made.parameters.end();
-    const auto known = token.is_name() && !is_parameter ? find(token.text) : nullptr;
-    const auto* const numbers = known ? std::get_if<PovNumbers>(&known->of) : nullptr;
-    if (numbers != nullptr)
-      emit(*numbers, token);
-    else
-      keep(token);
-  }
-  sink_ = sink;
-  made.body = std::make_shared<const PovTokens>(std::move(body));
+  made.body = std::make_shared<const PovTokens>(kept_by([&] {
+    for (std::size_t open = 1; open > 0;) {
+      const PovToken token = take_raw("expected } behind a function");
+      if (token.text == "{") ++open;
+      if (token.text == "}" && --open == 0) break;
+      const bool is_parameter = std::ranges::find(made.parameters, token.text) != made.parameters.end();
+      const auto known = token.is_name() && !is_parameter ? find(token.text) : nullptr;
+      const auto* const numbers = known ? std::get_if<PovNumbers>(&known->of) : nullptr;
+      if (numbers != nullptr)
+        emit(*numbers, token);
+      else
+        keep(token);
+    }
+  }));
   return made;
 }
 
@@ -173,7 +163,7 @@ std::shared_ptr<PovValue> PovProgram::element_of(const std::shared_ptr<PovValue>
   while (take("[")) {
     auto* const all = std::get_if<PovArray>(&element->of);
     if (all == nullptr) fail_here("expected no [ behind what is no array");
-    const double number = std::floor(pov_sum(*this).of[0] + 1e-10);
+    const double number = std::floor(pov_sum(*this).of[0] + same_within);
     if (!(number >= 0 && number < double(all->size())))
       fail_here(fmt::format("expected the number of an element, 0 to {}", double(all->size()) - 1));
     expect("]", "behind the number of an element");

@@ -131,6 +131,8 @@ TEST_CASE("Macros are given values, names and objects, and call themselves") {
         Balls{{0, 0, 0, 3}});
   CHECK(balls("#macro Both(O) object { O } object { O translate x } #end Both(sphere { 0, 1 })") ==
         Balls{{0, 0, 0, 1}, {1, 0, 0, 1}});
+  CHECK(balls("#macro M(A) sphere { 0, A } #end M(#undef M #macro M(A) sphere { 0, 9 } #end 2)") ==
+        Balls{{0, 0, 0, 2}});
 }
 
 TEST_CASE("Files are included from the folder of the text and below it, and from nowhere else") {
