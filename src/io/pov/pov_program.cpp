@@ -321,15 +321,18 @@ void PovProgram::undefine(const PovToken&) {
 /// The default look goes on to the reader of what is left.
 void PovProgram::set_default(const PovToken& directive) { keep({"#default", directive.source, directive.offset}); }
 
+/// The file of that name below the folder of the text, or among POV-Ray's own; nothing where there is none.
+std::optional<std::string> PovProgram::found_file(const std::string& name) const {
+  const std::filesystem::path own = std::filesystem::path(main_.name()).parent_path();
+  if (auto path = file_below(own.empty() ? "." : own, name)) return path;
+  for (const std::string_view folder : include_folders)
+    if (auto path = file_below(folder, name)) return path;
+  return std::nullopt;
+}
+
 void PovProgram::include(const PovToken& at) {
   const std::string file = text("behind #include");
-  const auto known = [&]() -> std::optional<std::string> {
-    const std::filesystem::path own = std::filesystem::path(main_.name()).parent_path();
-    if (auto path = file_below(own.empty() ? "." : own, file)) return path;
-    for (const std::string_view folder : include_folders)
-      if (auto path = file_below(folder, file)) return path;
-    return std::nullopt;
-  }();
+  const auto known = found_file(file);
   if (!known)
     at.fail(fmt::format("no file {}", text::shown(file)),
             "expected one below the folder of the text, or one of POV-Ray's own where it is installed");

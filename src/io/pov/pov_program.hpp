@@ -109,6 +109,7 @@ class PovProgram final : private PovTerms {
   // Directives, each from behind its name on.
   struct Directive;
   void direct(const PovToken& directive);
+  std::optional<std::string> found_file(const std::string& name) const;
   void include(const PovToken& at);
   void declare(const PovToken& directive);
   void undefine(const PovToken& directive);

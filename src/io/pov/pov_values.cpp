@@ -309,7 +309,7 @@ std::optional<PovNumbers> PovProgram::asked(std::string_view word) {
     const std::string said = text(fmt::format("in {}", word));
     expect(")", fmt::format("behind {}", word));
     if (word == "strlen") return static_cast<double>(said.size());
-    if (word == "file_exists") return 0.0;
+    if (word == "file_exists") return found_file(said) ? 1.0 : 0.0;
     if (word == "asc") return said.empty() ? 0.0 : static_cast<double>(static_cast<unsigned char>(said.front()));
     const auto number = read_finite(said);
     if (!number) at.fail(fmt::format("val of {}", text::shown(said)), "expected a number in a text");

@@ -152,6 +152,8 @@ TEST_CASE("Files are included from the folder of the text and below it, and from
           folder.path("parts/wrong.inc") + ":2:5: \"}\" in sphere; expected a finite number");
   }
   folder.write("empty.inc", "");
+  folder.write("main.pov", "#if (file_exists(\"empty.inc\") & !file_exists(\"no.inc\")) sphere { 0, 1 } #end");
+  CHECK(io::read_pov(io::read_source(folder.path("main.pov"))).scene.size() == 1);
   for (const std::string& outside : {folder.path("empty.inc"), std::string("../empty.inc"),
                                      std::string("x/../../empty.inc"), std::string(), std::string(".")}) {
     folder.write("parts/inner.pov", fmt::format("#include \"{}\"", outside));
