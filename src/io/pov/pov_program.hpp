@@ -33,6 +33,9 @@ struct PovFunction {
 /// The value of a name: nothing yet, numbers, a text, an array, a function, or tokens that are put in its place.
 struct PovValue {
   std::variant<std::monostate, PovNumbers, std::string, PovArray, PovFunction, std::shared_ptr<const PovTokens>> of;
+
+  /// Whether it is nothing but the name that has it, as that of a name without a value which a macro is given.
+  bool is_itself(std::string_view name) const;
 };
 
 /// Runs a text when it is made. Files that it includes are searched in its folder and where POV-Ray keeps its own.
@@ -153,6 +156,8 @@ class PovProgram final : private PovTerms {
 
   /// Two numbers are the same to POV-Ray's directives where they differ by less.
   static constexpr double same_within = 1e-10;
+  /// The number of no token.
+  static constexpr std::size_t unsettled = ~std::size_t{0};
 
   const Source& main_;
   const scene::Resolution size_;
@@ -165,11 +170,11 @@ class PovProgram final : private PovTerms {
   PovTokens left_;
   PovTokens* sink_ = &left_;
   std::size_t steps_ = 0, kept_ = 0, calls_ = 0, nested_ = 0;
-  std::size_t floor_ = 0;                  // frames that are not left
-  std::size_t statement_ = 0;              // frames where an expression may end before a directive
-  std::size_t open_ = 0;                   // parentheses within that expression
-  std::size_t settled_ = ~std::size_t{0};  // the token of the last frame that is known to stand for itself
-  double version_ = 3.62;                  // POV-Ray's where none is told
+  std::size_t floor_ = 0;            // frames that are not left
+  std::size_t statement_ = 0;        // frames where an expression may end before a directive
+  std::size_t open_ = 0;             // parentheses within that expression
+  std::size_t settled_ = unsettled;  // the token of the last frame that is known to stand for itself
+  double version_ = 3.62;            // POV-Ray's where none is told
 };
 
 /// The tokens that keep() keeps.

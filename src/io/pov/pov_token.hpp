@@ -20,6 +20,8 @@ struct PovToken {
   bool is_name() const;
   /// Whether it is a number, without a sign.
   bool is_number() const;
+  /// Whether it is the name of a directive, with its sign.
+  bool is_directive() const { return text.starts_with('#'); }
   [[noreturn]] void fail(const std::string& wrong, const std::string& expected) const {
     source->fail(offset, wrong, expected);
   }
