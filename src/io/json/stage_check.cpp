@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "durero/io/json/json_pointer.hpp"
+#include "durero/model/distribuida.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 
