@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "durero/conform/ask/profile.hpp"
+#include "durero/conform/families/families.hpp"
 #include "durero/conform/judge/verdict.hpp"
 #include "durero/io/source.hpp"
 
