@@ -9,6 +9,7 @@
 #include <set>
 
 #include "durero/conform/judge/judge.hpp"
+#include "durero/conform/report/tally.hpp"
 #include "hits.hpp"
 #include "right_trace.hpp"
 #include "support/catch.hpp"

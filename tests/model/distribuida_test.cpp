@@ -1,5 +1,6 @@
 #include "durero/model/distribuida.hpp"
 
+#include "durero/model/puntos.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;

@@ -30,7 +30,7 @@ Material sheet(const Rational& k_t, const Rational& M_T) {
 }
 
 /// A triangle of the grid, with an area.
-rc::Gen<Terna> any_terna() {
+rc::Gen<Terna> any_grid_terna() {
   return rc::gen::suchThat(rc::gen::apply(
                                [](const Punto& a, const Punto& b, const Punto& c) {
                                  return Terna{a, b, c};
@@ -92,7 +92,7 @@ TEST_CASE("iluminada.def.1 and visible.def.1: clipping by shadows and sending a 
     Escena escena = Init();
     std::vector<Terna> all;
     for (int i = 0; i < 3; ++i) {
-      all.push_back(*any_terna());
+      all.push_back(*any_grid_terna());
       apply(escena, Agregar_Triangulo{Elemento("t" + std::to_string(i)), all.back()});
     }
     const Punto y = *any_point();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "durero/model/operaciones.hpp"
+#include "durero/render/light/whitted.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/stage.hpp"
 #include "support/catch.hpp"

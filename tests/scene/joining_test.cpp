@@ -1,6 +1,7 @@
 #include "durero/scene/joining.hpp"
 
 #include "durero/model/operaciones.hpp"
+#include "durero/scene/edit.hpp"
 #include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
 

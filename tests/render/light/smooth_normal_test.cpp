@@ -5,6 +5,7 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/render/light/directions.hpp"
+#include "durero/render/light/whitted.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/stage.hpp"
 #include "support/catch.hpp"
