@@ -30,9 +30,9 @@ PrimaryRays::PrimaryRays(const Camera& camera, Resolution resolution)
   require(resolution.width > 0 && resolution.height > 0, "the resolution is empty; expected at least 1 × 1");
   require(camera.fov_y > 0 && camera.fov_y < 180, "fov_y is out of range; expected 0 < fov_y < 180");
   const glm::dvec3 forward = unit(camera.look_at - camera.eye, "eye and look_at coincide; expected two points");
-  const glm::dvec3 right =
+  const glm::dvec3 across =
       unit(glm::cross(forward, camera.up), "up is parallel to the view; expected another direction");
-  const glm::dvec3 up = glm::cross(right, forward);
+  const glm::dvec3 up = glm::cross(across, forward), right = camera.mirrored ? -across : across;
   const double width = resolution.width, height = resolution.height;
   const double pixel = 2 * std::tan(glm::radians(camera.fov_y) / 2) / height;  // side of a pixel on the window
   right_ = right;

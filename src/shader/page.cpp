@@ -30,9 +30,9 @@ std::string escaped(std::string_view text) {
 std::string list(const glm::dvec3& x) { return fmt::format("[{}, {}, {}]", x.x, x.y, x.z); }
 
 std::string camera_text(const scene::Camera& camera, scene::Resolution size) {
-  return fmt::format("{{ eye: {}, look_at: {}, up: {}, fov_y: {}, aspect: {} }}", list(camera.eye),
-                     list(camera.look_at), list(camera.up), camera.fov_y,
-                     static_cast<double>(size.width) / size.height);
+  return fmt::format("{{ eye: {}, look_at: {}, up: {}, fov_y: {}, aspect: {}, mirrored: {} }}", list(camera.eye),
+                     list(camera.look_at), list(camera.up), camera.fov_y, static_cast<double>(size.width) / size.height,
+                     camera.mirrored);
 }
 
 /// The names of the elements, each a text of the language of the page: no letter of a name needs to be escaped.

@@ -99,6 +99,7 @@ inline void set_any_stage(scene::Stage& stage) {
   const auto flip = [] { return *rc::gen::arbitrary<bool>(); };
   if (flip()) {
     stage.camera = scene::Camera{any_triple(), any_triple(), any_triple(), *rc::gen::inRange(1, 180000) / 1000.0};
+    stage.camera->mirrored = flip();
     if (stage.camera->up == glm::dvec3{}) stage.camera->up.y = 1;
     if (stage.camera->look_at == stage.camera->eye) stage.camera->look_at.x = stage.camera->eye.x == 0 ? 1 : 0;
   }

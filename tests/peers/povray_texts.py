@@ -41,7 +41,7 @@ EXPRESSIONS = 150
 HEAD = """#version 3.7; global_settings { assumed_gamma 1 } #default { finish { ambient 0.2 diffuse 0.6 } }
 light_source { <4, 7, -9>, rgb 1 } background { rgb <0.1, 0.2, 0.3> }
 """
-VIEW = "camera { location <1, 2, -9> right -x*16/9 up y angle 55 look_at <0, 0.5, 0> }\n"
+VIEW = "camera { location <1, 2, -9> right x*16/9 up y angle 55 look_at <0, 0.5, 0> }\n"
 PROGRAMS = {
     "transformations": VIEW + """
 #declare Red = pigment { rgb <0.8, 0.2, 0.1> }

@@ -14,7 +14,8 @@ using namespace durero::test;
 TEST_CASE("a raster with the lights that rays see is the picture by rays, to a byte") {
   std::mt19937_64 random(20251202);
   for (int round = 0; round < 5; ++round) {
-    const scene::Scene scene = grid_scene(random, 25, 2, 2);
+    scene::Scene scene = grid_scene(random, 25, 2, 2);
+    scene.stage().camera->mirrored = round == 4;
     const auto engine = engine::find("fast")->prepare(scene);
     const RasterScene raster(scene, {96, 64}, Opacity::opaque);
     const render::Picture own = raster.shaded(

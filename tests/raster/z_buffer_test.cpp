@@ -12,7 +12,8 @@ using namespace durero::test;
 TEST_CASE("the nearest polygon of each pixel is what its ray hits first, in scenes whose triangles cross and touch") {
   std::mt19937_64 random(20251127);
   for (int round = 0; round < 12; ++round) {
-    const scene::Scene scene = grid_scene(random, 20, 2, 2);
+    scene::Scene scene = grid_scene(random, 20, 2, 2);
+    scene.stage().camera->mirrored = round % 3 == 2;
     const auto polygons = polygons_of(scene, Opacity::opaque);
     const RasterView view(*scene.stage().camera, {48, 32});
     const ZBuffer drawn = z_buffer(corners_of(polygons), view);

@@ -33,6 +33,16 @@ TEST_CASE("fov_y spans the height from edge to edge; pixels are square; y goes d
   CHECK(top.x > next.x);  // looking along +z with y up, the right hand points to −x
 }
 
+TEST_CASE("a mirrored camera has the rays of the other, from right to left") {
+  scene::Camera turned = camera;
+  turned.mirrored = true;
+  const scene::PrimaryRays rays(camera, {40, 20}), back(turned, {40, 20});
+  for (const auto& [x, y] : {std::pair{0U, 0U}, std::pair{39U, 0U}, std::pair{7U, 13U}}) {
+    CHECK(glm::length(rays.ray(x, y).v().xyz() - back.ray(39 - x, y).v().xyz()) < 1e-15);
+    CHECK(back.pixel_of(back.eye(), back.ray(x, y).v().xyz()) == scene::Pixel{x, y});
+  }
+}
+
 TEST_CASE("rays go through any point of the window: at whole numbers those of pixels, halfway between them the means") {
   const scene::PrimaryRays rays(camera, {40, 20});
   CHECK(rays.ray_at(7, 3) == rays.ray(7, 3));

@@ -2,7 +2,7 @@
 
 AXIS = '"vector":[0,1,0]'
 SCENE = f"""{{"format":"durero-scene","version":1,
-"camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,"aperture":0.5,"focus":7,"shutter":2,"motion":[0,3,0]}},
+"camera":{{"eye":[0,1,-8],"look_at":[0,0,0],"up":[0,1,0],"fov_y":45,"aperture":0.5,"focus":7,"shutter":2,"motion":[0,3,0],"mirrored":true}},
 "resolution":[8,6],"background":[0,0.5,2],"lights":[{{"position":[5,5,-5],"color":[1,1,1]}},{{"position":[6,5,-5],"color":[1,1,1],"disc":{{"radius":0.75,"normal":[0,-1,0.5]}}}},
 {{"position":[7,5,-5],"color":[1,1,1],"rectangle":{{"edges":[[1,0,0],[0,0,9]]}},"spot":{{"towards":[0,0,7],"inner":15,"outer":25,"tightness":2.5}}}}],
 "directional_lights":[{{"direction":[0,-1,0],"color":[0.5,0.5,1]}}],"materials":{{"red":{{"color":[1,0,0]}},"azul ñ":{{"color":[0,0,1],"k_a":0.1,"k_d":0.7,"k_s":0.2,"e":50,"k_ps":0.3,"gloss":12,"M_PS":[1,0.9,0.8],
@@ -74,6 +74,7 @@ CHANGES = {
 "focus":7 | "focus":5e-324 | "focus":0
 "shutter":2 | "shutter":0 | "shutter":"2"
 "motion":[0,3,0] | "motion":[0,0,0] | "motion":[0,0]
+"mirrored":true | "mirrored":false | "mirrored":1
 "motion":[0,0,7] | "motion":[0,0,0] | "motion":7
 "gloss":12 | "gloss":0 | "gloss":-1
 "radius":0.75 | "radius":5e-324 | "radius":0

@@ -143,6 +143,7 @@ TEST_CASE("at the side of a wide picture a direction is rounded most: what is se
     };
     camera.look_at = turned(camera.look_at);
     camera.up = turned(camera.up);
+    camera.mirrored = i % 2 == 1;
     all += counted_answers(shader, scene, *engine, {camera, {8, 8}});
   }
   CHECK(all.wrong == 0);

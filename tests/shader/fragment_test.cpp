@@ -101,7 +101,8 @@ TEST_CASE("at most fifteen materials let light through") {
 }
 
 TEST_CASE("a view has the rays of its camera, to the rounding of binary32") {
-  const scene::Camera camera{{1.5, -2, 3}, {0.25, 1, 0.5}, {0.1, 1, 0}, 37};
+  scene::Camera camera{{1.5, -2, 3}, {0.25, 1, 0.5}, {0.1, 1, 0}, 37};
+  camera.mirrored = GENERATE(false, true);
   const scene::PrimaryRays rays(camera, {321, 200});
   const shader::ShaderView view(rays);
   CHECK(view.size == std::array{321.0F, 200.0F});

@@ -25,9 +25,10 @@ TEST_CASE("a page has its shaders, its camera and its names, and asks no other f
   const std::string page = shader::shader_page(scene, "ball <1> & more");
   CHECK_THAT(page, Catch::Contains(shader::fragment_shader(scene, shader::ShaderOutput::color)));
   CHECK_THAT(page, Catch::Contains(std::string(shader::vertex_shader())));
-  CHECK_THAT(page,
-             Catch::Contains(
-                 "{ eye: [0, 0.25, -4], look_at: [0, 0, 0], up: [0, 1, 0], fov_y: 40, aspect: 1.7777777777777777 }"));
+  CHECK_THAT(
+      page,
+      Catch::Contains("{ eye: [0, 0.25, -4], look_at: [0, 0, 0], up: [0, 1, 0], fov_y: 40, aspect: 1.7777777777777777, "
+                      "mirrored: false }"));
   CHECK_THAT(page, Catch::Contains("const names = [\"ball\"];"));
   CHECK_THAT(page, Catch::Contains("<title>ball &lt;1> &amp; more</title>"));
   for (const char* other : {"http:", "https:", "src=", "href=", "import(", "fetch(", "@TITLE@", "@CAMERA@", "@NAMES@"})

@@ -18,14 +18,15 @@ namespace durero::scene {
 /// A camera (Algorithm II.1's eye and window): a pinhole, or a thin lens about the eye. Lengths in scene units; fov_y
 /// the full vertical angle, degrees.
 struct Camera {
-  glm::dvec3 eye;       ///< where the rays start
-  glm::dvec3 look_at;   ///< what the middle of the picture shows
-  glm::dvec3 up;        ///< what points upwards in the picture, of any length
-  double fov_y;         ///< degrees, above 0 and below 180
-  double aperture = 0;  ///< the diameter of the lens, from 0: a pinhole
-  double focus = 0;     ///< the distance of the plane in focus, along the view; 0 stands for that of look_at
-  double shutter = 0;   ///< the time that it is open, from 0: the picture is the mean over the times from 0 to there
-  glm::dvec3 motion{};  ///< the way of eye and look_at in a unit of time
+  glm::dvec3 eye;         ///< where the rays start
+  glm::dvec3 look_at;     ///< what the middle of the picture shows
+  glm::dvec3 up;          ///< what points upwards in the picture, of any length
+  double fov_y;           ///< degrees, above 0 and below 180
+  double aperture = 0;    ///< the diameter of the lens, from 0: a pinhole
+  double focus = 0;       ///< the distance of the plane in focus, along the view; 0 stands for that of look_at
+  double shutter = 0;     ///< the time that it is open, from 0: the picture is the mean over the times from 0 to there
+  glm::dvec3 motion{};    ///< the way of eye and look_at in a unit of time
+  bool mirrored = false;  ///< its picture is turned left to right, as cameras of left-handed systems show a scene
   bool operator==(const Camera&) const = default;
 };
 

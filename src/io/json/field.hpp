@@ -53,6 +53,7 @@ void check_rule(const In& in, std::size_t at, std::string_view key, const Rule<V
   }
 }
 
+inline void read_json(json::Reader& in, std::string_view what, bool& value) { value = in.boolean(what); }
 inline void read_json(json::Reader& in, std::string_view what, double& value) { value = in.number(what); }
 inline void read_json(json::Reader& in, std::string_view what, glm::dvec3& value) { value = in.vec3(what); }
 inline void read_json(json::Reader& in, std::string_view what, std::array<glm::dvec3, 3>& value) {

@@ -71,7 +71,8 @@ inline constexpr std::tuple camera_fields = {
     Field<Camera, double>{"aperture", &Camera::aperture, from_zero, &model::Lente_inv_2},
     Field<Camera, double>{"focus", &Camera::focus, above_zero, &model::Lente_inv_3},
     Field<Camera, double>{"shutter", &Camera::shutter, from_zero},
-    Field<Camera, glm::dvec3>{"motion", &Camera::motion, any_triple}};
+    Field<Camera, glm::dvec3>{"motion", &Camera::motion, any_triple},
+    Field<Camera, bool>{"mirrored", &Camera::mirrored, as_read<bool>}};
 /// The first of them stand in every camera.
 inline constexpr std::size_t required_of_camera = 4;
 

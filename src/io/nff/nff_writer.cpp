@@ -112,6 +112,8 @@ class NffWriter {
     add_loss(out_.lost, scene_.stage().directional_lights.size(), "directional light", "directional lights",
              "left out: NFF has none");
     add_loss(out_.lost, scene_.stage().textures.size(), "texture", "textures", "left out: NFF has none");
+    if (scene_.stage().camera && scene_.stage().camera->mirrored)
+      out_.lost.emplace_back("1 mirrored camera written unmirrored: NFF has none");
     if (scene_.stage().environment) out_.lost.emplace_back("1 environment left out: NFF has none");
     if (scene_.stage().max_depth) out_.lost.emplace_back("1 max_depth left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");

@@ -1,6 +1,7 @@
 #include "pov_camera.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -84,9 +85,10 @@ void read_part(PovWords& in, std::optional<double> version, PovCamera& camera) {
   } else if (const auto move = take_pov_transform(in)) {
     camera.moved = camera.moved.then(*move);
   } else if (!in.take("perspective")) {
-    in.fail_here(
-        "expected one of location, direction, right, up, sky, angle, look_at, aperture, focal_point, blur_samples, "
-        "confidence, variance, perspective, translate, rotate, scale, matrix, transform, or }");
+    in.fail_here(fmt::format(
+        "expected one of location, direction, right, up, sky, angle, look_at, aperture, focal_point, "
+        "blur_samples, confidence, variance, perspective, {}, translate, rotate, scale, matrix, transform, or }}",
+        fmt::join(other_cameras, ", ")));
   }
 }
 
@@ -144,6 +146,7 @@ std::optional<ReadCamera> read_pov_camera(PovWords& in, std::optional<double> ve
   const double fov_y = glm::degrees(2 * std::atan(glm::length(camera.up) / 2 / glm::length(camera.direction)));
   scene::Camera made{camera.location, camera.look_at.value_or(ahead(camera)), camera.look_at ? camera.sky : camera.up,
                      fov_y};
+  made.mirrored = glm::dot(glm::cross(camera.direction, camera.up), camera.right) < 0;
   if (!view_angle.holds(fov_y) || !set_lens(camera, made)) return std::nullopt;
   try {
     return ReadCamera{made, has_rays_of(made, camera, size.value_or(scene::default_resolution))};

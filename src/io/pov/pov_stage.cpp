@@ -186,8 +186,7 @@ std::optional<scene::Environment> PovStage::read_gradient() {
 }
 
 void PovStage::name_losses(std::vector<std::string>& lost) const {
-  add_loss(lost, camera_changed_ ? 1 : 0, "camera", "cameras",
-           "changed: a scene's has square pixels and right angles, and mirrors nothing");
+  add_loss(lost, camera_changed_ ? 1 : 0, "camera", "cameras", "changed: a scene's has square pixels and right angles");
   add_loss(lost, cameras_, "camera", "cameras", "left out: a scene's sees by straight rays from one point");
   add_loss(lost, lights_, "light_source", "light_sources", "left out: no light of a scene is such");
   add_loss(lost, parallels_, "parallel light", "parallel lights",

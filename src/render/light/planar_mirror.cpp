@@ -11,7 +11,11 @@ namespace {
 
 scene::Camera behind(const scene::Camera& camera, const glm::dvec3& point, const glm::dvec3& normal) {
   const auto image = [&](const glm::dvec3& p) { return point + mirrored(p - point, normal); };
-  return {image(camera.eye), image(camera.look_at), mirrored(camera.up, normal), camera.fov_y};
+  return {.eye = image(camera.eye),
+          .look_at = image(camera.look_at),
+          .up = mirrored(camera.up, normal),
+          .fov_y = camera.fov_y,
+          .mirrored = !camera.mirrored};
 }
 
 }  // namespace
@@ -21,7 +25,7 @@ SecondCamera::SecondCamera(const scene::Camera& camera, scene::Resolution resolu
     : camera_(behind(camera, point, normal)), rays_(camera_, resolution), point_(point), normal_(normal) {}
 
 std::optional<model::Rayo> SecondCamera::ray(std::uint32_t x, std::uint32_t y) const {
-  const model::Rayo ray = rays_.ray(rays_.resolution().width - 1 - x, y);
+  const model::Rayo ray = rays_.ray(x, y);
   const double t = glm::dot(point_ - ray.p().xyz(), normal_) / glm::dot(ray.v().xyz(), normal_);
   if (!(t > 0) || t > std::numeric_limits<double>::max()) return std::nullopt;
   return model::Rayo(model::Punto(ray.p().xyz() + t * ray.v().xyz()), ray.v());

@@ -149,7 +149,7 @@ TEST_CASE("Axes, normals and planes that a scene cannot hold as they stand are r
 }
 
 TEST_CASE("A camera that is told where to look has the same rays, and one that a scene cannot hold is told of") {
-  const std::string changed = "1 camera changed: a scene's has square pixels and right angles, and mirrors nothing";
+  const std::string changed = "1 camera changed: a scene's has square pixels and right angles";
   const auto lost = [](const std::string& camera) {
     return import_text("// +w400 -H300\ncamera { location <1, 2, -7> " + camera + " }").lost;
   };
@@ -157,7 +157,8 @@ TEST_CASE("A camera that is told where to look has the same rays, and one that a
   CHECK(lost("right <-4, 0, 0> up <0, 3, 0> look_at <1, 0, 0>").empty());
   CHECK(lost("right -x*4 up y*3 look_at <1, 0, 0>").empty());
   CHECK(lost("right <-4, 0, 0> up <0, 3, 0> angle 50 look_at <1, 0, 0>").empty());
-  CHECK(lost("right <4, 0, 0> up <0, 3, 0> look_at <1, 0, 0>") == Lines{changed});   // a mirror's
+  CHECK(lost("right <4, 0, 0> up <0, 3, 0> look_at <1, 0, 0>").empty());  // of a left-handed system
+  CHECK(lost("right <4, 0, 0> up <0, -3, 0> direction <0, 0, 3>").empty());
   CHECK(lost("right <-3, 0, 0> up <0, 3, 0> look_at <1, 0, 0>") == Lines{changed});  // of another form
   CHECK(lost("right <-4, 1, 0> up <0, 3, 0> direction <0, 0, 3>") == Lines{changed});
   const auto camera = [](const std::string& told) {
@@ -168,6 +169,16 @@ TEST_CASE("A camera that is told where to look has the same rays, and one that a
   CHECK(std::abs(camera("up <0, 4, 0> angle 90").fov_y - 90) < 1e-12);
   CHECK(std::abs(std::tan(glm::radians(camera("up <0, 2, 0> angle 90").fov_y / 2)) - 0.5) < 1e-15);
   CHECK(camera("sky <0, 1, 1> look_at <1, 0, 0>").up == glm::dvec3(0, 1, 1));
+  const auto is_mirrored = [](const std::string& told) {
+    return import_text("camera { location <1, 2, -7> " + told + " }").scene.stage().camera->mirrored;
+  };
+  CHECK_FALSE(camera("look_at 0").mirrored);
+  CHECK(is_mirrored("look_at 0"));
+  CHECK(is_mirrored("direction z"));
+  CHECK(is_mirrored("look_at 0 rotate <20, 30, 40>"));
+  CHECK_FALSE(is_mirrored("look_at 0 scale <-1, 1, 1>"));
+  CHECK_FALSE(is_mirrored("direction -z"));
+  CHECK_FALSE(is_mirrored("direction -z look_at 2*x"));  // it keeps its hand where it is turned
 }
 
 TEST_CASE("The words of a camera say the same in any order") {
@@ -586,7 +597,8 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
        "the text ends; expected } behind texture_map"},
       {"camera { ^orthographi }",
        "\"orthographi\" stands here; expected one of location, direction, right, up, sky, angle, look_at, aperture, "
-       "focal_point, blur_samples, confidence, variance, perspective, translate, rotate, scale, matrix, transform, or "
+       "focal_point, blur_samples, confidence, variance, perspective, orthographic, fisheye, ultra_wide_angle, "
+       "omnimax, panoramic, cylinder, spherical, mesh_camera, normal, translate, rotate, scale, matrix, transform, or "
        "}"},
       {"camera { right x*^wide }", "\"wide\" stands here; expected a finite number"},
       {"light_source { 0, rgb 1 ^look_like }",

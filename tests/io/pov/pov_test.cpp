@@ -53,6 +53,13 @@ TEST_CASE("the view is that of the camera, pixel for pixel, and lights, backgrou
   CHECK(out.lost.size() == 1);
 }
 
+TEST_CASE("a mirrored camera is written with its right on the other side") {
+  const std::string camera = R"("camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":90)";
+  const auto right = [](const io::Exported& out) { return out.text.find(" right <-") != std::string::npos; };
+  CHECK(right(exported(camera + R"(},"elementos":[])")));
+  CHECK_FALSE(right(exported(camera + R"(,"mirrored":true},"elementos":[])")));
+}
+
 TEST_CASE("a term of a material is a texture of an average, so many times itself; glass has an opaque twin") {
   const std::string ball = R"("elementos":[{"id":"b","tipo":"esfera","centro":[0,0,0],"radio":1,"material":"m"}])";
   const auto of = [&](const std::string& material) {

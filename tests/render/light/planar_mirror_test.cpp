@@ -57,7 +57,8 @@ glm::dvec3 color(const scene::Scene& scene, const engine::Engine& engine, const 
 }  // namespace
 
 TEST_CASE("what the second camera sees is what the mirror shows, every pixel to 1/255") {
-  const scene::Scene scene = room();
+  scene::Scene scene = room();
+  scene.stage().camera->mirrored = GENERATE(false, true);
   const auto engine = engine::find("exact")->prepare(scene);
   const scene::PrimaryRays first(*scene.stage().camera, size);
   const render::SecondCamera second(*scene.stage().camera, size, {0, 0, 2}, normal);
@@ -85,6 +86,7 @@ TEST_CASE("the mirrored camera is as far behind the mirror, and its picture is t
   CHECK(second.camera().eye == glm::dvec3(0, 0, 9));
   CHECK(second.camera().look_at == glm::dvec3(0, 0, 4));
   CHECK(second.camera().up == glm::dvec3(0, 1, 0));
+  CHECK(second.camera().mirrored);
   const scene::PrimaryRays first(camera, {4, 3});
   const auto ray = second.ray(0, 1);
   REQUIRE(ray);

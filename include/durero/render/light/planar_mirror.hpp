@@ -18,12 +18,12 @@ class SecondCamera {
   SecondCamera(const scene::Camera& camera, scene::Resolution resolution, const glm::dvec3& point,
                const glm::dvec3& normal);
 
-  /// The ray that pixel (x, y) of the first picture follows in the mirror: that of the second camera through its pixel
-  /// in the same row, as far from the other edge. It starts where it passes the plane, so that nothing behind the
-  /// mirror is seen. Nothing where the pixel does not look at the plane.
+  /// The ray that pixel (x, y) of the first picture follows in the mirror: that of the second camera through the same
+  /// pixel. It starts where it passes the plane, so that nothing behind the mirror is seen. Nothing where the pixel
+  /// does not look at the plane.
   std::optional<model::Rayo> ray(std::uint32_t x, std::uint32_t y) const;
 
-  /// The camera behind the mirror; its picture is turned left to right, as it keeps right-handed.
+  /// The camera behind the mirror; its picture is turned left to right once more.
   const scene::Camera& camera() const noexcept { return camera_; }
 
  private:
