@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "constraints.hpp"
 #include "delaunay.hpp"
@@ -46,29 +48,64 @@ class PolygonCut {
  public:
   explicit PolygonCut(const PlanePoints& points) : points_(points), count_(static_cast<Point>(points.size())) {}
 
-  std::optional<std::vector<CornerNumbers>> triangles() const {
+  std::optional<std::vector<CornerNumbers>> triangles() {
     std::vector<Point> by_place(count_);
     std::iota(by_place.begin(), by_place.end(), Point{0});
-    std::ranges::sort(by_place, [&](Point a, Point b) { return points_.is_before(a, b); });
-    if (std::ranges::adjacent_find(by_place, [&](Point a, Point b) { return points_.are_one(a, b); }) != by_place.end())
-      return std::nullopt;
+    std::ranges::stable_sort(by_place, [&](Point a, Point b) { return points_.is_before(a, b); });
+    const bool has_seams = merge_equal_points(by_place);
+    if (!find_border(has_seams)) return std::nullopt;
     PlanarEdges edges = delaunay_edges(points_, by_place);
     for (Point i = 0; i < count_; ++i)
-      if (!constrain(edges, points_, i, following(i))) return std::nullopt;
+      if (following_[i] != i && !constrain(edges, points_, i, following_[i])) return std::nullopt;
     return inner_triangles(edges, by_place.front());
   }
 
  private:
-  Point following(Point i) const { return i + 1 == count_ ? 0 : i + 1; }
-  Point preceding(Point i) const { return i == 0 ? count_ - 1 : i - 1; }
+  /// Leaves one vertex of those at each place, the first, and notes for all which one stands there. Whether some place
+  /// has several.
+  bool merge_equal_points(std::vector<Point>& by_place) {
+    at_place_.resize(count_);
+    std::vector<Point> places;
+    for (const Point i : by_place) {
+      if (places.empty() || !points_.are_one(places.back(), i)) places.push_back(i);
+      at_place_[i] = places.back();
+    }
+    const bool has_equal = places.size() < by_place.size();
+    by_place = std::move(places);
+    return has_equal;
+  }
+
+  /// Finds the vertices before and behind each, without the seams: edges that go there and back, by which a polygon
+  /// comes to the borders of its holes. False where it touches itself otherwise.
+  bool find_border(bool has_seams) {
+    following_.resize(count_);
+    preceding_.resize(count_);
+    std::iota(following_.begin(), following_.end(), Point{0});
+    preceding_ = following_;
+    std::set<std::pair<Point, Point>> seams;
+    const auto edge = [&](Point i) { return std::pair(at_place_[i], at_place_[i + 1 == count_ ? 0 : i + 1]); };
+    if (has_seams)
+      for (Point i = 0; i < count_; ++i) seams.insert(edge(i));
+    for (Point i = 0; i < count_; ++i) {
+      const auto [from, to] = edge(i);
+      if (from == to) return false;
+      if (seams.contains({to, from})) continue;
+      if (following_[from] != from || preceding_[to] != to) return false;
+      following_[from] = to;
+      preceding_[to] = from;
+    }
+    return true;
+  }
 
   /// The first point is a corner of the hull, where the polygon turns as it goes round. From inside no fixed edge is
-  /// met but the polygon's.
-  std::vector<CornerNumbers> inner_triangles(const PlanarEdges& edges, Point first) const {
-    const bool clockwise = points_.turn(preceding(first), first, following(first)) < 0;
+  /// met but the polygon's. Nothing where a hole is outside, or goes round as the polygon does, or where a seam leads
+  /// outside.
+  std::optional<std::vector<CornerNumbers>> inner_triangles(const PlanarEdges& edges, Point first) const {
+    if (following_[first] == first) return std::nullopt;  // also where all edges are seams
+    const bool clockwise = points_.turn(preceding_[first], first, following_[first]) < 0;
     std::vector<CornerNumbers> triangles;
     std::vector<bool> reached(edges.count());  // the face to the left
-    std::vector<Edge> inner{edge_inside(edges, first, clockwise ? preceding(first) : following(first))};
+    std::vector<Edge> inner{edge_inside(edges, first, clockwise ? preceding_[first] : following_[first])};
     while (!inner.empty()) {
       const Edge e = inner.back();
       inner.pop_back();
@@ -76,9 +113,13 @@ class PolygonCut {
       triangles.push_back(corners_of(edges, e, clockwise));
       for (const Edge side : {e, edges.next(e), edges.previous(e)}) {
         reached[side] = true;
-        if (!edges.is_fixed(side)) inner.push_back(PlanarEdges::twin(side));
+        if (!edges.is_fixed(side))
+          inner.push_back(PlanarEdges::twin(side));
+        else if ((clockwise ? preceding_ : following_)[edges.origin(side)] != edges.target(side))
+          return std::nullopt;
       }
     }
+    if (triangles.size() + 2 != count_) return std::nullopt;
     std::ranges::sort(triangles);
     return triangles;
   }
@@ -100,6 +141,8 @@ class PolygonCut {
 
   const PlanePoints& points_;
   Point count_;
+  std::vector<Point> at_place_;               // of each vertex the one that stands for its place
+  std::vector<Point> following_, preceding_;  // on the border; a vertex that is on none follows itself
 };
 
 }  // namespace

@@ -39,7 +39,12 @@ Rational area(int axis, const Polygon& polygon) {
 bool covers_once(int axis, const Polygon& polygon, const std::vector<CornerNumbers>& triangles) {
   const Rational whole = area(axis, polygon);
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> passed;
-  const auto pass = [&](std::uint32_t from, std::uint32_t to) { ++passed[{from, to}], --passed[{to, from}]; };
+  const auto place = [&](std::uint32_t corner) {  // the first vertex at its place
+    return static_cast<std::uint32_t>(std::ranges::find(polygon, polygon[corner]) - polygon.begin());
+  };
+  const auto pass = [&](std::uint32_t from, std::uint32_t to) {
+    ++passed[{place(from), place(to)}], --passed[{place(to), place(from)}];
+  };
   Rational sum = 0;
   for (const auto& [a, b, c] : triangles) {
     if (std::max({a, b, c}) >= polygon.size()) return false;
@@ -138,6 +143,14 @@ bool is_simple(const std::vector<Cell>& p) {
   return true;
 }
 
+// Whether it goes along some edge there and back.
+bool has_seam(const std::vector<Cell>& p) {
+  for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t j = 0; j < p.size(); ++j)
+      if (p[i] == p[(j + 1) % p.size()] && p[j] == p[(i + 1) % p.size()]) return true;
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE("A polygon is cut into triangles in its direction, the least vertex first") {
@@ -159,15 +172,30 @@ TEST_CASE("A polygon whose edges touch or cross is not cut") {
   CHECK_FALSE(is_cut({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}));             // on one point
   CHECK_FALSE(is_cut({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {2, 5, 0}, {2, 2, 0}, {0, 2, 0}}));  // a spike
   const Polygon square{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
-  Polygon holed = square;  // a hole, and the way to it and back
-  for (const glm::dvec3& p : Polygon{{0, 0, 0}, {3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}})
-    holed.push_back(p);
-  CHECK_FALSE(is_cut(holed));
   Polygon touched = square;  // a notch up to the edge across
   for (const glm::dvec3& p : Polygon{{0, 6, 0}, {9, 5, 0}, {0, 4, 0}}) touched.push_back(p);
   CHECK_FALSE(is_cut(touched));
   // The edge from the first vertex goes between two others before it meets one.
   CHECK_FALSE(is_cut(on_floor({{0, 0}, {6, 0}, {6, -5}, {4, 0}, {2, -1}, {2, -5}, {-3, -5}, {-3, 4}, {2, 1}})));
+}
+
+TEST_CASE("A polygon with holes is cut where it comes to them by seams, and they go round the other way") {
+  const Polygon square{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0}};
+  const auto with = [&](const Polygon& more) {
+    Polygon all = square;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const Polygon hole{{3, 3, 0}, {3, 6, 0}, {6, 6, 0}, {6, 3, 0}, {3, 3, 0}}, around(hole.rbegin(), hole.rend());
+  CHECK(covers_once_along_some_axis(with(hole)));
+  CHECK(covers_once_along_some_axis(
+      {hole[0], hole[1], hole[2], hole[3], {3, 3, 0}, {0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 0}}));
+  Polygon two = with({{1, 1, 0}, {1, 2, 0}, {2, 1, 0}, {1, 1, 0}, {0, 0, 0}});
+  two.insert(two.end(), hole.begin(), hole.end());
+  CHECK(covers_once_along_some_axis(two));
+  CHECK_FALSE(io::triangulated(with(around)));  // it goes round as the square
+  CHECK_FALSE(io::triangulated(with({{-3, -3, 0}, {-6, -3, 0}, {-3, -6, 0}, {-3, -3, 0}})));  // it is outside
+  CHECK_FALSE(io::triangulated(with({{9, 3, 0}, {3, 6, 0}, {6, 6, 0}, {9, 3, 0}})));          // it touches an edge
 }
 
 TEST_CASE("Vertices between others on a line are corners of triangles too") {
@@ -226,8 +254,9 @@ TEST_CASE("A polygon in a plane is cut if and only if it is simple") {
     Polygon polygon;
     for (const Cell& cell : cells)
       polygon.push_back(origin + static_cast<double>(cell.x) * across + static_cast<double>(cell.y) * up);
-    RC_ASSERT(covers_once_along_some_axis(polygon) == is_simple(cells));
-    RC_ASSERT(io::triangulated(polygon).has_value() == is_simple(cells));
+    const bool is_cut = io::triangulated(polygon).has_value();
+    RC_ASSERT(covers_once_along_some_axis(polygon) == is_cut);
+    RC_ASSERT(is_cut == is_simple(cells) || (is_cut && has_seam(cells)));
     if (const auto triangles = io::triangulated(on_floor(cells))) RC_ASSERT(keeps_delaunay(cells, *triangles));
     ++(is_simple(cells) ? simple : others);
   });
