@@ -32,14 +32,6 @@ bool opens_block(std::string_view directive) {
   return std::ranges::find(openers, directive) != std::end(openers);
 }
 
-/// The file of that name below a folder; nothing where there is none. A name that leads out of the folder is none.
-std::optional<std::string> file_below(const std::filesystem::path& folder, const std::string& name) {
-  if (!stays_within(name)) return std::nullopt;
-  std::error_code error;
-  const std::filesystem::path path = folder / name;
-  return std::filesystem::is_regular_file(path, error) ? std::optional(path.string()) : std::nullopt;
-}
-
 }  // namespace
 
 /// A directive by its name.
