@@ -12,6 +12,7 @@
 #include "durero/io/mesh/stl.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/pov/pov.hpp"
+#include "durero/io/radiance/radiance.hpp"
 
 namespace durero::io {
 namespace {
@@ -30,6 +31,7 @@ constexpr Format all[] = {
     {.ending = ".obj", .read = read_obj, .write = obj_text, .has_lines = true, .is_mesh = true},
     {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
     {.ending = ".pov", .read = read_pov, .write = pov_text, .has_bodies = true},
+    {.ending = ".rad", .read = read_radiance},
     {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }

@@ -119,7 +119,9 @@ def check_words(table, arguments):
     wrong = unknown.split("; ", 1)[0]
     if NO_WORD not in wrong:
         fail(f"{name} with {new}: {unknown}")
-    others = sorted(known_words - on_page)  # of tables above: some of them, each in its turn
+    directives = {word.lstrip("#") for word in known_words if word.startswith("#")}  # they stand anywhere
+    # Of tables above: some of them, each in its turn.
+    others = sorted(word for word in known_words - on_page if word.lstrip("#") not in directives)
     for word in [*sorted(on_page), *others[probes % 4 :: 4]]:
         probes += 1
         is_refused = said(word).split("; ", 1)[0] == wrong.replace(NO_WORD, word)
