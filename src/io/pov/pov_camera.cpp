@@ -47,6 +47,16 @@ bool has_rays_of(const scene::Camera& made, const PovCamera& camera, scene::Reso
   return is_at(-0.5, -0.5) && is_at(0.5, -0.5) && is_at(-0.5, 0.5);
 }
 
+/// The size whose pixels are as near to squares as can be, as wide as the default one; nothing where that is too high
+/// or too low.
+std::optional<scene::Resolution> form_of(const PovCamera& camera) {
+  scene::Resolution size = scene::default_resolution;
+  const double height = std::round(size.width * glm::length(camera.up) / glm::length(camera.right));
+  if (!(height >= 1 && height <= most_pixels)) return std::nullopt;
+  size.height = static_cast<std::uint32_t>(height);
+  return size;
+}
+
 /// So far ahead that the place keeps the direction: the sum is rounded by no more than the numbers of both are.
 glm::dvec3 ahead(const PovCamera& camera) {
   const auto greatest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
@@ -149,7 +159,10 @@ std::optional<ReadCamera> read_pov_camera(PovWords& in, std::optional<double> ve
   made.mirrored = glm::dot(glm::cross(camera.direction, camera.up), camera.right) < 0;
   if (!view_angle.holds(fov_y) || !set_lens(camera, made)) return std::nullopt;
   try {
-    return ReadCamera{made, has_rays_of(made, camera, size.value_or(scene::default_resolution))};
+    const bool is_exact = has_rays_of(made, camera, size.value_or(scene::default_resolution));
+    const auto form = size || is_exact ? std::nullopt : form_of(camera);
+    if (form) return ReadCamera{made, form, has_rays_of(made, camera, *form)};
+    return ReadCamera{made, size, is_exact};
   } catch (const std::domain_error&) {
     return std::nullopt;
   }

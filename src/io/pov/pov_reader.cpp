@@ -72,10 +72,7 @@ bool is_place_of(const scene::AnyShape& shape, const PovPlace& at) {
 /// that it is of.
 class PovReader {
  public:
-  explicit PovReader(const Source& source) : program_(source), in_(program_) {
-    scene_.stage().resolution = pov_size(source);
-    scene_.put_off_audits();
-  }
+  explicit PovReader(const Source& source) : program_(source), in_(program_) { scene_.put_off_audits(); }
 
   Imported read() {
     scene::Group all;
@@ -412,7 +409,7 @@ class PovReader {
   PovWords in_;
   scene::Scene scene_;
   scene::Groups groups_;
-  PovStage stage_{in_, scene_.stage()};
+  PovStage stage_{in_, scene_.stage(), pov_size(program_.source())};
   PovShapes shapes_{in_};
   PovSolids solids_{in_, shapes_};
   PovLooks looks_{in_};

@@ -56,13 +56,14 @@ bool PovStage::read() {
 
 /// Of several POV-Ray takes the last.
 void PovStage::read_camera() {
-  const auto read = read_pov_camera(in_, version_, stage_.resolution);
+  const auto read = read_pov_camera(in_, version_, told_size_);
   if (!read) {
     ++cameras_;
     return;
   }
   camera_changed_ = !read->is_exact;
   stage_.camera = read->camera;
+  stage_.resolution = read->size;
 }
 
 void PovStage::read_light() {

@@ -18,7 +18,11 @@ namespace durero::io {
 /// Reads a stage, and counts what of it is lost.
 class PovStage {
  public:
-  PovStage(PovWords& in, scene::Stage& stage) : in_(in), stage_(stage) {}
+  /// `size` is what the text tells of the picture's.
+  PovStage(PovWords& in, scene::Stage& stage, std::optional<scene::Resolution> size)
+      : in_(in), stage_(stage), told_size_(size) {
+    stage_.resolution = size;
+  }
 
   /// The statements that it reads.
   static constexpr std::array<std::string_view, 6> statements{"camera",          "light_source", "background",
@@ -44,6 +48,7 @@ class PovStage {
 
   PovWords& in_;
   scene::Stage& stage_;
+  const std::optional<scene::Resolution> told_size_;
   bool camera_changed_ = false;
   std::optional<double> version_{};
   std::optional<PovGamma> gamma_{};

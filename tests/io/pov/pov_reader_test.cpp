@@ -169,6 +169,16 @@ TEST_CASE("A camera that is told where to look has the same rays, and one that a
   CHECK(std::abs(camera("up <0, 4, 0> angle 90").fov_y - 90) < 1e-12);
   CHECK(std::abs(std::tan(glm::radians(camera("up <0, 2, 0> angle 90").fov_y / 2)) - 0.5) < 1e-15);
   CHECK(camera("sky <0, 1, 1> look_at <1, 0, 0>").up == glm::dvec3(0, 1, 1));
+  const auto height = [](const std::string& text) {
+    const auto size = import_text(text).scene.stage().resolution;
+    return size ? int(size->height) : 0;
+  };
+  CHECK(height("camera { look_at z }") == 480);  // POV-Ray's is 4 by 3
+  CHECK(height("camera { right x look_at z }") == 640);
+  CHECK(height("camera { right x*16/9 look_at z }") == 0);  // as usual here
+  CHECK(height("camera { right x look_at z } camera { right x*16/9 look_at z }") == 0);
+  CHECK(height("camera { right x*0.7 look_at z }") == 914);  // and 2/7
+  CHECK(height("// +W20 +H10\ncamera { look_at z }") == 10);
   const auto is_mirrored = [](const std::string& told) {
     return import_text("camera { location <1, 2, -7> " + told + " }").scene.stage().camera->mirrored;
   };
