@@ -75,6 +75,30 @@ void add_loss_of(SharedReasons& losses, const std::string& line, const std::stri
   add_reason(losses, line.substr(has_number ? static_cast<std::size_t>(end - line.data()) : 0), file, things);
 }
 
+/// What is told of several, in the words that tell of one but for the ending of one of them; the end where none is.
+SharedReasons::iterator plural_of(const std::string& one, SharedReasons& losses) {
+  for (std::size_t end = one.find(' ', 1); end != one.npos; end = one.find(' ', end + 1))
+    for (const std::string_view ending : {"s", "es"}) {
+      const auto several = losses.find(std::string(one).insert(end, ending));
+      if (several != losses.end()) return several;
+    }
+  return losses.end();
+}
+
+/// Puts what is told of one thing to what is told of several.
+void join_plurals(SharedReasons& losses) {
+  for (auto one = losses.begin(); one != losses.end();) {
+    const auto several = plural_of(one->first, losses);
+    if (several == losses.end()) {
+      ++one;
+      continue;
+    }
+    several->second.files += one->second.files;
+    several->second.things += one->second.things;
+    one = losses.erase(one);
+  }
+}
+
 /// The reasons of most files first.
 std::vector<std::pair<std::string, SharedReason>> ordered(const SharedReasons& reasons) {
   std::vector<std::pair<std::string, SharedReason>> all(reasons.begin(), reasons.end());
@@ -100,6 +124,7 @@ int survey(const std::string& folder, bool quiet) {
     }
   }
   progress.reset();
+  join_plurals(losses);
   std::string text = fmt::format("{}: {} of {} files are read\n", text::escaped(folder), read, files.size());
   for (const auto& [reason, shared] : ordered(stops))
     text += fmt::format("not read: {} × {}\n  first {}\n", shared.files, reason, shared.first);

@@ -226,15 +226,18 @@ finish
 mkdir -p folder/below
 printf 'torus { 1, 0.5 } sphere { 0, 1 pigment { rgb 1 } }\n#version 3.7;' >folder/one.pov
 printf 'torus { 1, 0.5 } torus { 2, 1 }\n#version 3.7;' >folder/below/two.pov
+printf 'void sphere a/b 0 0 4 0 0 0 1' >folder/one.rad
+printf 'void sphere a/b 0 0 4 0 0 0 1 void sphere a/c 0 0 4 0 0 0 2' >folder/two.rad
 printf 'sphere { Here, 1 }' >folder/three.pov
 printf 'sphere {\n There, 1 }' >folder/below/four.POV
 echo 'no scene' >folder/notes.txt
 run 1 import folder --survey
 empty err
 cat >expected <<'TEXT'
-folder: 2 of 4 files are read
+folder: 4 of 6 files are read
 not read: 2 × … in sphere; expected a finite number
   first folder/below/four.POV:2:2: "There" in sphere; expected a finite number
+read: in 2 of them, 3 in all: elements in no group: its identifier is no name
 read: in 2 of them, 3 in all: torus left out: a scene has none
 TEXT
 same expected out
