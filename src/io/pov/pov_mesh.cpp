@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "io/mesh/triangulation.hpp"
 
@@ -86,25 +87,56 @@ std::vector<PovShape> PovMesh::triangles() const {
   return all;
 }
 
+namespace {
+
+using PointList = std::vector<glm::dvec3>;
+
+/// Twice the area of an outline, across it.
+glm::dvec3 area_of(const PointList& outline) {
+  glm::dvec3 sum(0);
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+    sum += glm::cross(outline[i] - outline[0], outline[i + 1] - outline[0]);
+  return sum;
+}
+
+/// One border around the first outline, which goes to each of the others by a seam and around it the other way. An area
+/// so small that rounding turns it makes a polygon that is refused.
+PointList border_of(std::vector<PointList> outlines) {
+  const glm::dvec3 start = outlines[0][0], area = area_of(outlines[0]);
+  PointList border = outlines[0];
+  for (std::size_t i = 1; i < outlines.size(); ++i) {
+    PointList& hole = outlines[i];
+    if (glm::dot(area_of(hole), area) > 0) std::ranges::reverse(hole);
+    border.push_back(start);
+    border.insert(border.end(), hole.begin(), hole.end());
+    border.push_back(hole.front());
+  }
+  return border;
+}
+
+}  // namespace
+
 std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in) {
   const std::size_t at = in.offset();
   const double count = in.number("polygon");
   if (!(count >= 3 && count <= double(most)))
     in.fail(at, fmt::format("polygon of {} points", count), "expected 3 to 10,000,000");
-  std::vector<glm::dvec3> outline;
-  bool is_closed = false, is_one = true;
+  std::vector<PointList> outlines(1);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     in.comma();
     const glm::dvec3 point = in.triple("polygon");
-    is_one &= !is_closed;
-    is_closed |= !outline.empty() && point == outline.front();  // an outline ends where it begins
-    if (!is_closed) outline.push_back(point);
+    if (!outlines.back().empty() && point == outlines.back().front())  // an outline ends where it begins
+      outlines.emplace_back();
+    else
+      outlines.back().push_back(point);
   }
-  if (!is_one || outline.size() < 3) return std::nullopt;
-  const auto triangles = triangulated(outline);
+  if (outlines.back().empty()) outlines.pop_back();
+  if (std::ranges::any_of(outlines, [](const PointList& outline) { return outline.size() < 3; })) return std::nullopt;
+  const PointList border = border_of(std::move(outlines));
+  const auto triangles = triangulated(border);
   if (!triangles) return std::nullopt;
   std::vector<PovShape> shapes;
-  for (const auto& [a, b, c] : *triangles) shapes.push_back({scene::Triangle{{outline[a], outline[b], outline[c]}}});
+  for (const auto& [a, b, c] : *triangles) shapes.push_back({scene::Triangle{{border[a], border[b], border[c]}}});
   return shapes;
 }
 

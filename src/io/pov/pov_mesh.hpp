@@ -26,8 +26,8 @@ struct PovMesh {
 /// Reads it from behind its { up to what stands behind its lists.
 PovMesh read_pov_mesh(PovWords& in);
 
-/// Reads a polygon from behind its { up to what stands behind its points, as triangles; nothing where it has several
-/// outlines, or one that touches itself.
+/// Reads a polygon from behind its { up to what stands behind its points, as triangles. Its first outline is around all
+/// others, which are those of holes; nothing where they are not, or touch themselves or one another.
 std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in);
 
 /// Whether an object of that word is a group of triangles, which bounds no solid.

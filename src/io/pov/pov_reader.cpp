@@ -239,7 +239,7 @@ class PovReader {
     if (object.word == "polygon") {
       triangles = read_pov_polygon(in_);
       object.is_left_out = !triangles;
-      if (!triangles) ++left_out_["polygon with holes, or that touches itself,"];
+      if (!triangles) ++left_out_["polygon that touches itself, or of several parts,"];
     } else {
       const PovMesh mesh = read_pov_mesh(in_);
       counts_.attributes += mesh.left_out;

@@ -57,7 +57,7 @@ TEST_CASE("Shapes that are moved, turned and scaled alike stay of their type") {
   CHECK(triangle.vertices == std::array<glm::dvec3, 3>{{{0, 1, 0}, {1, 1, 0}, {0, 3, 0}}});
 }
 
-TEST_CASE("A polygon is a group of triangles, closed or not; one of several outlines is left out") {
+TEST_CASE("A polygon is a group of triangles, closed or not, with holes that go round either way") {
   for (const char* points : {"4, <0, 0>, <2, 0>, <2, 2>, <0, 2>", "5, 0, 2*x, <2, 2, 0>, 2*y, 0"}) {
     const io::Imported i = import_text(std::string("polygon { ") + points + " translate z }");
     const auto triangles = i.scene.shapes<scene::Triangle>();
@@ -66,8 +66,19 @@ TEST_CASE("A polygon is a group of triangles, closed or not; one of several outl
       for (const glm::dvec3& vertex : triangle.vertices) CHECK(vertex.z == 1);
     CHECK(i.groups.table().at("m1").elementos.size() == 2);
   }
-  CHECK(import_text("polygon { 8, 0, 9*x, 9*y, 0, <1, 1>, <2, 1>, <1, 2>, <1, 1> } polygon { 4, 0, <1, 1>, x, y }")
-            .lost == Lines{"2 polygon with holes, or that touches itself, left out: a scene has none"});
+  for (const char* hole :
+       {"<1, 1>, <2, 1>, <1, 2>, <1, 1>", "<1, 1>, <1, 2>, <2, 1>, <1, 1>", "<1, 1>, <2, 1>, <1, 2>"}) {
+    const io::Imported i = import_text(std::string("polygon { ") + (std::string(hole).size() > 25 ? "12" : "11") +
+                                       ", 0, 9*x, 9*y, 0, <3, 3>, <4, 3>, <3, 4>, <3, 3>, " + hole + " }");
+    CHECK(i.lost == Lines{"11 objects without a texture: of no material, where POV-Ray's is black"});
+    double area = 0;
+    for (const scene::Triangle& t : i.scene.shapes<scene::Triangle>())
+      area += glm::length(glm::cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0])) / 2;
+    CHECK(area == Approx(40.5 - 2 * 0.5));
+  }
+  CHECK(import_text("polygon { 8, 0, 9*x, 9*y, 0, <-1, 1>, <-2, 1>, <-1, 2>, <-1, 1> } polygon { 4, 0, <1, 1>, x, y }"
+                    "polygon { 6, 0, 9*x, 9*y, 0, x, 0 }")
+            .lost == Lines{"3 polygon that touches itself, or of several parts, left out: a scene has none"});
 }
 
 TEST_CASE("Other transformations make exact copies, with their caps") {
