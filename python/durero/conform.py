@@ -33,6 +33,7 @@ class Verdict(enum.Enum):
     wrong_element = "wrong_element"
     far_root = "far_root"
     misplaced = "misplaced"
+    out_of_range = "out_of_range"
     non_finite = "non_finite"
     crashed = "crashed"
     hung = "hung"

@@ -1,6 +1,7 @@
 // durero conform answer [--engine E]: this program as a system, which is asked as any other is.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -9,6 +10,7 @@
 #include "description.hpp"
 #include "durero/conform/ask/question.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/surface/exact.hpp"
 #include "engines.hpp"
 
 namespace durero::cli {
@@ -41,17 +43,64 @@ std::string answer_line(const conform::Claim& claim, const scene::Scene& scene) 
                                                               : conform::claim_text(claim, scene);
 }
 
+using surface::exact::Parameter;
+
+/// Whether a crossing has a point within a range.
+bool is_within(const surface::exact::Segment& segment, const conform::AskedRange& range) {
+  const bool begins_before_end =
+      segment.begin ? surface::exact::order(*segment.begin, {.x = range.end}) <= 0 : range.end > 0;
+  return range.begin <= range.end && begins_before_end &&
+         !(segment.end && surface::exact::order(*segment.end, {.x = range.begin}) < 0);
+}
+
+/// The first parameter of a crossing that is within a range; without a value it is t → 0⁺.
+std::optional<Parameter> first_within(const surface::exact::Segment& segment, const conform::AskedRange& range) {
+  const Parameter begin{.x = range.begin};
+  const bool begins_before = !segment.begin || surface::exact::order(*segment.begin, begin) < 0;
+  return begins_before && range.begin > 0 ? begin : segment.begin;
+}
+
+/// The first hit within a range, from all crossings by exact arithmetic, whatever the engine.
+scene::Hit hit_within(const scene::Scene& scene, const scene::Query& ray, const conform::AskedRange& range) {
+  std::optional<Parameter> first;
+  scene::ElementSet elements, without_minimum;
+  for (const auto& [element, segment] : surface::exact::all_hits(scene, ray.rayo)) {
+    if (!is_within(segment, range)) continue;
+    const std::optional<Parameter> at = first_within(segment, range);
+    if (!at) without_minimum.push_back(element);
+    if (!at || (first && surface::exact::order(*at, *first) > 0)) continue;
+    if (first && surface::exact::order(*at, *first) < 0) elements.clear();
+    first = at;
+    elements.push_back(element);
+  }
+  if (!without_minimum.empty()) return {.resultado = model::Resultado::no_minimum, .elementos = without_minimum};
+  if (!first) return {};
+  std::sort(elements.begin(), elements.end());
+  return surface::exact::rounded_hit(ray.rayo, *first, elements);
+}
+
+/// The claims on the rays of a question.
+std::vector<conform::Claim> claims_of(const conform::Question& question, const engine::Engine& engine) {
+  std::vector<conform::Claim> claims;
+  if (question.kind == conform::QuestionKind::range) {
+    for (std::size_t i = 0; i < question.rays.size(); ++i)
+      claims.push_back(claim_of(hit_within(question.scene, question.rays[i], question.ranges[i])));
+    return claims;
+  }
+  const std::vector<scene::Hit> hits = engine::first_hits(engine, question.rays);
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    claims.push_back(question.ranges.empty() ? claim_of(hits[i]) : shadow_of(hits[i], question.ranges[i].end));
+  return claims;
+}
+
 int answer(const std::string& engine_name) {
   io::print(fmt::format("system durero {} {}\n", DURERO_VERSION, engine_name));
   conform::QuestionReader questions(*stdin);
   while (const auto question = questions.next()) {
     const auto engine = engine::find(engine_name)->prepare(question->scene);
     std::string answers;
-    const std::vector<scene::Hit> hits = engine::first_hits(*engine, question->rays);
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      const conform::Claim claim = question->ends.empty() ? claim_of(hits[i]) : shadow_of(hits[i], question->ends[i]);
+    for (const conform::Claim& claim : claims_of(*question, *engine))
       answers += answer_line(claim, question->scene) + "\n";
-    }
     io::print(answers);
   }
   return 0;

@@ -100,9 +100,11 @@ void add_elements(CLI::App& command, SuiteCall& call) {
 
 void add_question(CLI::App& command, SuiteCall& call) {
   command
-      .add_option("--question", call.question,
-                  "What is asked: the first hit; or shadow, whether anything is hit up to an end of each ray")
-      ->check(one_of("question", {"first", "shadow"}))
+      .add_option(
+          "--question", call.question,
+          "What is asked: the first hit; shadow, whether anything is hit up to an end of each ray; or range, the "
+          "first hit between two ends of each ray")
+      ->check(one_of("question", {question_words.begin(), question_words.end()}))
       ->capture_default_str();
 }
 
@@ -118,7 +120,8 @@ SuiteOptions suite_of(const SuiteCall& call) {
   for (const std::string& name : call.families) options.families.push_back(&family_of(name));
   for (const std::string& word : call.types) options.tipos.push_back(type_of(word));
   options.caps = call.solids ? Caps::solid : Caps::open;
-  options.question = call.question == word(QuestionKind::shadow) ? QuestionKind::shadow : QuestionKind::first;
+  const auto* const question = std::ranges::find(question_words, call.question);
+  options.question = static_cast<QuestionKind>(question - question_words.begin());
   options.numbers = call.numbers == word(NumberFormat::binary64) ? NumberFormat::binary64 : NumberFormat::binary32;
   return options;
 }

@@ -53,6 +53,25 @@ has out ' --seed 1 --steps 300 --question shadow'
 has out 'shadows 1'
 run 0 conform fuzz durero --steps 500 --question shadow
 
+# Ranges too are asked of who claims them; one that forgets where they begin is caught, and the calls show it again.
+run 0 conform run durero durero-exact --question range --rays 64
+refused 'mitsuba does not claim the question range; expected one of ' conform run 'command:cat questions' --profile mitsuba --question range
+sed 's/"shadows "/"ranges "/;s/"shadows"/"ranges"/;s/ray\[:6\] + .*$/ray[:6] + ["0"] * (len(ray) > 6) + ray[7:]) + "\\n")/' endless.py >beginless.py
+sed 's/"shadow"/"range"/' endless.json >beginless.json
+asked="command:python3 beginless.py $durero conform answer"
+run 0 conform run "$asked" --profile beginless.json --family generic --rays 64
+run 1 conform run "$asked" --profile beginless.json --family generic --rays 128 --question range --report found
+has out 'out_of_range: expected '
+has out ' within t = '
+has out 'ranges 1'
+has found/python3-beginless.py-durero-conform-answer/report.json '"question":"range"'
+show=$(sed -n 's/^  \(durero conform show .*\)/\1/p' out | head -n 1)
+checks=$((checks + 1))
+(durero() { "$durero" "$@"; }; eval "$show") >out 2>err || fail 'it is not shown'
+has out 'ranges 1'
+run 1 conform fuzz "$asked" --profile beginless.json --steps 300 --question range
+run 0 conform fuzz durero --steps 500 --question range
+
 # Durero answers them as a system does.
 printf 'scene a\nesfera e 0 0 5 1\nshadows 3\n0 0 0 0 0 2 2\n0 0 0 0 0 2 1.99\n0 0 0 0 0 -2 9\n' >questions
 "$durero" conform answer <questions >out 2>err || fail 'conform answer'

@@ -85,7 +85,7 @@ RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
   tracer.sees_beyond_greatest = random.chance(1, 4);
   tracer.excludes_limits = random.chance(1, 2);
   tracer.answers_element = random.chance(1, 8);
-  if (random.chance(1, 2)) tracer.profile.questions.push_back(QuestionKind::shadow);
+  if (random.chance(1, 2)) tracer.profile.questions = {QuestionKind::first, QuestionKind::shadow, QuestionKind::range};
   return tracer;
 }
 
@@ -119,7 +119,7 @@ std::string shown(const RightTracer& tracer, const Claim& claim) {
 /// What was judged: how many rays, of each clause and value, and of each kind of data.
 struct Judged {
   std::size_t rays = 0, failures = 0, beyond = 0;
-  std::size_t doubtful_shadows = 0;
+  std::size_t doubtful_shadows = 0, ranges = 0, doubtful_ranges = 0;
   std::size_t nudged = 0, off = 0;  ///< answers a little beside their place, and how many of these are off
   std::map<std::string, std::map<std::string, std::size_t>> clauses{};
   std::map<Data, std::size_t> data{};
@@ -170,15 +170,50 @@ double drawn_end(Random& random, double t) {
   return end > 0 && std::isfinite(end) ? end : 1;
 }
 
+/// An end of a range as the tracer compares it with its numbers.
+double own_end(const RightTracer& tracer, double end, double length) {
+  const double own = tracer.profile.measure == Measure::length ? end * length : end;
+  return narrowed(own, tracer.profile.format);
+}
+
 /// The tracer's answer to a shadow ray, in its own number and format, from its answer to the first hit; nothing where
 /// that has no number.
 std::optional<Claim> shadow_claim(const RightTracer& tracer, const Claim& first, double length, double end) {
   if (first.outcome == Claim::Outcome::miss) return first;
   if (!first.t) return std::nullopt;
-  const double own = tracer.profile.measure == Measure::length ? end * length : end;
-  const bool is_narrow = tracer.profile.format == NumberFormat::binary32;
-  const bool is_hit = *first.t <= (is_narrow ? static_cast<double>(static_cast<float>(own)) : own);
+  const bool is_hit = *first.t <= own_end(tracer, end, length);
   return Claim{.outcome = is_hit ? Claim::Outcome::hit : Claim::Outcome::miss};
+}
+
+/// A range with its ends beside what the tracer meets, or anywhere; perhaps empty.
+AskedRange drawn_range(Random& random, const std::vector<Met>& all) {
+  const auto end = [&] {
+    const bool is_beside = !all.empty() && random.chance(7, 8);
+    const double t = is_beside ? near(random, random.any_of(all).parameter()) : random.number(-30, 30);
+    return std::isfinite(t) ? std::abs(t) : 1;
+  };
+  const double begin = random.chance(1, 4) ? 0 : end();
+  return {begin, end()};
+}
+
+/// The case of the ray alone with a range.
+SuiteCase within_range(const SuiteCase& of, std::size_t ray, const AskedRange& range) {
+  SuiteCase asked = with_ray_alone(of, ray);
+  asked.question = QuestionKind::range;
+  asked.ranges = {range};
+  answer(asked);
+  return asked;
+}
+
+/// The tracer's answer to the first hit within a range, whose ends may or may not belong to it.
+std::optional<Claim> range_claim(const RightTracer& tracer, std::vector<Met> all, const AskedRange& range,
+                                 double length) {
+  const double begin = own_end(tracer, range.begin, length), end = own_end(tracer, range.end, length);
+  std::erase_if(all, [&](const Met& met) {
+    const double x = distance(tracer, met);
+    return x < begin || x > end || (tracer.excludes_limits && (x == end || (x == begin && begin > 0)));
+  });
+  return claim_of(tracer, all);
 }
 
 /// One ray for one tracer of that seed. `beyond` are rays that end otherwise by their limits.
@@ -210,13 +245,24 @@ void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64
     const double unit = tracer.profile.measure == Measure::length ? length : 1;
     const double t = claim->t ? *claim->t / unit : of.truths[ray].hit.t;
     SuiteCase asked = with_ray_alone(of, ray);
-    asked.ends = {drawn_end(random, t)};
-    const std::optional<Claim> says = shadow_claim(tracer, *claim, length, asked.ends[0]);
+    asked.question = QuestionKind::shadow;
+    asked.ranges = {{0, drawn_end(random, t)}};
+    const std::optional<Claim> says = shadow_claim(tracer, *claim, length, asked.ranges[0].end);
     const Verdict of_shadow = says ? judge(asked, 0, *says, tracer.profile).verdict : Verdict::exact;
     judged.doubtful_shadows += of_shadow == Verdict::right;
     if (is_failure(of_shadow)) {
-      UNSCOPED_INFO("a shadow ray up to " << asked.ends[0] << ": " << (says->outcome == Claim::Outcome::hit));
+      UNSCOPED_INFO("a shadow ray up to " << asked.ranges[0].end << ": " << (says->outcome == Claim::Outcome::hit));
       fail(of_shadow, *claim);
+    }
+    const AskedRange range = drawn_range(random, *all);
+    const std::optional<Claim> within = range_claim(tracer, *all, range, length);
+    const Verdict of_range =
+        within ? judge(within_range(of, ray, range), 0, *within, tracer.profile).verdict : Verdict::exact;
+    ++judged.ranges;
+    judged.doubtful_ranges += of_range == Verdict::right;
+    if (is_failure(of_range)) {
+      UNSCOPED_INFO(fmt::format("within {:a} … {:a}", range.begin, range.end));
+      fail(of_range, *within);
     }
   }
   const std::optional<Claim> beside = random.chance(1, 4) ? nudged(random, tracer, of, ray, *claim) : std::nullopt;
@@ -265,6 +311,7 @@ void check_members(const Judged& judged, std::size_t least) {
   CHECK(judged.data.size() == data_words.size());
   CHECK(judged.beyond > judged.rays / 50);
   CHECK(judged.doubtful_shadows > judged.rays / 50);
+  CHECK(judged.doubtful_ranges > judged.ranges / 50);
   CHECK(judged.nudged > judged.rays / 50);
   CHECK(judged.off > judged.nudged / 4);
   CHECK(judged.failures == 0);

@@ -48,13 +48,14 @@ std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::s
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
     if (!is_left_out(of, caps, element)) text += element_line(scene.name(element), shape);
   });
-  text += fmt::format("{} {}\n", of.ends.empty() ? "rays" : "shadows", rays.size());
+  text += fmt::format("{} {}\n", rays_words[static_cast<std::size_t>(of.question)], rays.size());
   for (const std::size_t ray : rays) {
     const model::Rayo& rayo = of.the_case.rays[ray].rayo;
     std::string line;
     append(line, rayo.p().xyz());
     append(line, rayo.v().xyz());
-    if (!of.ends.empty()) append(line, of.ends[ray]);
+    if (of.question == QuestionKind::range) append(line, of.ranges[ray].begin);
+    if (has_range(of.question)) append(line, of.ranges[ray].end);
     text.append(line, 1).append("\n");
   }
   return text;
@@ -67,7 +68,7 @@ std::optional<std::string> read_system_line(std::string_view line) {
 }
 
 Claim read_answer(std::string_view line, const SuiteCase& of, Caps caps) {
-  if (!of.ends.empty() && line == "hit") return {.outcome = Claim::Outcome::hit};
+  if (of.question == QuestionKind::shadow && line == "hit") return {.outcome = Claim::Outcome::hit};
   Claim claim = read_answer_line(line, of.the_case.scene);
   if (!claim.element || !is_left_out(of, caps, *claim.element)) return claim;
   return malformed(line, "the question has no such element");

@@ -89,14 +89,27 @@ void read_element(const QuestionLine& line, scene::Scene& scene) {
   if (!answer->ok()) line.fail(0, std::string(model::name(answer->r)), *answer->violated);
 }
 
-/// Reads a ray, and its end where it is a shadow ray's.
-scene::Query read_ray(const QuestionLine& line, double* end) {
+/// An end of a range, at that word of the line.
+double read_end(const QuestionLine& line, std::size_t word) {
+  const double end = line.number_at(word);
+  if (end < 0) line.fail(word, text::shown(line.words[word]), "expected a number that is not negative");
+  return end;
+}
+
+/// Reads a ray, and its range where the question has some.
+scene::Query read_ray(const QuestionLine& line, QuestionKind kind, std::vector<AskedRange>& ranges) {
   glm::dvec3 p, v;
   NumberReader numbers(line, 0);
   numbers.read(p);
   numbers.read(v);
-  if (end != nullptr) numbers.read(*end);
-  numbers.end();
+  AskedRange range;
+  std::size_t next = 6;
+  if (kind == QuestionKind::range) range.begin = read_end(line, next++);
+  if (has_range(kind)) {
+    range.end = read_end(line, next++);
+    ranges.push_back(range);
+  }
+  NumberReader(line, next).end();
   if (v == glm::dvec3(0)) line.fail(3, "v is (0, 0, 0)", model::Rayo_inv_1);
   return {{model::Punto(p), model::Vector(v)}};
 }
@@ -131,12 +144,11 @@ std::optional<Question> QuestionReader::next() {
   if (first.words.size() != 2 || first.words[0] != "scene")
     first.fail(0, text::shown(*head), "expected scene and its name");
   Question question{std::string(first.words[1]), {}, {}};
-  const auto [count, are_shadows] = read_elements(question.scene);
+  const auto [count, kind] = read_elements(question.scene);
+  question.kind = kind;
   for (std::size_t left = count; left > 0; --left) {
     const std::string text = required_line("a ray");
-    double end = 0;
-    question.rays.push_back(read_ray({lines_, text}, are_shadows ? &end : nullptr));
-    if (are_shadows) question.ends.push_back(end);
+    question.rays.push_back(read_ray({lines_, text}, kind, question.ranges));
   }
   return question;
 }
@@ -152,8 +164,8 @@ QuestionReader::Rays QuestionReader::read_elements(scene::Scene& scene) {
     const std::string text = required_line("an element, or rays and their number");
     const QuestionLine line(lines_, text);
     if (line.words.empty()) line.fail(0, "the line is empty", "expected an element, or rays and their number");
-    const bool are_shadows = line.words.front() == "shadows";
-    if (are_shadows || line.words.front() == "rays") return {read_count(line), are_shadows};
+    const auto* const asked = std::ranges::find(rays_words, line.words.front());
+    if (asked != rays_words.end()) return {read_count(line), static_cast<QuestionKind>(asked - rays_words.begin())};
     read_element(line, scene);
   }
 }

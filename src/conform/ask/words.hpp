@@ -1,11 +1,17 @@
 #pragma once
-/// The words of a line, separated by blanks.
+/// The words of questions, and the words of any line, separated by blanks.
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
+#include "durero/conform/ask/profile.hpp"
+
 namespace durero::conform {
+
+/// The words before the number of rays, by the question about them.
+inline constexpr std::array<std::string_view, question_words.size()> rays_words = {"rays", "shadows", "ranges"};
 
 inline std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view blanks = " \t\r\v\f";

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "conform/families/asked_ranges.hpp"
 #include "conform/families/scattered.hpp"
 
 namespace durero::conform {
@@ -17,27 +17,6 @@ std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return sc
 
 CaseOptions of_cases(const SuiteOptions& options) {
   return {.numbers = options.numbers, .tipos = options.tipos, .caps = options.caps, .faces = options.faces};
-}
-
-/// An end of a shadow ray: far behind the first hit, before it, or so near that the last bits decide.
-double end_near(const scene::Hit& hit, const scene::Query& ray, NumberFormat numbers, Random& random) {
-  const bool is_narrow = numbers == NumberFormat::binary32;
-  const glm::dvec3 &p = ray.rayo.p().xyz(), &v = ray.rayo.v().xyz();
-  const auto longest = [](const glm::dvec3& w) { return std::max({std::abs(w.x), std::abs(w.y), std::abs(w.z)}); };
-  const double at = hit.resultado == model::Resultado::hit ? hit.t : (1 + longest(p)) / longest(v);
-  double factor = 0;
-  switch (random.below(4)) {
-    case 0:
-      factor = std::ldexp(1, random.integer(1, 20));
-      break;
-    case 1:
-      factor = random.uniform(0, 1);
-      break;
-    default:
-      factor = 1 + random.signed_power(is_narrow ? -22 : -50, -2);
-  }
-  const double end = is_narrow ? static_cast<double>(static_cast<float>(at * factor)) : at * factor;
-  return std::isfinite(end) && end > 0 ? end : 1;
 }
 
 }  // namespace
@@ -79,13 +58,24 @@ SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays) {
 }
 
 void ask_question(SuiteCase& of, const SuiteOptions& options) {
-  if (options.question == QuestionKind::first) return;
+  of.question = options.question;
+  of.ranges.clear();
   Random random(scattered(seed_of_case(options.seed, of.number)));
-  of.ends.clear();
-  for (std::size_t ray = 0; ray < of.truths.size(); ++ray)
-    of.ends.push_back(end_near(of.truths[ray].hit, of.the_case.rays[ray], options.numbers, random));
+  switch (options.question) {
+    case QuestionKind::first:
+      return;
+    case QuestionKind::shadow:
+      of.ranges = shadow_ranges(of, options.numbers, random);
+      return;
+    case QuestionKind::range:
+      of.ranges = ranges_near_crossings(of, options.numbers, random);
+      return answer(of);
+  }
 }
 
-void answer(SuiteCase& of) { of.truths = truths(of.the_case.scene, of.the_case.rays); }
+void answer(SuiteCase& of) {
+  of.truths = of.question == QuestionKind::range ? truths_within(of.the_case.scene, of.the_case.rays, of.ranges)
+                                                 : truths(of.the_case.scene, of.the_case.rays);
+}
 
 }  // namespace durero::conform

@@ -66,14 +66,16 @@ Draft::Draft(const SuiteCase& of)
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (solid_closed_by(of.solids, e) == nullptr) elements.push_back({std::string(scene.name(e).name()), shape});
   });
-  if (!of.ends.empty()) end = of.ends[0];
+  question = of.question;
+  if (has_range(question)) range = of.ranges[0];
   for (const scene::ElementRef e : of.the_case.rays[0].en) on.emplace_back(scene.name(e).name());
 }
 
 std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
-  if (end && !(std::isfinite(*end) && *end > 0)) return std::nullopt;
-  SuiteCase of{.family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}};
+  if (range && !(std::isfinite(range->end) && range->end >= 0 && range->begin >= 0)) return std::nullopt;
+  SuiteCase of{
+      .family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}, .question = question};
   for (const Element& element : elements) {
     if (!is_finite(element.shape)) return std::nullopt;
     const auto add = [&](const auto& shape) { return of.the_case.scene.add(model::Elemento(element.name), shape); };
@@ -88,7 +90,7 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   }
   std::ranges::sort(ray.en);
   of.the_case.rays.push_back(std::move(ray));
-  if (end) of.ends = {*end};
+  if (range) of.ranges = {*range};
   answer(of);
   return of;
 }
@@ -114,14 +116,25 @@ Places places(scene::AnyShape& any) {
   return all;
 }
 
+std::vector<double*> ends(Draft& draft) {
+  if (draft.question == QuestionKind::shadow) return {&draft.range->end};
+  if (draft.question == QuestionKind::range) return {&draft.range->begin, &draft.range->end};
+  return {};
+}
+
+void scale_range(Draft& draft, double factor) {
+  for (double* const end : ends(draft)) *end *= factor;
+}
+
 void scale_direction(Draft& draft, double factor) {
   draft.v *= factor;
-  if (draft.end) *draft.end /= factor;
+  scale_range(draft, 1 / factor);
 }
 
 void move_along(Draft& draft, double t) {
   draft.p += t * draft.v;
-  if (draft.end) *draft.end -= t;
+  for (double* const end : ends(draft)) *end -= t;
+  if (draft.range) draft.range->begin = std::max(0.0, draft.range->begin);
 }
 
 void scale(Draft& draft, int k) {
@@ -132,7 +145,7 @@ void scale(Draft& draft, int k) {
 void scale_with_t(Draft& draft, int k) {
   const double factor = std::ldexp(1, k);
   draft.p *= factor;
-  if (draft.end) *draft.end *= factor;
+  scale_range(draft, factor);
   for (Draft::Element& element : draft.elements) {
     const Places of = places(element.shape);
     for (glm::dvec3* point : of.points) *point *= factor;

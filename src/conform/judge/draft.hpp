@@ -17,9 +17,10 @@ struct Draft {
   };
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
-  std::optional<double> end{};  ///< of a shadow ray
-  std::vector<std::string> on;  ///< the names of the elements that the ray starts on
-  bool are_closed = false;      ///< discs close the elements that have ends
+  QuestionKind question = QuestionKind::first;
+  std::optional<AskedRange> range{};  ///< of the ray, where the question has some
+  std::vector<std::string> on;        ///< the names of the elements that the ray starts on
+  bool are_closed = false;            ///< discs close the elements that have ends
 
   /// A draft of a case with one ray. Discs that close solids are left out; they follow from their walls.
   explicit Draft(const SuiteCase& of);
@@ -38,9 +39,14 @@ struct Places {
 };
 Places places(scene::AnyShape& shape);
 
-/// Scales v, and the end of a shadow ray so that it stays where it is.
+/// The numbers of the draft's range.
+std::vector<double*> ends(Draft& draft);
+/// Scales the range of the draft, if it has one.
+void scale_range(Draft& draft, double factor);
+/// Scales v, and the range so that it stays where it is.
 void scale_direction(Draft& draft, double factor);
-/// Moves the origin by so many v, and the end of a shadow ray so that it stays where it is.
+/// Moves the origin by so many v, and the range so that it stays where it is, as far as it is ahead. A shadow ray's
+/// begins at the origin all the same.
 void move_along(Draft& draft, double t);
 /// Scales the scene, the origin and v by 2^k: the crossings stay at the same t.
 void scale(Draft& draft, int k);

@@ -40,13 +40,13 @@ bool may_hold_at(const Along& shell, const Parameter& t) {
          std::all_of(shell.bounds.begin(), shell.bounds.end(), [&](const auto& b) { return sign_at(b, t) >= 0; });
 }
 
-/// The parameters t ≥ 0, ascending, where a condition of the shell may begin to hold: the origin, and every root ahead.
-std::vector<Parameter> beginnings(const Along& shell) {
-  std::vector<Parameter> all{Parameter{}};
+/// The parameters t ≥ from, ascending, where a condition of the shell may begin to hold: `from`, and every root ahead.
+std::vector<Parameter> beginnings(const Along& shell, const Parameter& from) {
+  std::vector<Parameter> all{from};
   const auto take = [&](const Quadratic<Dyadic>& f) {
     const surface::exact::Roots roots = surface::exact::roots({f.A, f.B, f.C});
     for (const Parameter& t : roots.values()) {
-      if (number::sign(t) > 0) all.push_back(t);
+      if (order(t, from) > 0) all.push_back(t);
     }
   };
   take(shell.outer);
@@ -59,13 +59,14 @@ std::vector<Parameter> beginnings(const Along& shell) {
 
 }  // namespace
 
-/// The conditions of a shell are closed: where all of them hold for some t ≥ 0, the least such t is 0 or a root of one.
+/// The conditions of a shell are closed: where all of them hold for some t ≥ from, the least such t is `from` or a root
+/// of one.
 std::optional<Parameter> earliest(const AskedElements& elements, scene::ElementRef element, const model::Rayo& rayo,
-                                  const Precision& precision) {
+                                  const Precision& precision, const Parameter& from) {
   return elements.visit(element, [&](const auto& shape) -> std::optional<Parameter> {
     const std::optional<Along> around = shell_along(shape, rayo, precision);
-    if (!around) return Parameter{};
-    const std::vector<Parameter> all = beginnings(*around);
+    if (!around) return from;
+    const std::vector<Parameter> all = beginnings(*around, from);
     const auto first =
         std::find_if(all.begin(), all.end(), [&](const Parameter& t) { return may_hold_at(*around, t); });
     return first == all.end() ? std::nullopt : std::optional(*first);

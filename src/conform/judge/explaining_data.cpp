@@ -44,8 +44,10 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
 /// Whether the claim is the answer of these data: a miss exactly, also where all hits are beyond the limits of the
 /// profile; the number of a hit, which is rounded, nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
-  if (!of.ends.empty()) return judge(of, 0, claim, profile).verdict == Verdict::exact;
-  if (claim.outcome != Claim::Outcome::miss) return is_right(of, claim, profile);
+  const bool is_miss = claim.outcome == Claim::Outcome::miss;
+  if (of.question == QuestionKind::shadow || (is_miss && has_range(of.question)))
+    return judge(of, 0, claim, profile).verdict == Verdict::exact;
+  if (!is_miss) return is_right(of, claim, profile);
   const SceneFacts facts(of.the_case.scene, 1);
   return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(ClaimContext(of, 0, profile, facts));
 }

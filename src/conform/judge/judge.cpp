@@ -42,21 +42,24 @@ bool is_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedP
 }
 
 /// Whether a ray from inside a solid may pass through its surface without a hit: the profile permits it, or the system
-/// answers the origin, and the origin is nearer than least_t.
-bool may_leave_unseen(const Profile& profile) {
-  return profile.inside == Inside::nothing || (profile.inside == Inside::origin && profile.least_t > 0);
+/// answers the origin, and the origin is nearer than least_t or than the range of the ray.
+bool may_leave_unseen(const ClaimContext& trial) {
+  const Profile& profile = trial.profile;
+  const bool begins_behind = trial.range && trial.range->begin > 0;
+  return profile.inside == Inside::nothing ||
+         (profile.inside == Inside::origin && (profile.least_t > 0 || begins_behind));
 }
 
 /// The zones up to `limit` that a hit must not lie behind, and that make a miss wrong: all zones within the limits of
-/// the profile, and the zone of a closed mesh where the system claims to be watertight. Zones of solids that a ray from
-/// inside may leave unseen are left out.
+/// the profile and the range of the ray, and the zone of a closed mesh where the system claims to be watertight. Zones
+/// of solids that a ray from inside may leave unseen are left out.
 std::vector<Zone> walls(const ClaimContext& trial, double limit) {
   std::vector<Zone> all = zones(trial.elements(), trial.facts.tree(), trial.ray, trial.precision(), limit);
   if (trial.profile.watertight && trial.facts.mesh()) {
     if (const auto zone = zone_of(*trial.facts.mesh(), trial.ray.rayo, trial.precision())) all.push_back(*zone);
   }
-  std::erase_if(all, [&](const Zone& zone) { return !is_within_limits(trial, zone); });
-  if (!may_leave_unseen(trial.profile)) return all;
+  std::erase_if(all, [&](const Zone& zone) { return !is_within_limits(trial, zone) || !is_within_range(trial, zone); });
+  if (!may_leave_unseen(trial)) return all;
   const Elements around = trial.solids_around_origin();
   std::erase_if(all, [&](const Zone& zone) {
     return std::find(around.begin(), around.end(), trial.body(zone.element)) != around.end();
@@ -109,10 +112,10 @@ std::vector<Zone> passed_by(const ClaimContext& trial, const ClaimedPoint& place
   return zones;
 }
 
-/// Whether the ray of some data may meet the element with no zone of another body certainly before.
+/// Whether the ray of some data may meet the element within its range with no zone of another body certainly before.
 bool may_be_first(const ClaimContext& trial, ElementRef element, const std::vector<Zone>& zones) {
   const model::Rayo& rayo = trial.ray.rayo;
-  const auto t = earliest(trial.elements(), element, rayo, trial.precision());
+  const auto t = earliest_asked(trial, element);
   return t && std::none_of(zones.begin(), zones.end(), [&](const Zone& zone) {
            return trial.body(zone.element) != trial.body(element) &&
                   is_behind({.t = *t, .punto = {}, .way = {}}, {}, zone, rayo);
@@ -133,11 +136,13 @@ bool is_a_little_off(const ClaimContext& trial, const Claim& claim, const Claime
 }
 
 /// The verdict on a hit whose place is not right. `at` has the elements that the claim may name and the place may lie
-/// on; at least one of the zones is before each. Several elements may be first: a hit that names one of them, near the
-/// truth's point, is off and not of a wrong element, whatever other element passes there.
+/// on; each is outside the range, or at least one of the zones is before it. Several elements may be first: a hit that
+/// names one of them, near the truth's point, is off and not of a wrong element, whatever other element passes there.
 Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place, const Elements& at,
                        const std::vector<Zone>& zones) {
   if (is_a_little_off(trial, claim, place)) return Verdict::off;
+  const auto is_asked = [&](ElementRef element) { return may_be_within_range(trial, element, place); };
+  if (!at.empty() && std::none_of(at.begin(), at.end(), is_asked)) return Verdict::out_of_range;
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::phantom;
   const auto is_first = [&](ElementRef element) { return may_be_first(trial, element, zones); };
   if (std::any_of(at.begin(), at.end(), is_first)) return Verdict::far_root;
@@ -146,13 +151,16 @@ Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const Clai
 }
 
 /// The verdict on a hit with a place. It is right at the origin inside a solid, where the system answers that, and
-/// where the place may lie on an element that the claim may name and no zone certainly ends before it.
+/// where the place may lie on an element that the claim may name, within the range, and no zone certainly ends before
+/// it.
 Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (is_origin_inside(trial, claim, [&](ElementRef element) { return may_be_origin(trial, element, place); }))
     return Verdict::right;
   const Elements at = elements_at(trial, claim, place);
   const std::vector<Zone> all = walls(trial, rounded_up(place.t));
-  const auto is_right = [&](ElementRef element) { return passed_by(trial, place, element, all).empty(); };
+  const auto is_right = [&](ElementRef element) {
+    return may_be_within_range(trial, element, place) && passed_by(trial, place, element, all).empty();
+  };
   if (std::any_of(at.begin(), at.end(), is_right)) return Verdict::right;
   return of_wrong_place(trial, claim, place, at, all);
 }
@@ -181,35 +189,30 @@ ClaimJudgement of_hit(const ClaimContext& trial, const Claim& claim) {
 }
 
 /// Whether the exact first hit of a shadow ray, rounded, is not behind its end.
-bool is_in_shadow(const ClaimContext& trial, double end) {
+bool is_in_shadow(const ClaimContext& trial) {
   if (trial.truth.hit.resultado == model::Resultado::no_minimum) return true;
-  return trial.has_hit() && trial.truth.hit.t <= end;
+  return trial.has_hit() && trial.truth.hit.t <= trial.range->end;
 }
 
 /// Whether the ray of some data may meet an element before the end, or the system answers the origin inside a solid.
-bool may_be_in_shadow(const ClaimContext& trial, double end) {
+bool may_be_in_shadow(const ClaimContext& trial) {
   if (trial.profile.inside == Inside::origin && !trial.solids_around_origin().empty()) return true;
-  return trial.scene.any_of([&](ElementRef element, const auto&) {
-    const auto t = earliest(trial.elements(), element, trial.ray.rayo, trial.precision());
-    return t && may_be_within_end(trial, element, *t, end);
-  });
+  return trial.scene.any_of(
+      [&](ElementRef element, const auto&) { return earliest_asked(trial, element).has_value(); });
 }
 
 /// The verdict on a claim about a shadow ray: a hit is right where some data have one before the end, and a miss where
 /// not all data have one there. Whatever the claim says of a hit besides is not judged.
-Verdict of_shadow(const ClaimContext& trial, const Claim& claim, double end) {
+Verdict of_shadow(const ClaimContext& trial, const Claim& claim) {
   const bool is_hit = claim.outcome == Claim::Outcome::hit;
-  if (is_hit == is_in_shadow(trial, end)) return Verdict::exact;
-  if (is_hit) return may_be_in_shadow(trial, end) ? Verdict::right : Verdict::phantom;
-  const std::vector<Zone> all = walls(trial, trace::no_limit);
-  const bool is_certain =
-      std::any_of(all.begin(), all.end(), [&](const Zone& zone) { return is_within_end(trial, zone, end); });
-  return is_certain ? Verdict::missed : Verdict::right;
+  if (is_hit == is_in_shadow(trial)) return Verdict::exact;
+  if (is_hit) return may_be_in_shadow(trial) ? Verdict::right : Verdict::phantom;
+  return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
 }
 
 ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
   const bool is_answer = claim.outcome == Claim::Outcome::hit || claim.outcome == Claim::Outcome::miss;
-  if (trial.end && is_answer) return {.verdict = of_shadow(trial, claim, *trial.end)};
+  if (trial.question == QuestionKind::shadow && is_answer) return {.verdict = of_shadow(trial, claim)};
   switch (claim.outcome) {
     case Claim::Outcome::hit:
       return of_hit(trial, claim);

@@ -31,6 +31,19 @@ int compared(const ClaimContext& trial, Measure measure, const Parameter& t, dou
   return sign_at({squared_length(Point<Dyadic>{v.x, v.y, v.z}), {}, -square(length)}, t);
 }
 
+/// The place of the ray at t.
+ClaimedPoint place_of_t(const model::Rayo& rayo, double t) {
+  const glm::dvec3 &p = rayo.p().xyz(), &v = rayo.v().xyz();
+  const auto coordinate = [&](double from, double step) { return Dyadic(from) + Dyadic(t) * Dyadic(step); };
+  return {.t = {.x = t},
+          .punto = {coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)},
+          .way = Dyadic(t) * Dyadic(largest(v))};
+}
+
+Dyadic delta_at(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
+  return delta(trial.elements(), element, place, trial.ray.rayo, trial.precision());
+}
+
 /// The comparison by what the profile measures.
 int compared(const ClaimContext& trial, const Parameter& t, double limit, const Dyadic& by) {
   return compared(trial, trial.profile.measure, t, limit, by);
@@ -38,18 +51,36 @@ int compared(const ClaimContext& trial, const Parameter& t, double limit, const 
 
 }  // namespace
 
-bool is_within_end(const ClaimContext& trial, const Zone& zone, double end) {
-  return compared(trial, Measure::parameter, zone.end, end, -number::shifted(zone.delta, 1)) <= 0;
+bool is_within_range(const ClaimContext& trial, const Zone& zone) {
+  if (!trial.range) return true;
+  const auto& [begin, end] = *trial.range;
+  const Dyadic apart = number::shifted(zone.delta, 1);
+  return (begin == 0 || compared(trial, Measure::parameter, zone.begin, begin, apart) >= 0) &&
+         (std::isinf(end) || compared(trial, Measure::parameter, zone.end, end, -apart) <= 0);
 }
 
-bool may_be_within_end(const ClaimContext& trial, scene::ElementRef element, const Parameter& earliest, double end) {
-  const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
-  const auto coordinate = [&](double from, double step) { return Dyadic(from) + Dyadic(end) * Dyadic(step); };
-  const ClaimedPoint at{.t = {.x = end},
-                        .punto = {coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)},
-                        .way = Dyadic(end) * Dyadic(largest(v))};
-  const Dyadic own = delta(trial.elements(), element, at, trial.ray.rayo, trial.precision());
-  return compared(trial, Measure::parameter, earliest, end, number::shifted(own, 1)) <= 0;
+bool may_be_within_range(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
+  if (!trial.range) return true;
+  const auto& [begin, end] = *trial.range;
+  const Dyadic apart = Dyadic(2 + place.deviation) * delta_at(trial, element, place);
+  return compared(trial, Measure::parameter, place.t, begin, -apart) >= 0 &&
+         (std::isinf(end) || compared(trial, Measure::parameter, place.t, end, apart) <= 0);
+}
+
+std::optional<Parameter> earliest_asked(const ClaimContext& trial, scene::ElementRef element) {
+  const auto first_from = [&](const Parameter& from) {
+    return earliest(trial.elements(), element, trial.ray.rayo, trial.precision(), from);
+  };
+  if (!trial.range) return first_from({});
+  const auto& [begin, end] = *trial.range;
+  const auto apart = [&](double t) {
+    return number::shifted(delta_at(trial, element, place_of_t(trial.ray.rayo, t)), 1);
+  };
+  const Dyadic longest(largest(trial.ray.rayo.v().xyz()));
+  const Dyadic from = begin > 0 ? Dyadic(begin) * longest - apart(begin) : Dyadic(0);
+  const auto t = first_from(number::sign(from) > 0 ? Parameter{.x = from, .w = longest} : Parameter{});
+  if (!t || std::isinf(end)) return t;
+  return compared(trial, Measure::parameter, *t, end, apart(end)) <= 0 ? t : std::nullopt;
 }
 
 bool is_truth_beyond_limits(const ClaimContext& trial) {

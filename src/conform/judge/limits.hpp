@@ -1,5 +1,5 @@
 #pragma once
-/// The limits least_t and greatest_t of a profile, and the crossings of a ray that they leave.
+/// The limits least_t and greatest_t of a profile, the range of a ray, and the crossings that they leave.
 ///
 /// A limit is compared with the number that the system computes, and so with the answer of moved data. The data given
 /// decide only which rays are judged at all: rays whose exact first hit is not beyond a limit.
@@ -26,13 +26,16 @@ Profile without_limits(Profile profile);
 /// Together this is less than 2δ, in t less than 2δ/|v|.
 bool is_within_limits(const ClaimContext& trial, const Zone& zone);
 
-/// Whether no data put the crossing of the zone behind the end of a shadow ray, which is a t and whose error is that of
-/// a limit.
-bool is_within_end(const ClaimContext& trial, const Zone& zone, double end);
+/// Whether no data put the crossing of the zone outside the range of the ray, if it has one. Its ends are t, and their
+/// errors are those of limits.
+bool is_within_range(const ClaimContext& trial, const Zone& zone);
 
-/// Whether some data may put a meeting of an element, which is not before `earliest`, before the end. The error of the
-/// end is that of a limit, with δ of the element at the end.
-bool may_be_within_end(const ClaimContext& trial, scene::ElementRef element, const surface::exact::Parameter& earliest,
-                       double end);
+/// Whether some data may put a place on the element within the range of the ray, if it has one. The error of an end is
+/// that of a limit; the t of the place is off by its own.
+bool may_be_within_range(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
+
+/// A lower bound on the meetings of the element and the ray of any data within the range, as earliest() is without one;
+/// nothing where no such ray meets it there. The error of an end is that of a limit, with δ of the element at the end.
+std::optional<surface::exact::Parameter> earliest_asked(const ClaimContext& trial, scene::ElementRef element);
 
 }  // namespace durero::conform

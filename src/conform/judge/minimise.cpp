@@ -127,7 +127,8 @@ std::vector<double*> numbers(Draft& draft) {
   }
   add(draft.p);
   add(draft.v);
-  if (draft.end) all.push_back(&*draft.end);
+  const std::vector<double*> of_range = ends(draft);
+  all.insert(all.end(), of_range.begin(), of_range.end());
   return all;
 }
 

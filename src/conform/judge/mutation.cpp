@@ -24,7 +24,8 @@ std::vector<double*> free_numbers(Draft& draft) {
     all.insert(all.end(), of.lengths.begin(), of.lengths.end());
     all.insert(all.end(), of.ratios.begin(), of.ratios.end());
   }
-  if (draft.end) all.push_back(&*draft.end);
+  const std::vector<double*> of_range = ends(draft);
+  all.insert(all.end(), of_range.begin(), of_range.end());
   return all;
 }
 
@@ -49,10 +50,11 @@ void move_origin(Draft& draft, const MeasuredQuestion& question, Random& random)
   draft.p += (question.distance - std::abs(before)) * question.unit;
 }
 
-/// Puts the end of a shadow ray near the point, where it has one.
+/// Puts an end of the range near the point, where there is one.
 void move_end(Draft& draft, const MeasuredQuestion& question, Random& random) {
   const double factor = 1 + random.signed_power(-50, -1);
-  if (draft.end) draft.end = question.distance / question.length * factor;
+  const std::vector<double*> all = ends(draft);
+  if (!all.empty()) *all[all.size() == 1 ? 0 : random.below(all.size())] = question.distance / question.length * factor;
 }
 
 void move_scene(Draft& draft, const MeasuredQuestion& question, Random& random) {

@@ -44,10 +44,10 @@ Remedy plus_zeros(const MeasuredQuestion& question) {
   return {{std::move(draft)}};
 }
 
-/// Sets v to one that is `longer` times as long, and the end of a shadow ray so that it stays where it is.
+/// Sets v to one that is `longer` times as long, and the range so that it stays where it is.
 void turn(Draft& draft, const glm::dvec3& v, double longer) {
   draft.v = v;
-  if (draft.end) *draft.end /= longer;
+  scale_range(draft, 1 / longer);
 }
 
 /// v/|v|, and as a control a v whose direction was rounded as v/|v| is and whose length is no nearer to 1.

@@ -98,7 +98,7 @@ double number_of_truth(const ClaimContext& trial) {
 }
 
 bool is_the_truth(const ClaimContext& trial, const Claim& claim) {
-  const auto& [scene, solids, ray, truth, profile, facts, end] = trial;
+  const auto& [scene, solids, ray, truth, profile, facts, question, range] = trial;
   const scene::ElementSet& first = truth.hit.elementos;
   if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
     return false;

@@ -19,8 +19,9 @@ struct ClaimContext {
   const scene::Query& ray;
   const ExactAnswer& truth;
   const Profile& profile;
-  const SceneFacts& facts;      ///< about the scene
-  std::optional<double> end{};  ///< of a shadow ray
+  const SceneFacts& facts;            ///< about the scene
+  QuestionKind question;              ///< what is asked about the ray
+  std::optional<AskedRange> range{};  ///< of the ray, where the question has some
 
   ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
       : scene(of.the_case.scene),
@@ -28,8 +29,9 @@ struct ClaimContext {
         ray(of.the_case.rays[number]),
         truth(of.truths[number]),
         profile(asked),
-        facts(of_scene) {
-    if (!of.ends.empty()) end = of.ends[number];
+        facts(of_scene),
+        question(of.question) {
+    if (has_range(question)) range = of.ranges[number];
   }
 
   /// The format and the thickness of surfaces that the profile declares.

@@ -1,6 +1,7 @@
 #include "durero/conform/judge/truth.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "conform/judge/robust.hpp"
@@ -35,6 +36,44 @@ void add_places(std::vector<ElementMeeting>& to, const ElementQuadratic& c) {
   if (!reach.segment) return;
   to.push_back({reach.segment->begin, c.e, Ambiguity::in_surface});
   if (reach.segment->end) to.push_back({reach.segment->end, c.e, Ambiguity::in_surface});
+}
+
+/// The places of one element within the range.
+void add_places_within(std::vector<ElementMeeting>& to, const ElementQuadratic& c, const AskedRange& range) {
+  const Parameter begin{.x = range.begin};
+  const bool is_endless = std::isinf(range.end);
+  const auto is_before_end = [&](const Parameter& t) {
+    return is_endless || surface::exact::order(t, {.x = range.end}) <= 0;
+  };
+  const surface::exact::Reach reach = surface::exact::reach(c.f);
+  for (const Parameter& t : reach.points()) {
+    if (surface::exact::order(t, begin) >= 0 && is_before_end(t)) to.push_back({t, c.e, weakness(c, t)});
+  }
+  if (!reach.segment) return;
+  auto [first, last] = *reach.segment;
+  if (range.begin > 0 && (!first || surface::exact::order(*first, begin) < 0)) first = begin;
+  if (!is_endless && (!last || !is_before_end(*last))) last = Parameter{.x = range.end};
+  const Parameter& from = first ? *first : begin;
+  if (last && (surface::exact::order(from, *last) > 0 || number::sign(*last) <= 0)) return;
+  to.push_back({first, c.e, Ambiguity::in_surface});
+  if (last) to.push_back({last, c.e, Ambiguity::in_surface});
+}
+
+/// The places within the range on all elements, ascending.
+std::vector<ElementMeeting> places_within(const SceneTree& tree, const scene::Query& ray, const AskedRange& range) {
+  std::vector<ElementMeeting> all;
+  if (range.begin > range.end) return all;
+  const AnsweredQuery query{tree.scene(), ray, {}};
+  trace::Counts counts;
+  const trace::Search search(tree.scene(), ray.rayo, ray.en, counts);
+  const auto look_at = [&](scene::ElementRef e) {
+    const std::optional<trace::Meeting> met = search.certified_meeting(e, range.end);
+    if (!met || met->kind != trace::Meeting::Kind::none) add_places_within(all, quadratic(query, e), range);
+  };
+  tree.along(
+      search.ray(), ray.en, [&] { return range.end; }, look_at);
+  std::sort(all.begin(), all.end(), earlier);
+  return all;
 }
 
 /// The limit beyond which nothing is permissible: the nearest crossing that no small change removes, rounded up;
@@ -177,10 +216,8 @@ std::string_view name(Ambiguity ambiguity) {
 
 namespace {
 
-ExactAnswer truth_by(const SceneTree& tree, const scene::Query& ray) {
-  Sight sight(tree, ray);
-  if (const auto hit = sight.clear_hit()) return {*hit};
-  const std::vector<ElementMeeting> all = sight.places();
+/// The answer where the ray meets these places, ascending, or where what lies behind them is not permissible.
+ExactAnswer answer_of(const scene::Query& ray, const std::vector<ElementMeeting>& all) {
   if (all.empty()) return {};
   std::span<const ElementMeeting> left = all;
   Meeting meeting = take_meeting(left);
@@ -200,6 +237,12 @@ ExactAnswer truth_by(const SceneTree& tree, const scene::Query& ray) {
   return found;
 }
 
+ExactAnswer truth_by(const SceneTree& tree, const scene::Query& ray) {
+  Sight sight(tree, ray);
+  if (const auto hit = sight.clear_hit()) return {*hit};
+  return answer_of(ray, sight.places());
+}
+
 }  // namespace
 
 ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) { return truth_by({scene, 1}, ray); }
@@ -210,13 +253,40 @@ SceneTruths::~SceneTruths() = default;
 
 ExactAnswer SceneTruths::of(const scene::Query& ray) const { return truth_by(*tree_, ray); }
 
-std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays) {
-  const SceneTruths of_scene(scene, rays.size());
-  std::vector<ExactAnswer> all(rays.size());
-  trace::for_each_block(rays.size(), [&](std::size_t begin, std::size_t count) {
-    for (std::size_t ray = begin; ray < begin + count; ++ray) all[ray] = of_scene.of(rays[ray]);
+ExactAnswer SceneTruths::within(const scene::Query& ray, const AskedRange& range) const {
+  return answer_of(ray, places_within(*tree_, ray, range));
+}
+
+std::vector<double> SceneTruths::crossings(const scene::Query& ray) const {
+  std::vector<double> all;
+  for (const ElementMeeting& place : places_within(*tree_, ray, {}))
+    all.push_back(place.t ? number::round_to_binary64(*place.t) : 0);
+  return all;
+}
+
+namespace {
+
+/// The answer of each ray by its number, by many threads.
+template <class Answer>
+std::vector<ExactAnswer> answers(std::size_t rays, Answer answer) {
+  std::vector<ExactAnswer> all(rays);
+  trace::for_each_block(rays, [&](std::size_t begin, std::size_t count) {
+    for (std::size_t ray = begin; ray < begin + count; ++ray) all[ray] = answer(ray);
   });
   return all;
+}
+
+}  // namespace
+
+std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays) {
+  const SceneTruths of_scene(scene, rays.size());
+  return answers(rays.size(), [&](std::size_t ray) { return of_scene.of(rays[ray]); });
+}
+
+std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
+                                       std::span<const AskedRange> ranges) {
+  const SceneTruths of_scene(scene, rays.size());
+  return answers(rays.size(), [&](std::size_t ray) { return of_scene.within(rays[ray], ranges[ray]); });
 }
 
 }  // namespace durero::conform

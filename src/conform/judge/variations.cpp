@@ -13,7 +13,7 @@ namespace {
 void make_unit(Draft& draft) {
   const double length = std::hypot(draft.v.x, draft.v.y, draft.v.z);
   draft.v /= length;
-  if (draft.end) *draft.end *= length;
+  scale_range(draft, length);
 }
 
 /// Moves the origin seven eighths of the way to the point at t, rounded.

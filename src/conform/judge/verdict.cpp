@@ -22,6 +22,8 @@ std::string_view name(Verdict verdict) {
       return "far_root";
     case Verdict::misplaced:
       return "misplaced";
+    case Verdict::out_of_range:
+      return "out_of_range";
     case Verdict::non_finite:
       return "non_finite";
     case Verdict::crashed:
@@ -52,6 +54,8 @@ std::string_view meaning(Verdict verdict) {
       return "a later crossing of the right element";
     case Verdict::misplaced:
       return "off by more than 0.001 of the element's size";
+    case Verdict::out_of_range:
+      return "a hit outside the range that was asked about";
     case Verdict::non_finite:
       return "a hit at what is no number";
     case Verdict::crashed:
@@ -71,6 +75,7 @@ bool is_gross(Verdict verdict) {
     case Verdict::wrong_element:
     case Verdict::far_root:
     case Verdict::misplaced:
+    case Verdict::out_of_range:
     case Verdict::non_finite:
     case Verdict::crashed:
     case Verdict::hung:

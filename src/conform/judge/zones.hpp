@@ -28,11 +28,12 @@ struct Zone {
 std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, const scene::Query& ray,
                         const Precision& precision, double limit);
 
-/// A lower bound, t ≥ 0, on every meeting of the element with the ray of any data within the allowance; nothing where
-/// no such ray meets it. The bound is the first t in the element's shell, and 0 where the allowance is no small part of
-/// the element.
+/// A lower bound, t ≥ from, on every meeting at such t of the element with the ray of any data within the allowance;
+/// nothing where no such ray meets it there. The bound is the first such t in the element's shell, and `from` where the
+/// allowance is no small part of the element. Precondition: from ≥ 0.
 std::optional<surface::exact::Parameter> earliest(const AskedElements& elements, scene::ElementRef element,
-                                                  const model::Rayo& rayo, const Precision& precision);
+                                                  const model::Rayo& rayo, const Precision& precision,
+                                                  const surface::exact::Parameter& from = {});
 
 /// A place is the point of a ray that a claim gives. A t that the system gives is exactly that of some moved data. A t
 /// computed here from a length is off by √3·δ for v and a rounding, less than 2δ/|v|; from a point, by 2√3·δ and a

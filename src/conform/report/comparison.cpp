@@ -20,7 +20,7 @@ using io::json::Reader;
 void read_counts(Reader& in, VerdictCounts& counts) {
   std::array<std::string_view, verdict_count> keys;
   for (const Verdict verdict : verdicts) keys[static_cast<std::size_t>(verdict)] = name(verdict);
-  in.object("verdicts", keys, keys.size(),
+  in.object("verdicts", keys, 0,  // a report of a program that did not know a verdict has none of it
             [&](std::size_t key) { counts[key] = io::json::whole_number(in, keys[key]); });
 }
 

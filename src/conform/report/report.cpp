@@ -77,9 +77,11 @@ std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene) { r
 
 std::string truth_words(const Finding& finding) {
   const std::string first = truth_words(finding.of.truths[0], finding.of.the_case.scene);
-  if (finding.of.ends.empty()) return first;
+  if (!has_range(finding.of.question)) return first;
   const scene::Hit& hit = finding.of.truths[0].hit;
-  const double end = finding.of.ends[0];
+  const auto& [begin, end] = finding.of.ranges[0];
+  if (finding.of.question == QuestionKind::range)
+    return fmt::format("{} within t = {} … {}", first, io::number_text(begin), io::number_text(end));
   if (hit.resultado == model::Resultado::miss) return "no hit";
   const bool is_before = hit.resultado == model::Resultado::no_minimum || hit.t <= end;
   return fmt::format("{} up to t = {}, the first being {}", is_before ? "a hit" : "no hit", io::number_text(end),

@@ -86,7 +86,7 @@ SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray) {
   SuiteCase cut = of;
   cut.the_case.rays = {of.the_case.rays[ray]};
   cut.truths = {of.truths[ray]};
-  if (!of.ends.empty()) cut.ends = {of.ends[ray]};
+  if (has_range(of.question)) cut.ranges = {of.ranges[ray]};
   return cut;
 }
 

@@ -23,6 +23,9 @@ TEST_CASE("each word of a profile stands at the place of its enumerator") {
   CHECK(word(Inside::undefined) == "undefined");
   CHECK(word(QuestionKind::first) == "first");
   CHECK(word(QuestionKind::shadow) == "shadow");
+  CHECK(word(QuestionKind::range) == "range");
+  CHECK_FALSE(has_range(QuestionKind::first));
+  CHECK(has_range(QuestionKind::range));
 }
 
 TEST_CASE("a profile that claims no limit has none") {

@@ -207,17 +207,34 @@ TEST_CASE("a claim reads back from its text") {
 TEST_CASE("a question about shadow rays has the end of each, and a hit alone is an answer to it") {
   SuiteCase of = sample();
   CHECK(read_answer("hit", of, Caps::open).outcome == Outcome::unanswered);
-  of.ends = {4, 0.1};
+  of.question = QuestionKind::shadow;
+  of.ranges = {{0, 4}, {0, 0.1}};
   const std::string text = question(of, Caps::open);
   CHECK(text.ends_with("shadows 2\n0 0 0 0 0 1 4\n-0 5e-324 1e+22 0.10000000149011612 1 -2 0.1\n"));
   const std::vector<Question> read = read_all(text + question(sample(), Caps::open));
   REQUIRE(read.size() == 2);
-  CHECK(read[0].ends == of.ends);
+  CHECK(read[0].ranges == of.ranges);
   CHECK(read[0].rays.size() == 2);
-  CHECK(read[1].ends.empty());
+  CHECK(read[1].ranges.empty());
   CHECK(read_answer("hit", of, Caps::open) == Claim{.outcome = Outcome::hit});
   CHECK(read_answer("hit e0 4", of, Caps::open).outcome == Outcome::hit);
   CHECK(read_answer("miss", of, Caps::open).outcome == Outcome::miss);
   CHECK_THROWS_AS(read_all("scene a\nshadows 1\n0 0 0 0 0 1\n"), io::InputError);
   CHECK_THROWS_AS(read_all("scene a\nrays 1\n0 0 0 0 0 1 4\n"), io::InputError);
+  CHECK_THROWS_AS(read_all("scene a\nshadows 1\n0 0 0 0 0 1 -4\n"), io::InputError);
+}
+
+TEST_CASE("a question about ranges has both ends of each, and a hit alone is no answer to it") {
+  SuiteCase of = sample();
+  of.question = QuestionKind::range;
+  of.ranges = {{0.5, 4}, {3, 0.1}};
+  const std::string text = question(of, Caps::open);
+  CHECK(text.ends_with("ranges 2\n0 0 0 0 0 1 0.5 4\n-0 5e-324 1e+22 0.10000000149011612 1 -2 3 0.1\n"));
+  const std::vector<Question> read = read_all(text);
+  CHECK(read[0].kind == QuestionKind::range);
+  CHECK(read[0].ranges == of.ranges);
+  CHECK(read_answer("hit", of, Caps::open).outcome == Outcome::unanswered);
+  CHECK(read_answer("hit e0 4", of, Caps::open).outcome == Outcome::hit);
+  CHECK_THROWS_AS(read_all("scene a\nranges 1\n0 0 0 0 0 1 4\n"), io::InputError);
+  CHECK_THROWS_AS(read_all("scene a\nranges 1\n0 0 0 0 0 1 4 5 6\n"), io::InputError);
 }

@@ -155,11 +155,11 @@ TEST_CASE("shadow rays end before, near and behind the first hits, the same for 
       ask_question(of, shadow);
       ask_question(again, shadow);
       ask_question(usual, first);
-      CHECK(of.ends == again.ends);
-      CHECK(usual.ends.empty());
-      REQUIRE(of.ends.size() == of.truths.size());
-      for (std::size_t ray = 0; ray < of.ends.size(); ++ray) {
-        const double end = of.ends[ray], t = of.truths[ray].hit.t;
+      CHECK(of.ranges == again.ranges);
+      CHECK(usual.ranges.empty());
+      REQUIRE(of.ranges.size() == of.truths.size());
+      for (std::size_t ray = 0; ray < of.ranges.size(); ++ray) {
+        const double end = of.ranges[ray].end, t = of.truths[ray].hit.t;
         CHECK((end > 0 && std::isfinite(end) && end == static_cast<double>(static_cast<float>(end))));
         if (of.truths[ray].hit.resultado != model::Resultado::hit) continue;
         before += end<t, behind += end> t, near += std::abs(end / t - 1) < 0x1p-10;

@@ -210,8 +210,8 @@ TEST_CASE("faults of shadow rays are found, and nothing in right ones") {
   const auto shadow_of = [](double end_factor, bool measures_length) {
     return [=](const SuiteCase& of) {
       const scene::Hit& hit = of.truths[0].hit;
-      REQUIRE(of.ends.size() == 1);
-      const double end = of.ends[0] * end_factor / (measures_length ? glm::length(direction_of(of)) : 1);
+      REQUIRE(of.ranges.size() == 1);
+      const double end = of.ranges[0].end * end_factor / (measures_length ? glm::length(direction_of(of)) : 1);
       const bool is_hit =
           hit.resultado == model::Resultado::no_minimum || (hit.resultado == model::Resultado::hit && hit.t <= end);
       return Claim{.outcome = is_hit ? Claim::Outcome::hit : Claim::Outcome::miss};

@@ -22,7 +22,8 @@ Claim claim_of(bool is_hit) { return {.outcome = is_hit ? Outcome::hit : Outcome
 /// A ball of radius 1 around (0, 0, 4), asked from the origin, at t = 3.
 SuiteCase ball(double end, const glm::dvec3& v = {0, 0, 1}) {
   SuiteCase of = test::sphere_case({0, 0, 0}, v);
-  of.ends = {end};
+  of.question = QuestionKind::shadow;
+  of.ranges = {{0, end}};
   return of;
 }
 
@@ -61,7 +62,7 @@ ShadowTally judged_shadows(IsHit is_hit) {
   for (const Family& family : families_of_few()) {
     for (const SuiteCase& of : shadows(family, NumberFormat::binary32, 4)) {
       for (std::size_t ray = 0; ray < of.truths.size(); ++ray) {
-        const bool says = is_hit(of.truths[ray].hit, of.the_case.rays[ray], of.ends[ray]);
+        const bool says = is_hit(of.truths[ray].hit, of.the_case.rays[ray], of.ranges[ray].end);
         tally.add(judge(of, ray, claim_of(says), profile).verdict);
       }
     }
@@ -111,12 +112,13 @@ TEST_CASE("what the profile permits of the first hit it permits of a shadow") {
   Profile origin = test::profile_of_all();
   origin.inside = Inside::origin;
   SuiteCase inside = test::sphere_case({0, 0, 4}, {0, 0, 1});
-  inside.ends = {0.5};
+  inside.question = QuestionKind::shadow;
+  inside.ranges = {{0, 0.5}};
   CHECK(verdict(inside, true) == Verdict::phantom);
   CHECK(verdict(inside, true, origin) == Verdict::right);
   Profile nothing = test::profile_of_all();
   nothing.inside = Inside::nothing;
-  inside.ends = {1.5};
+  inside.ranges = {{0, 1.5}};
   CHECK(verdict(inside, false) == Verdict::missed);
   CHECK(verdict(inside, false, nothing) == Verdict::right);
   Profile near = test::profile_of_all();
@@ -137,12 +139,13 @@ TEST_CASE("exact answers, and those of data within the declared error, are never
       for (const SuiteCase& of : shadows(family, format, 6)) {
         for (std::size_t ray = 0; ray < of.truths.size(); ++ray) {
           const scene::Hit& hit = of.truths[ray].hit;
-          const double t = hit.resultado == model::Resultado::hit ? std::min(hit.t, of.ends[ray]) : of.ends[ray];
+          const double t =
+              hit.resultado == model::Resultado::hit ? std::min(hit.t, of.ranges[ray].end) : of.ranges[ray].end;
           const auto claim = perturbation.answer(of.the_case.scene, of.the_case.rays[ray], t, Measure::parameter);
           if (!claim || !outside(of, ray, profile).empty()) continue;
-          const bool is_hit = claim->outcome == Outcome::hit && *claim->t <= of.ends[ray];
+          const bool is_hit = claim->outcome == Outcome::hit && *claim->t <= of.ranges[ray].end;
           const Verdict is = judge(of, ray, claim_of(is_hit), profile).verdict;
-          INFO(of.name() << " ray " << ray << ", " << (is_hit ? "hit" : "miss") << " up to " << of.ends[ray]);
+          INFO(of.name() << " ray " << ray << ", " << (is_hit ? "hit" : "miss") << " up to " << of.ranges[ray].end);
           CHECK_FALSE(is_failure(is));
           ++moved;
           doubtful += is == Verdict::right;
@@ -176,7 +179,7 @@ TEST_CASE("faults of shadow rays are seen") {
 TEST_CASE("a shadow ray's end stays where it is while its failure is made small and its cause is looked for") {
   const Profile all = test::profile_of_all();
   const Ask as_length = [](const SuiteCase& of) {
-    return claim_of(is_met(of.truths[0].hit, of.ends[0] / length_of(of.the_case.rays[0])));
+    return claim_of(is_met(of.truths[0].hit, of.ranges[0].end / length_of(of.the_case.rays[0])));
   };
   const SuiteCase of = ball(1.75, {0.0625, 0.125, 2});
   const Finding finding = test::finding_of(of, as_length(of), all);
@@ -184,24 +187,25 @@ TEST_CASE("a shadow ray's end stays where it is while its failure is made small 
   CHECK(cause_of(finding, all, as_length) == Trait::not_unit);
   const Finding least = minimised(finding, all, as_length);
   CHECK(least.judgement.verdict == Verdict::missed);
-  REQUIRE(least.of.ends.size() == 1);
+  REQUIRE(least.of.ranges.size() == 1);
   const Ask blind_to_small = [](const SuiteCase& asked) {
     const bool is_small = asked.the_case.scene.shapes<scene::Sphere>()[0].radio < 0.01;
-    return claim_of(!is_small && is_met(asked.truths[0].hit, asked.ends[0]));
+    return claim_of(!is_small && is_met(asked.truths[0].hit, asked.ranges[0].end));
   };
   SuiteCase small =
       test::drafted({{"e0", scene::Sphere{glm::dvec3(0, 0, 0x1p-8), 0x1p-10}}}, {0x1p-13, 0, 0}, {0, 0, 1});
-  small.ends = {0x1.8p-8};
+  small.question = QuestionKind::shadow;
+  small.ranges = {{0, 0x1.8p-8}};
   CHECK(cause_of(test::finding_of(small, claim_of(false), all), all, blind_to_small) == Trait::small);
   Draft draft(ball(3.5));
   scale_direction(draft, 2);
-  CHECK(draft.end == 1.75);
+  CHECK(draft.range->end == 1.75);
   move_along(draft, 0.5);
-  CHECK(draft.end == 1.25);
+  CHECK(draft.range->end == 1.25);
   scale_with_t(draft, 2);
-  CHECK(draft.end == 5);
+  CHECK(draft.range->end == 5);
   scale(draft, 3);
-  CHECK(draft.end == 5);
+  CHECK(draft.range->end == 5);
   move_along(draft, 6);
   CHECK_FALSE(draft.built(ball(1)));
 }

@@ -122,9 +122,10 @@ TEST_CASE("a sample has the first failing rays, and counts the rays that were ju
   CHECK(family.sampled_rays == judged);
 }
 
-TEST_CASE("a shadow ray alone keeps its own end") {
+TEST_CASE("a ray alone keeps its own range") {
   SuiteCase of = test::answered_case("generic", 0);
-  for (std::size_t ray = 0; ray < of.truths.size(); ++ray) of.ends.push_back(1 + static_cast<double>(ray));
-  CHECK(with_ray_alone(of, 3).ends == std::vector<double>{4});
-  CHECK(with_ray_alone(test::answered_case("generic", 0), 3).ends.empty());
+  of.question = QuestionKind::shadow;
+  for (std::size_t ray = 0; ray < of.truths.size(); ++ray) of.ranges.push_back({0, 1 + static_cast<double>(ray)});
+  CHECK(with_ray_alone(of, 3).ranges == std::vector<AskedRange>{{0, 4}});
+  CHECK(with_ray_alone(test::answered_case("generic", 0), 3).ranges.empty());
 }

@@ -39,8 +39,9 @@ enum class Inside { exit_point, nothing, origin, undefined };
 
 /// The question that a system is asked about a ray.
 enum class QuestionKind {
-  first,  ///< the first hit
-  shadow  ///< whether anything is hit at t ≤ the ray's end, and no more
+  first,   ///< the first hit
+  shadow,  ///< whether anything is hit at t ≤ the end of the ray's range, and no more
+  range    ///< the first hit within the ray's range
 };
 
 /// @{ The words of the enumerators above in files, in their order.
@@ -49,7 +50,7 @@ inline constexpr std::array<std::string_view, 2> caps_words = {"open", "solid"};
 inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "length", "point"};
 inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
 inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
-inline constexpr std::array<std::string_view, 2> question_words = {"first", "shadow"};
+inline constexpr std::array<std::string_view, 3> question_words = {"first", "shadow", "range"};
 /// @}
 
 /// @{ The word of a value in files.
@@ -62,6 +63,9 @@ constexpr std::string_view word(Directions directions) {
 constexpr std::string_view word(QuestionKind question) { return question_words[static_cast<std::size_t>(question)]; }
 constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
 /// @}
+
+/// Whether the rays of a question have a range.
+constexpr bool has_range(QuestionKind question) { return question != QuestionKind::first; }
 
 /// A sentence of the system's documentation that supports a claim.
 struct Citation {

@@ -16,7 +16,9 @@
 /// An element is its word in files, its name, its points and vectors, then its lengths. A number is the shortest
 /// decimal that reads back. A system whose profile claims the question `shadow` may be asked `shadows N` for `rays N`,
 /// with a number T behind each ray: whether anything is hit at t ≤ T. It answers `miss` or `hit`, and what it may say
-/// of the hit besides is not judged. The system writes `system NAME VERSION`, then a line for each ray, in order:
+/// of the hit besides is not judged. One that claims `range` may be asked `ranges N`, with two numbers T0 T1 behind
+/// each ray: the first hit at T0 ≤ t ≤ T1, with t > 0 and nothing where T0 > T1. The system writes `system NAME
+/// VERSION`, then a line for each ray, in order:
 ///
 ///   miss
 ///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
@@ -60,7 +62,8 @@ struct Question {
   std::string scene_name;            ///< such as generic/0003
   scene::Scene scene;                ///< the elements, in the order of their lines
   std::vector<scene::Query> rays{};  ///< in order; they start on no elements
-  std::vector<double> ends{};        ///< of shadow rays; otherwise none
+  QuestionKind kind{};               ///< what is asked
+  std::vector<AskedRange> ranges{};  ///< of shadow rays and of first hits within a range; otherwise none
 };
 
 /// A reader of questions, one by one.
@@ -77,7 +80,7 @@ class QuestionReader {
   std::string required_line(std::string_view what);
   struct Rays {
     std::size_t count;
-    bool are_shadows;
+    QuestionKind kind;
   };
   Rays read_elements(scene::Scene& scene);  // the rays that follow them
 

@@ -34,15 +34,15 @@ std::size_t rays_of(const Family& family);
 
 /// A scene with its rays and its place in the suite, and the exact answers once answer() has found them.
 struct SuiteCase {
-  const Family* family = nullptr;     ///< one of families(), or own_family
-  std::uint64_t number = 0;           ///< its number among the cases of its family, from 0
-  int parameter = 0;                  ///< the parameter of the family, as drawn
-  Case the_case;                      ///< the scene and its rays, which in a suite start on no elements
-  std::vector<Solid> solids{};        ///< with Caps::solid, the elements that discs close
-  std::vector<ExactAnswer> truths{};  ///< the truths of the rays, in their order
-  /// The ends of shadow rays, in their order: each is asked whether anything is hit at t ≤ its end. None where the
-  /// question is the first hit.
-  std::vector<double> ends{};
+  const Family* family = nullptr;               ///< one of families(), or own_family
+  std::uint64_t number = 0;                     ///< its number among the cases of its family, from 0
+  int parameter = 0;                            ///< the parameter of the family, as drawn
+  Case the_case;                                ///< the scene and its rays, which in a suite start on no elements
+  std::vector<Solid> solids{};                  ///< with Caps::solid, the elements that discs close
+  std::vector<ExactAnswer> truths{};            ///< the truths of the rays, in their order
+  QuestionKind question = QuestionKind::first;  ///< the question about each ray
+  /// The ranges of the rays, in their order, where the question has some; a shadow ray's begins at 0.
+  std::vector<AskedRange> ranges{};
 
   std::string name() const;  ///< FAMILY/0000
 };
@@ -65,11 +65,12 @@ extern const Family own_family;
 /// elements that it starts on, as no system is told of them.
 SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays);
 
-/// Answers the rays of the case exactly: each truth is that of truth(), the first hit whatever the question.
+/// Answers the rays of the case exactly. Each truth is that of truth(), the first hit, also of a shadow ray; where the
+/// question is the first hit within a range it is that of SceneTruths::within().
 void answer(SuiteCase& of);
 
-/// Makes shadow rays of the rays of a case, where the options ask for them: their ends lie before, at and behind the
-/// first hits, often by little, and are the same for the same options. Precondition: the case was answered.
+/// Makes the question of the options of a case of first hits, and answers it. The ends of ranges lie before, at and
+/// behind crossings, often by little, and are the same for the same options. Precondition: the case was answered.
 void ask_question(SuiteCase& of, const SuiteOptions& options);
 
 }  // namespace durero::conform

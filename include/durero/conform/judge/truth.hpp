@@ -2,6 +2,7 @@
 /// The truth about a ray is its exact answer, with the other answers that a right program may give where data that are
 /// off by a rounding would change it.
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -28,6 +29,13 @@ enum class Ambiguity {
 };
 /// The word of an ambiguity in files, spelt as its enumerator.
 std::string_view name(Ambiguity ambiguity);
+
+/// The part of a ray that a question is about: begin ≤ t ≤ end, and t > 0. It is empty where begin is larger than end.
+struct AskedRange {
+  double begin = 0;                                      ///< not negative
+  double end = std::numeric_limits<double>::infinity();  ///< not negative
+  bool operator==(const AskedRange&) const = default;
+};
 
 /// The exact answer to a ray, and the answers that are permissible in its place.
 struct ExactAnswer {
@@ -58,6 +66,12 @@ class SceneTruths {
 
   /// truth(). Precondition: the ray is of the scene.
   ExactAnswer of(const scene::Query& ray) const;
+  /// The exact answer within the range: the first of all crossings there, and its permissible variants there. A stretch
+  /// inside a surface that the range cuts begins or ends where the range does. Precondition: that of of().
+  ExactAnswer within(const scene::Query& ray, const AskedRange& range) const;
+  /// The t of all crossings, ascending, each rounded once: those of points, and both ends of stretches. Precondition:
+  /// that of of().
+  std::vector<double> crossings(const scene::Query& ray) const;
 
  private:
   std::unique_ptr<const SceneTree> tree_;
@@ -66,5 +80,8 @@ class SceneTruths {
 /// The truth() of each ray, in order, by as many threads as the calling one may use. Precondition: the rays are of the
 /// scene.
 std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays);
+/// SceneTruths::within() of each ray, likewise. Precondition: there is a range for each ray.
+std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
+                                       std::span<const AskedRange> ranges);
 
 }  // namespace durero::conform

@@ -27,13 +27,14 @@ enum class Verdict {
   wrong_element,  ///< off: of an element that is not first
   far_root,       ///< off: a later crossing of the right element, by more than 0.001 of its size
   misplaced,      ///< off by more than 0.001 of the size
+  out_of_range,   ///< off: a hit outside the range that was asked about
   non_finite,     ///< a hit with a number that is missing, infinite or NaN
   crashed,        ///< the system ended while it was asked
   hung,           ///< no answer in the time that the system had
   skipped         ///< outside the profile, or no answer
 };
 /// The number of verdicts.
-inline constexpr int verdict_count = 12;
+inline constexpr int verdict_count = 13;
 /// The word of a verdict in files and reports, spelt as its enumerator.
 std::string_view name(Verdict verdict);
 /// The meaning of a verdict, in one line.
