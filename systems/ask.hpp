@@ -62,8 +62,8 @@ struct Element {
 
 struct Ray {
   Vec p, v;
-  double end = std::numeric_limits<double>::infinity();  // a shadow ray asks whether anything is hit up to there
-  bool is_shadow = false;
+  double begin = 0, end = std::numeric_limits<double>::infinity();  // what is asked about: begin ≤ t ≤ end
+  bool is_shadow = false;                                           // whether anything is hit there
 };
 
 struct Scene {
@@ -82,16 +82,18 @@ inline double read_number(std::istream& in) {
 inline bool read(Scene& scene) {
   scene = {};
   std::string line, word;
+  bool has_begins = false;
   if (!std::getline(std::cin, line)) return false;
   std::istringstream(line) >> word >> scene.name;
   while (std::getline(std::cin, line)) {
     std::istringstream in(line);
     in >> word;
-    if (word == "rays" || word == "shadows") {
+    if (word == "rays" || word == "shadows" || word == "ranges") {
       std::size_t count;
       in >> count;
       scene.rays.resize(count);
       for (Ray& ray : scene.rays) ray.is_shadow = word == "shadows";
+      has_begins = word == "ranges";
       break;
     }
     Element element{word, "", {}};
@@ -104,7 +106,8 @@ inline bool read(Scene& scene) {
     std::istringstream in(line);
     for (double& x : ray.p) x = read_number(in);
     for (double& x : ray.v) x = read_number(in);
-    if (ray.is_shadow) ray.end = read_number(in);
+    if (has_begins) ray.begin = read_number(in);
+    if (has_begins || ray.is_shadow) ray.end = read_number(in);
   }
   return true;
 }

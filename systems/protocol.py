@@ -127,10 +127,19 @@ def shadow_lines(load_shadows, elements, rays):
         return [refusal(why)] * len(rays)
 
 
-def serve(system, version, load, load_shadows=None):
+def range_lines(load_ranges, elements, rays):
+    try:
+        first = load_ranges(elements)
+        return [shown(first(tuple(n[:3]), tuple(n[3:6]), n[6], n[7])) for n in rays]
+    except Exception as why:
+        return [refusal(why)] * len(rays)
+
+
+def serve(system, version, load, load_shadows=None, load_ranges=None):
     """Answers until the questions end: load(elements) is a function of the rays to their answers, see each().
 
-    Of a system that answers shadow rays, load_shadows(elements)(p, v, end) is whether anything is hit up to the end.
+    Of a system that answers shadow rays, load_shadows(elements)(p, v, end) is whether anything is hit up to the end; of
+    one that answers ranges, load_ranges(elements)(p, v, begin, end) is the first hit between the two ends.
     """
     print("system", system, version, file=answers, flush=True)
     elements = []
@@ -138,9 +147,10 @@ def serve(system, version, load, load_shadows=None):
         word = line.split(None, 1)[0]
         if word == "scene":
             elements = []
-        elif word == "shadows":
+        elif word in ("shadows", "ranges"):
             rays = [[float(number) for number in sys.stdin.readline().split()] for _ in range(int(line.split()[1]))]
-            print(*shadow_lines(load_shadows, elements, rays), sep="\n", file=answers, flush=True)
+            lines, load_them = (shadow_lines, load_shadows) if word == "shadows" else (range_lines, load_ranges)
+            print(*lines(load_them, elements, rays), sep="\n", file=answers, flush=True)
         elif word != "rays":
             elements.append(Element(line))
         else:

@@ -141,6 +141,7 @@ class Asked {
     RTCRay& ray = rayhit.ray;
     ray.org_x = float(asked.p[0]), ray.org_y = float(asked.p[1]), ray.org_z = float(asked.p[2]);
     ray.dir_x = float(asked.v[0]), ray.dir_y = float(asked.v[1]), ray.dir_z = float(asked.v[2]);
+    ray.tnear = float(asked.begin);
     ray.tfar = float(asked.end);
     ray.mask = ~0U;
     if (asked.is_shadow) {

@@ -1,4 +1,4 @@
-"""Asks Embree 4 by rtcIntersect1."""
+"""Asks Embree 4 by rtcIntersect1, and of shadow rays by rtcOccluded1."""
 
 import ctypes
 import math
@@ -39,7 +39,32 @@ def shape(element):
     return geometry(CONE_LINEAR_CURVE, (VERTEX, FLOAT4, ends), (INDEX, UINT, [1]), (FLAGS, UCHAR, [OPEN]))
 
 
-def load(elements):
+class Scene:
+    """A scene, and a ray that is asked again and again."""
+
+    def __init__(self, elements):
+        self.elements, self.scene = elements, scene_of(elements)
+        self.memory = ctypes.create_string_buffer(ctypes.sizeof(RayHit) + 16)
+        self.hit = RayHit.from_address((ctypes.addressof(self.memory) + 15) // 16 * 16)
+
+    def __del__(self):
+        rtc.rtcReleaseScene(self.scene)
+
+    def set(self, p, v, begin, end):
+        hit = self.hit
+        hit.org, hit.dir, hit.tnear, hit.tfar, hit.mask, hit.geomID = p, v, begin, end, NONE, NONE
+        return ctypes.addressof(hit)
+
+    def first(self, p, v, begin=0, end=math.inf):
+        rtc.rtcIntersect1(self.scene, self.set(p, v, begin, end), None)
+        return None if self.hit.geomID == NONE else (self.elements[self.hit.geomID].name, self.hit.tfar)
+
+    def is_hit(self, p, v, end):
+        rtc.rtcOccluded1(self.scene, self.set(p, v, 0, end), None)
+        return self.hit.tfar < 0
+
+
+def scene_of(elements):
     scene = rtc.rtcNewScene(device)
     rtc.rtcSetSceneFlags(scene, ROBUST)
     for element in elements:
@@ -50,22 +75,10 @@ def load(elements):
     error = rtc.rtcGetDeviceError(device)
     if error:
         raise RuntimeError(f"RTCError {error}")
-    memory = ctypes.create_string_buffer(ctypes.sizeof(RayHit) + 16)
-    hit = RayHit.from_address((ctypes.addressof(memory) + 15) // 16 * 16)
-
-    def first(p, v):
-        hit.org, hit.dir, hit.tnear, hit.tfar, hit.mask, hit.geomID = p, v, 0, math.inf, NONE, NONE
-        rtc.rtcIntersect1(scene, ctypes.addressof(hit), None)
-        return None if hit.geomID == NONE else (elements[hit.geomID].name, hit.tfar)
-
-    def ask(rays):
-        claims = protocol.each(first)(rays)
-        rtc.rtcReleaseScene(scene)
-        return claims
-
-    ask.memory = memory
-    return ask
+    return scene
 
 
 version = rtc.rtcGetDeviceProperty(device, VERSION)
-protocol.serve("Embree", f"{version // 10000}.{version // 100 % 100}.{version % 100}", load)
+protocol.serve("Embree", f"{version // 10000}.{version // 100 % 100}.{version % 100}",
+               lambda elements: protocol.each(Scene(elements).first), lambda elements: Scene(elements).is_hit,
+               lambda elements: Scene(elements).first)

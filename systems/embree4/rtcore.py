@@ -23,6 +23,7 @@ for name, result, *arguments in [
     ("SetNewGeometryBuffer", pointer, pointer, number, number, number, ctypes.c_size_t, ctypes.c_size_t),
     ("CommitGeometry", None, pointer), ("ReleaseGeometry", None, pointer), ("CommitScene", None, pointer),
     ("ReleaseScene", None, pointer), ("Intersect1", None, pointer, pointer, pointer),
+    ("Occluded1", None, pointer, pointer, pointer),
 ]:
     function = getattr(rtc, "rtc" + name)
     function.restype, function.argtypes = result, arguments
