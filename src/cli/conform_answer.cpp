@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "answer_besides.hpp"
 #include "commands.hpp"
 #include "conform.hpp"
 #include "description.hpp"
@@ -93,14 +94,17 @@ std::vector<conform::Claim> claims_of(const conform::Question& question, const e
   return claims;
 }
 
-int answer(const std::string& engine_name) {
+int answer(const std::string& engine_name, bool says_more) {
   io::print(fmt::format("system durero {} {}\n", DURERO_VERSION, engine_name));
   conform::QuestionReader questions(*stdin);
   while (const auto question = questions.next()) {
     const auto engine = engine::find(engine_name)->prepare(question->scene);
     std::string answers;
-    for (const conform::Claim& claim : claims_of(*question, *engine))
-      answers += answer_line(claim, question->scene) + "\n";
+    std::vector<conform::Claim> claims = claims_of(*question, *engine);
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+      if (says_more && claims[i].punto) add_besides(claims[i], question->scene, question->rays[i]);
+      answers += answer_line(claims[i], question->scene) + "\n";
+    }
     io::print(answers);
   }
   return 0;
@@ -112,9 +116,11 @@ void add_conform_answer(CLI::App& conform, int& status) {
   auto* command = conform.add_subcommand("answer", "Answer questions on the standard input, as a system does");
   const auto engine = std::make_shared<std::string>(engine::default_engine);
   add_engine(*command, *engine);
+  const auto says_more = std::make_shared<bool>();
+  command->add_flag("--besides", *says_more, "Say the outward normal, the side and u and v of hits besides");
   command->footer(exit_status("the questions are at an end", "the call or a question is bad") +
                   examples({"conform answer --engine exact"}));
-  command->callback([engine, &status] { status = answer(*engine); });
+  command->callback([engine, says_more, &status] { status = answer(*engine, *says_more); });
 }
 
 }  // namespace durero::cli

@@ -2,8 +2,10 @@
 /// What a right tracer meets on a ray: its data, and every crossing of them, by exact arithmetic.
 
 #include <array>
+#include <glm/geometric.hpp>
 #include <map>
 
+#include "durero/number/quotient.hpp"
 #include "right_tracers.hpp"
 
 namespace durero::test {
@@ -185,19 +187,73 @@ class RightTrace {
     double top = 0, base = 0;
     if constexpr (requires { wall.radio; }) base = top = wall.radio;
     if constexpr (requires { wall.proporcion; }) base += wall.proporcion * wall.altura;
-    const auto close = [&](const glm::dvec3& centro, double radio) {
+    const auto close = [&](const glm::dvec3& centro, double radio, double outwards) {
       const scene::Disc disc{centro, radio, wall.vector};
       is_whole_ = is_whole_ && is_shape(disc);
-      if (is_whole_) add(e, disc, of.rayo);
+      if (is_whole_) add(e, disc, of.rayo, outwards);
     };
-    close(wall.centro, base);
-    if (top > 0) close(wall.centro + wall.altura * wall.vector, top);
+    close(wall.centro, base, -1);
+    if (top > 0) close(wall.centro + wall.altura * wall.vector, top, 1);
+  }
+
+  using Wide = glm::vec<3, long double>;
+
+  template <class Shape>
+  static Wide outward_of(const Shape& shape, const Wide& w) {
+    if constexpr (requires { shape.vertices; }) {
+      const Wide a(shape.vertices[0]);
+      return glm::cross(Wide(shape.vertices[1]) - a, Wide(shape.vertices[2]) - a);
+    } else if constexpr (requires { shape.altura; }) {
+      const Wide d(shape.vector), q = w - Wide(shape.centro), across = q - glm::dot(q, d) * d;
+      long double slope = 0;
+      if constexpr (requires { shape.proporcion; }) slope = shape.proporcion;
+      return across / glm::length(across) + slope * d;
+    } else if constexpr (requires { shape.vector; }) {
+      return Wide(shape.vector);
+    } else {
+      return w - Wide(shape.centro);
+    }
+  }
+
+  /// By areas, exact and then rounded once: of a needle other arithmetic leaves no digit.
+  static glm::dvec2 uv_of(const scene::Triangle& triangle, const glm::dvec3& w) {
+    using number::Dyadic;
+    using Row = std::array<Dyadic, 3>;
+    const auto way = [&](const glm::dvec3& to) {
+      const glm::dvec3& a = triangle.vertices[0];
+      return Row{Dyadic(to.x) - Dyadic(a.x), Dyadic(to.y) - Dyadic(a.y), Dyadic(to.z) - Dyadic(a.z)};
+    };
+    const auto area = [](const Row& a, const Row& b) {
+      return Row{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    const auto product = [](const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const Row ab = way(triangle.vertices[1]), ac = way(triangle.vertices[2]), q = way(w), whole = area(ab, ac);
+    return {number::round_quotient(product(area(q, ac), whole), product(whole, whole)),
+            number::round_quotient(product(area(ab, q), whole), product(whole, whole))};
+  }
+
+  /// What may be said of a point of its own data besides; a disc that closes a solid has its own outward side.
+  template <class Shape>
+  Besides besides(const Shape& shape, const model::Rayo& rayo, const Parameter& t, double outwards) const {
+    const Wide w(surface::exact::rounded_hit(rayo, t, {}).punto);
+    const Wide outward = static_cast<long double>(outwards) * outward_of(shape, w);
+    const long double length = glm::length(outward);
+    Besides says;
+    if (!(length > 0) || !std::isfinite(length)) return says;
+    says.outward = rounded(glm::dvec3(outward / length));
+    says.against = static_cast<double>(
+        glm::dot(Wide(rayo.v().xyz()) / static_cast<long double>(longest(rayo.v().xyz())), outward / length));
+    if constexpr (requires { shape.vertices; }) {
+      const glm::dvec2 of = uv_of(shape, surface::exact::rounded_hit(rayo, t, {}).punto);
+      says.uv = glm::dvec2(rounded(of.x), rounded(of.y));
+    }
+    return says;
   }
 
   template <class Shape>
-  void add(scene::ElementRef e, const Shape& shape, const model::Rayo& rayo) {
+  void add(scene::ElementRef e, const Shape& shape, const model::Rayo& rayo, double outwards = 1) {
     const surface::exact::Reach reach = surface::exact::reach(shape, rayo);
-    for (const Parameter& t : reach.points()) all_.push_back({e, rayo, t});
+    for (const Parameter& t : reach.points()) all_.push_back({e, rayo, t, besides(shape, rayo, t, outwards)});
     if (reach.segment) {
       all_.push_back({e, rayo, reach.segment->begin});
       if (reach.segment->end) all_.push_back({e, rayo, reach.segment->end});

@@ -45,7 +45,8 @@ struct RightTracer {
 /// What a tracer claims, clause by clause. A new clause of a profile does not compile here until it is one of these.
 inline std::map<std::string, std::string> clauses(const conform::Profile& profile) {
   const auto& [system, format, tipos, caps, measure, directions, inside, thickness, least_t, greatest_t, least_size,
-               greatest_size, greatest_coordinate, names_elements, watertight, questions, sources] = profile;
+               greatest_size, greatest_coordinate, names_elements, watertight, normal, normal_length, faces, uv,
+               questions, sources] = profile;
   const auto claimed = [](bool is) { return std::string(is ? "claimed" : "none"); };
   return {{"format", std::string(word(format))},
           {"tipos", claimed(tipos.size() < model::tipo_count)},
@@ -61,6 +62,10 @@ inline std::map<std::string, std::string> clauses(const conform::Profile& profil
           {"greatest_coordinate", claimed(std::isfinite(greatest_coordinate))},
           {"names_elements", claimed(names_elements)},
           {"watertight", claimed(watertight)},
+          {"normal", std::string(word(normal))},
+          {"normal_length", std::string(word(normal_length))},
+          {"faces", claimed(faces)},
+          {"uv", claimed(uv)},
           {"questions", claimed(questions.size() > 1)}};
 }
 
@@ -71,11 +76,19 @@ inline bool is_closed(const RightTracer& tracer, const conform::SuiteCase& of, s
                      [&](const conform::Solid& solid) { return solid.wall == element; });
 }
 
+/// What a tracer may say of a point beside its place, in its own format.
+struct Besides {
+  std::optional<glm::dvec3> outward{};  ///< of length 1; nothing where there is none
+  double against = 0;                   ///< less than 0 where the ray comes from the outward side
+  std::optional<glm::dvec2> uv{};
+};
+
 /// Something that a tracer meets.
 struct Met {
   scene::ElementRef element;
   model::Rayo rayo;
   std::optional<Parameter> t;  ///< nothing at the origin
+  Besides besides{};           ///< what it may say besides
 
   double parameter() const { return t ? number::round_to_binary64(*t) : 0; }
 };
@@ -105,6 +118,16 @@ inline bool passes_by(const RightTracer& tracer, const Met& met) {
   return (!tracer.sees_beyond_least && x < least) || (!tracer.sees_beyond_greatest && x > greatest) || is_limit;
 }
 
+/// What the tracer says beside the place, as its profile claims.
+inline void add_besides(const conform::Profile& profile, const Besides& besides, conform::Claim& claim) {
+  if (!besides.outward) return;
+  const double side = profile.normal == conform::NormalSide::facing && besides.against > 0 ? -1 : 1;
+  const double length = profile.normal_length == conform::NormalLength::any ? 8 : 1;
+  if (profile.normal != conform::NormalSide::none) claim.normal = side * length * *besides.outward;
+  if (profile.faces) claim.is_front = besides.against < 0;
+  if (profile.uv) claim.uv = besides.uv;
+}
+
 /// Of what is met, what it says; nothing where a number is none of its format: then the tracer is not right.
 inline std::optional<conform::Claim> claim_of(const RightTracer& tracer, std::vector<Met> all) {
   const auto is_number = [&](const Met& met) { return std::isfinite(distance(tracer, met)); };
@@ -115,6 +138,7 @@ inline std::optional<conform::Claim> claim_of(const RightTracer& tracer, std::ve
   conform::Claim claim{.outcome = conform::Claim::Outcome::hit};
   if (tracer.profile.names_elements) claim.element = first->element;
   if (tracer.answers_element && claim.element) return claim;
+  add_besides(tracer.profile, first->besides, claim);
   const conform::NumberFormat format = tracer.profile.format;
   if (tracer.profile.measure == conform::Measure::point) {
     const glm::dvec3 w =

@@ -71,6 +71,10 @@ Profile drawn_profile(Random& random, const SuiteCase& of) {
   if (random.chance(1, 10)) profile.greatest_coordinate = near(random, random.any_of(lengths));
   profile.names_elements = random.chance(5, 6);
   profile.watertight = random.chance(1, 2);
+  profile.normal = static_cast<NormalSide>(random.below(normal_words.size()));
+  profile.normal_length = static_cast<NormalLength>(random.below(2));
+  profile.faces = random.chance(1, 2);
+  profile.uv = random.chance(1, 2);
   return profile;
 }
 
@@ -112,6 +116,10 @@ std::string shown(const RightTracer& tracer, const Claim& claim) {
   text += claim.outcome == Claim::Outcome::hit ? "hit" : "miss";
   if (claim.element) text += fmt::format(" {}#{}", model::name(claim.element->tipo), claim.element->index);
   if (claim.t) text += fmt::format(" t={:a}", *claim.t);
+  if (claim.normal)
+    text += fmt::format(" normal ({:a}, {:a}, {:a})", claim.normal->x, claim.normal->y, claim.normal->z);
+  if (claim.is_front) text += *claim.is_front ? " front" : " back";
+  if (claim.uv) text += fmt::format(" uv ({:a}, {:a})", claim.uv->x, claim.uv->y);
   if (claim.punto) text += fmt::format(" ({:a}, {:a}, {:a})", claim.punto->x, claim.punto->y, claim.punto->z);
   return text;
 }
@@ -159,6 +167,7 @@ std::optional<Claim> nudged(Random& random, const RightTracer& tracer, const Sui
     for (const scene::ElementRef element : truth.elementos) size = std::min(size, size_of(of, element, way));
     if (!(std::abs(*claim.t / unit - way) < std::ldexp(size, -12))) return std::nullopt;
   }
+  claim.normal.reset(), claim.is_front.reset(), claim.uv.reset();  // they are of the place itself
   *claim.t += random.sign() * std::ldexp(size, -random.integer(12, 44)) * unit;
   const bool is_possible = std::isfinite(size / unit) && *claim.t > 0 && std::isfinite(*claim.t);
   return is_possible ? std::optional(claim) : std::nullopt;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <span>
 
 #include "conform/ask/words.hpp"
@@ -14,15 +15,43 @@ namespace {
 
 constexpr std::string_view form_of_a_hit = "a hit is ELEMENT T or ELEMENT T X Y Z";
 
-/// The point of three words; nothing where one is no number.
-std::optional<glm::dvec3> read_point(std::span<const std::string_view> words) {
-  glm::dvec3 punto;
-  for (int i = 0; i < 3; ++i) {
+/// The vector of the first words; nothing where they are too few, or one is no number.
+template <class Vector>
+std::optional<Vector> read_vector(std::span<const std::string_view> words) {
+  Vector read;
+  if (words.size() < static_cast<std::size_t>(Vector::length())) return std::nullopt;
+  for (int i = 0; i < Vector::length(); ++i) {
     const std::optional<double> number = io::read_number(words[static_cast<std::size_t>(i)]);
     if (!number) return std::nullopt;
-    punto[i] = *number;
+    read[i] = *number;
   }
-  return punto;
+  return read;
+}
+
+/// The fault in what a hit says besides, or an empty text. It is stored in the claim.
+std::string_view read_besides(std::span<const std::string_view> words, Claim& claim) {
+  while (!words.empty()) {
+    const std::string_view what = words.front();
+    words = words.subspan(1);
+    if (what == "front" || what == "back") {
+      claim.is_front = what == "front";
+    } else if (what == "normal") {
+      claim.normal = read_vector<glm::dvec3>(words);
+      if (!claim.normal) return "NX NY NZ are no three numbers";
+      words = words.subspan(3);
+    } else if (what == "uv") {
+      claim.uv = read_vector<glm::dvec2>(words);
+      if (!claim.uv) return "U V are no two numbers";
+      words = words.subspan(2);
+    } else {
+      return "a hit says besides normal NX NY NZ, front or back, and uv U V";
+    }
+  }
+  return "";
+}
+
+bool begins_besides(std::string_view word) {
+  return word == "normal" || word == "front" || word == "back" || word == "uv";
 }
 
 /// The fault in the numbers of a hit, T and then X Y Z, or an empty text. The numbers are stored in the claim.
@@ -33,7 +62,7 @@ std::string_view read_hit_numbers(std::span<const std::string_view> words, Claim
     if (!claim.t) return "T is no number";
   }
   if (words.size() == 1) return "";
-  claim.punto = read_point(words.subspan(1));
+  claim.punto = read_vector<glm::dvec3>(words.subspan(1));
   return claim.punto ? "" : "X Y Z are no three numbers";
 }
 
@@ -45,7 +74,9 @@ Claim read_hit(std::string_view line, const scene::Scene& scene) {
     claim.element = scene.find(words[1]);
     if (!claim.element) return malformed(line, "the question has no such element");
   }
-  const std::string_view wrong = read_hit_numbers(std::span(words).subspan(2), claim);
+  const auto besides = std::ranges::find_if(words.begin() + 2, words.end(), begins_besides);
+  std::string_view wrong = read_hit_numbers({words.begin() + 2, besides}, claim);
+  if (wrong.empty()) wrong = read_besides({besides, words.end()}, claim);
   return wrong.empty() ? claim : malformed(line, wrong);
 }
 

@@ -19,6 +19,9 @@ std::string hit_text(const Claim& claim, const scene::Scene& scene) {
   const std::string element = claim.element ? scene.name(*claim.element).name() : "-";
   std::string line = fmt::format("hit {} {}", element, claim.t ? io::number_text(*claim.t) : "-");
   if (claim.punto) line += fmt::format(" {} {} {}", claim.punto->x, claim.punto->y, claim.punto->z);
+  if (claim.normal) line += fmt::format(" normal {} {} {}", claim.normal->x, claim.normal->y, claim.normal->z);
+  if (claim.is_front) line += *claim.is_front ? " front" : " back";
+  if (claim.uv) line += fmt::format(" uv {} {}", claim.uv->x, claim.uv->y);
   return line;
 }
 

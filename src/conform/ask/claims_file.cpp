@@ -67,6 +67,8 @@ Outcome read_outcome(const io::Source& source, std::size_t offset, std::string_v
 }
 
 void check_claim(const io::Source& source, std::size_t offset, const Claim& claim) {
+  if (claim.outcome != Outcome::hit && has_besides(claim))
+    source.fail(offset, fmt::format("{} with normal, face or uv", name(claim.outcome)), "expected them of a hit alone");
   if (claim.outcome == Outcome::hit || (!claim.t && !claim.punto)) return;
   source.fail(offset, fmt::format("{} with t or point", name(claim.outcome)), "expected them of a hit alone");
 }
@@ -89,6 +91,11 @@ std::string claim_json(const SuiteCase& of, std::size_t ray, const Claim& claim)
   if (claim.element) out.member("element", of.the_case.scene.name(*claim.element).name());
   if (claim.t) out.member("t", *claim.t);
   if (claim.punto) out.member("point", *claim.punto);
+  if (claim.normal) out.member("normal", *claim.normal);
+  if (claim.is_front) out.member("face", *claim.is_front ? "front" : "back");
+  if (claim.uv) {
+    out.key("uv").begin_array().value(claim.uv->x).value(claim.uv->y).end_array();
+  }
   if (!claim.why.empty()) out.member("why", claim.why);
   out.end_object();
   return text;

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "conform/ask/claim_rows.hpp"
+#include "conform/ask/profile_reader.hpp"
 #include "durero/io/json/json.hpp"
 #include "durero/io/lines.hpp"
 
@@ -7,8 +10,8 @@ namespace {
 
 using io::json::Reader;
 
-enum ClaimKey : std::size_t { ray, outcome, in_case, element, t, point, why };
-constexpr std::string_view keys[] = {"ray", "outcome", "case", "element", "t", "point", "why"};
+enum ClaimKey : std::size_t { ray, outcome, in_case, element, t, point, normal_there, face, uv_there, why };
+constexpr std::string_view keys[] = {"ray", "outcome", "case", "element", "t", "point", "normal", "face", "uv", "why"};
 constexpr std::size_t required = 2;
 
 /// The contents of a line: its claim, and the texts whose meaning depends on the case.
@@ -18,6 +21,16 @@ struct ClaimLine {
   double ray = 0;
   Claim claim;
 };
+
+constexpr std::array<std::string_view, 2> face_words = {"back", "front"};
+
+glm::dvec2 read_uv(Reader& in) {
+  const std::size_t at = in.offset();
+  std::vector<double> read;
+  in.array("uv", [&] { read.push_back(in.extended_number("uv")); });
+  if (read.size() != 2) in.fail(at, fmt::format("uv has {} numbers", read.size()), "expected two");
+  return {read[0], read[1]};
+}
 
 void read_part(Reader& in, ClaimKey key, const io::Source& source, ClaimLine& row) {
   const std::size_t at = in.offset();
@@ -42,6 +55,15 @@ void read_part(Reader& in, ClaimKey key, const io::Source& source, ClaimLine& ro
       return;
     case point:
       row.claim.punto = in.triple("point", [&] { return in.extended_number("point"); });
+      return;
+    case normal_there:
+      row.claim.normal = in.triple("normal", [&] { return in.extended_number("normal"); });
+      return;
+    case face:
+      row.claim.is_front = read_word<bool>(in, "face", face_words);
+      return;
+    case uv_there:
+      row.claim.uv = read_uv(in);
       return;
     case why:
       row.claim.why = in.string("why");

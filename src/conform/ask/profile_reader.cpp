@@ -23,6 +23,10 @@ enum ProfileKey : std::size_t {
   greatest_size,
   greatest_coordinate,
   watertight,
+  normal,
+  normal_length,
+  faces,
+  uv,
   questions
 };
 constexpr std::string_view profile_keys[] = {"format",
@@ -39,6 +43,10 @@ constexpr std::string_view profile_keys[] = {"format",
                                              "greatest_size",
                                              "greatest_coordinate",
                                              "watertight",
+                                             "normal",
+                                             "normal_length",
+                                             "faces",
+                                             "uv",
                                              "questions"};
 constexpr std::size_t required_keys = 7;
 
@@ -99,6 +107,18 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
       return read_bound(in, what, profile.greatest_coordinate);
     case watertight:
       profile.watertight = in.boolean(what);
+      return;
+    case normal:
+      profile.normal = read_word<NormalSide>(in, what, normal_words);
+      return;
+    case normal_length:
+      profile.normal_length = read_word<NormalLength>(in, what, normal_length_words);
+      return;
+    case faces:
+      profile.faces = in.boolean(what);
+      return;
+    case uv:
+      profile.uv = in.boolean(what);
       return;
     case questions:
       return read_questions(in, what, profile.questions);

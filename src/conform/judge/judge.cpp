@@ -7,6 +7,7 @@
 #include "conform/judge/allowance.hpp"
 #include "conform/judge/error_of.hpp"
 #include "conform/judge/limits.hpp"
+#include "conform/judge/normals.hpp"
 #include "conform/judge/outside.hpp"
 #include "conform/judge/robust.hpp"
 #include "conform/judge/trial.hpp"
@@ -177,15 +178,26 @@ Verdict of_element(const ClaimContext& trial, const Claim& claim) {
   return trial.truth.hit.elementos.empty() ? Verdict::phantom : Verdict::wrong_element;
 }
 
-ClaimJudgement of_hit(const ClaimContext& trial, const Claim& claim) {
-  if (!claim.t && !claim.punto) return {.verdict = of_element(trial, claim)};
+/// The judgement on a hit by its place alone, where it has one.
+ClaimJudgement judgement_of_place(const ClaimContext& trial, const Claim& claim,
+                                  const std::optional<ClaimedPoint>& where) {
   if (is_the_truth(trial, claim)) return {.verdict = Verdict::exact};
-  const std::optional<ClaimedPoint> where = place(trial, claim);
   if (!where) return {.verdict = Verdict::non_finite};
   const bool is_near = is_near_truth(trial, claim, *where);
   return {.verdict = is_near ? Verdict::right : of_place(trial, claim, *where),
           .ulps = ulps(trial, claim, *where),
           .backward = is_near ? backward_error_near_truth(trial, claim, *where) : backward_error(trial, claim, *where)};
+}
+
+ClaimJudgement of_hit(const ClaimContext& trial, const Claim& claim) {
+  if (!claim.t && !claim.punto) return {.verdict = of_element(trial, claim)};
+  const std::optional<ClaimedPoint> where = place(trial, claim);
+  ClaimJudgement is = judgement_of_place(trial, claim, where);
+  const bool is_right = is.verdict == Verdict::exact || is.verdict == Verdict::right;
+  if (!is_right || !where || !has_besides(claim)) return is;
+  const Verdict besides = verdict_besides(trial, claim, *where, elements_at(trial, claim, *where));
+  if (besides != Verdict::right) is.verdict = besides;
+  return is;
 }
 
 /// Whether the exact first hit of a shadow ray, rounded, is not behind its end.

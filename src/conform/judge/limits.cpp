@@ -54,7 +54,7 @@ int compared(const ClaimContext& trial, const Parameter& t, double limit, const 
 bool is_within_range(const ClaimContext& trial, const Zone& zone) {
   if (!trial.range) return true;
   const auto& [begin, end] = *trial.range;
-  const Dyadic apart = number::shifted(zone.delta, 1);
+  const Dyadic apart(number::shifted(zone.delta, 1));
   return (begin == 0 || compared(trial, Measure::parameter, zone.begin, begin, apart) >= 0) &&
          (std::isinf(end) || compared(trial, Measure::parameter, zone.end, end, -apart) <= 0);
 }

@@ -24,6 +24,12 @@ std::string_view name(Verdict verdict) {
       return "misplaced";
     case Verdict::out_of_range:
       return "out_of_range";
+    case Verdict::wrong_normal:
+      return "wrong_normal";
+    case Verdict::wrong_face:
+      return "wrong_face";
+    case Verdict::wrong_uv:
+      return "wrong_uv";
     case Verdict::non_finite:
       return "non_finite";
     case Verdict::crashed:
@@ -56,6 +62,12 @@ std::string_view meaning(Verdict verdict) {
       return "off by more than 0.001 of the element's size";
     case Verdict::out_of_range:
       return "a hit outside the range that was asked about";
+    case Verdict::wrong_normal:
+      return "a right hit with a wrong normal";
+    case Verdict::wrong_face:
+      return "a right hit of the other side";
+    case Verdict::wrong_uv:
+      return "a right hit with wrong u and v";
     case Verdict::non_finite:
       return "a hit at what is no number";
     case Verdict::crashed:
@@ -76,6 +88,9 @@ bool is_gross(Verdict verdict) {
     case Verdict::far_root:
     case Verdict::misplaced:
     case Verdict::out_of_range:
+    case Verdict::wrong_normal:
+    case Verdict::wrong_face:
+    case Verdict::wrong_uv:
     case Verdict::non_finite:
     case Verdict::crashed:
     case Verdict::hung:

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <tuple>
 
 #include "conform/report/report_parts.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
+#include "durero/surface/normal.hpp"
 
 namespace durero::conform {
 namespace {
@@ -68,15 +70,34 @@ std::string claim_words(const Claim& claim, const scene::Scene& scene) {
   std::string words = claim.element ? scene.name(*claim.element).name() : "a hit";
   if (claim.t) words += " at t = " + io::number_text(*claim.t);
   if (claim.punto) words += (claim.t ? ", point " : " at ") + point_text(*claim.punto);
+  if (claim.normal) words += ", normal " + point_text(*claim.normal);
+  if (claim.is_front) words += *claim.is_front ? ", front" : ", back";
+  if (claim.uv) words += fmt::format(", uv ({}, {})", io::number_text(claim.uv->x), io::number_text(claim.uv->y));
   return words;
 }
+
+namespace {
+
+/// The outward normal of the exact hit and the side that the ray comes from, by binary64, where the claim says such.
+std::string besides_words(const Finding& finding) {
+  const scene::Hit& hit = finding.of.truths[0].hit;
+  const Claim& claim = finding.claim;
+  if (hit.resultado != model::Resultado::hit || !has_besides(claim)) return "";
+  const bool is_claimed = claim.element && std::ranges::find(hit.elementos, *claim.element) != hit.elementos.end();
+  const scene::ElementRef element = is_claimed ? *claim.element : hit.elementos.front();
+  const glm::dvec3 normal = surface::normal(finding.of.the_case.scene, element, hit.punto);
+  const bool is_front = glm::dot(finding.of.the_case.rays[0].rayo.v().xyz(), normal) < 0;
+  return fmt::format(", outward normal {}, {}", point_text(normal), is_front ? "front" : "back");
+}
+
+}  // namespace
 
 std::string claim_words(const Finding& finding) { return claim_words(finding.claim, finding.of.the_case.scene); }
 
 std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene) { return hit_words(truth.hit, scene); }
 
 std::string truth_words(const Finding& finding) {
-  const std::string first = truth_words(finding.of.truths[0], finding.of.the_case.scene);
+  const std::string first = truth_words(finding.of.truths[0], finding.of.the_case.scene) + besides_words(finding);
   if (!has_range(finding.of.question)) return first;
   const scene::Hit& hit = finding.of.truths[0].hit;
   const auto& [begin, end] = finding.of.ranges[0];

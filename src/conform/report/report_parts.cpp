@@ -95,6 +95,12 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
     for (const QuestionKind question : profile.questions) words.append(words.empty() ? "" : ",").append(word(question));
     lines.push_back({"questions", words});
   }
+  if (profile.normal != NormalSide::none) {
+    lines.push_back({"normal", std::string(word(profile.normal))});
+    lines.push_back({"normal_length", std::string(word(profile.normal_length))});
+  }
+  if (profile.faces) lines.push_back({"faces", "true"});
+  if (profile.uv) lines.push_back({"uv", "true"});
   if (profile.watertight) lines.push_back({"watertight", "true"});
   add_limit(lines, "thickness", profile.thickness, 0);
   add_limit(lines, "least_t", profile.least_t, 0);

@@ -64,8 +64,12 @@ TEST_CASE("claims are read from JSON lines in any order, and what has no line is
 
 TEST_CASE("a claim reads back from its line") {
   const Claim whole{Outcome::hit, e0(1), 0.1, glm::dvec3(-0.0, 1e300, infinity)};
-  for (const Claim& claim :
-       {whole, Claim{Outcome::hit, {}, 3.0, {}}, Claim{Outcome::miss}, Claim{Outcome::hung, {}, {}, {}, "10 s"}}) {
+  Claim full = whole;
+  full.normal = glm::dvec3(0, 0.1, -infinity);
+  full.is_front = false;
+  full.uv = glm::dvec2(0.1, -3);
+  for (const Claim& claim : {whole, full, Claim{Outcome::hit, {}, 3.0, {}}, Claim{Outcome::miss},
+                             Claim{.outcome = Outcome::hung, .why = "10 s"}}) {
     CHECK(read("f", claim_json(suite()[1], 1, claim))[1][1] == claim);
   }
   CHECK(claim_json(suite()[1], 1, whole) ==

@@ -204,6 +204,24 @@ TEST_CASE("a claim reads back from its text") {
   CHECK_THROWS_AS(read_claim("hit e99 1", scene), std::invalid_argument);
 }
 
+TEST_CASE("a hit may say its normal, the side of the ray, and u and v, in the order of the protocol or another") {
+  const SuiteCase of = sample();
+  const auto read = [&](const char* line) { return read_answer(line, of, Caps::open); };
+  const Claim full = read("hit e0 4 0 0 4 normal 0 0 -1 front uv 0.25 0.5");
+  CHECK(full.outcome == Outcome::hit);
+  CHECK(full.t == 4.0);
+  CHECK(full.punto == glm::dvec3(0, 0, 4));
+  CHECK(full.normal == glm::dvec3(0, 0, -1));
+  CHECK(full.is_front == true);
+  CHECK(full.uv == glm::dvec2(0.25, 0.5));
+  CHECK(read("hit e0 4 0 0 4 uv 0.25 0.5 normal 0 0 -1 front") == full);
+  CHECK(read("hit - - back").is_front == false);
+  CHECK(read_claim(claim_text(full, of.the_case.scene), of.the_case.scene) == full);
+  for (const char* bad : {"hit e0 4 normal 0 0", "hit e0 4 normal 0 0 -1 1", "hit e0 4 uv 1", "hit e0 4 uv 1 x",
+                          "hit e0 4 front 1", "hit e0 front", "hit e0 4 5 front"})
+    CHECK(read(bad).outcome == Outcome::unanswered);
+}
+
 TEST_CASE("a question about shadow rays has the end of each, and a hit alone is an answer to it") {
   SuiteCase of = sample();
   CHECK(read_answer("hit", of, Caps::open).outcome == Outcome::unanswered);

@@ -7,8 +7,9 @@
 ///   {"case":"generic/0000","ray":0,"outcome":"hit","element":"e0","t":4,"point":[0,0,4]}
 ///   {"case":"generic/0000","ray":1,"outcome":"miss"}
 ///
-/// A hit has t or point or both; `element` stands where the program knows it. A number that is not finite is the string
-/// "nan", "inf" or "-inf". `outcome` may also be `crashed` or `hung`, and `why` may give the reason.
+/// A hit has t or point or both; `element` stands where the program knows it, and so do `normal`, `face` (front or
+/// back) and `uv`, two numbers. A number that is not finite is the string "nan", "inf" or "-inf". `outcome` may also be
+/// `crashed` or `hung`, and `why` may give the reason.
 ///
 /// CSV: a head names the columns, `case` and `ray`, then any of `outcome`, `element`, `t`, `x`, `y`, `z`; an empty
 /// field is absent. Without an outcome a line with a t or a point is a hit, and any other line a miss.

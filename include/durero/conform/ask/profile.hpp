@@ -44,12 +44,27 @@ enum class QuestionKind {
   range    ///< the first hit within the ray's range
 };
 
+/// The side to which the normals of a system point. The outward side of a sphere, and of an element with an axis, is
+/// away from the centre or the axis; of a disc that closes a solid, away from the solid; of a plane or another disc,
+/// that of its vector; of a triangle a, b, c, that of (b − a) × (c − a).
+enum class NormalSide {
+  none,     ///< it gives no normals
+  outward,  ///< to the outward side
+  facing,   ///< against the ray
+  either    ///< to one side or the other
+};
+
+/// The length of a system's normals.
+enum class NormalLength { unit, any };
+
 /// @{ The words of the enumerators above in files, in their order.
 inline constexpr std::array<std::string_view, 2> format_words = {"binary32", "binary64"};
 inline constexpr std::array<std::string_view, 2> caps_words = {"open", "solid"};
 inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "length", "point"};
 inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
 inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
+inline constexpr std::array<std::string_view, 4> normal_words = {"none", "outward", "facing", "either"};
+inline constexpr std::array<std::string_view, 2> normal_length_words = {"unit", "any"};
 inline constexpr std::array<std::string_view, 3> question_words = {"first", "shadow", "range"};
 /// @}
 
@@ -60,6 +75,8 @@ constexpr std::string_view word(Measure measure) { return measure_words[static_c
 constexpr std::string_view word(Directions directions) {
   return directions_words[static_cast<std::size_t>(directions)];
 }
+constexpr std::string_view word(NormalSide side) { return normal_words[static_cast<std::size_t>(side)]; }
+constexpr std::string_view word(NormalLength length) { return normal_length_words[static_cast<std::size_t>(length)]; }
 constexpr std::string_view word(QuestionKind question) { return question_words[static_cast<std::size_t>(question)]; }
 constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
 /// @}
@@ -91,6 +108,11 @@ struct Profile {
   double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude of a coordinate
   bool names_elements = true;                                            ///< whether its hits name their element
   bool watertight = false;  ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
+  NormalSide normal = NormalSide::none;             ///< the side to which the normals of its hits point
+  NormalLength normal_length = NormalLength::unit;  ///< the length of these normals
+  bool faces =
+      false;        ///< whether its hits say from which side the ray comes: from the front, where normals point outward
+  bool uv = false;  ///< whether its hits on triangles give u and v of (1 − u − v)·a + u·b + v·c
   std::vector<QuestionKind> questions{QuestionKind::first};  ///< the questions that it answers
   std::vector<Citation> sources{};  ///< the sources of its claims: they are shown, and decide nothing
 };

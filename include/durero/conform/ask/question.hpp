@@ -23,8 +23,12 @@
 ///   miss
 ///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
 ///   hit ELEMENT T X Y Z
+///   hit … normal NX NY NZ front uv U V
+///                               what the system says of the hit besides, each part where it can; back for front
 ///   hit                         to a shadow ray alone
 ///   refused WHY
+///
+/// What a system says besides is judged where its profile claims it.
 ///
 /// The system flushes its lines at least after each scene. A question to a system of solids leaves out the discs that
 /// close an element: the element is understood as a solid.

@@ -21,20 +21,24 @@ namespace durero::conform {
 enum class Verdict {
   exact,          ///< right to the bit, in the system's format
   right,          ///< the answer of some data within the declared backward error
-  off,            ///< no such answer, yet of the right element and within 0.001 of its size of the right point
+  off,            ///< no such answer, yet of the right element and within 0.001 of its size of the right point; also a
+                  ///< right hit with a normal, or u and v, that are off by as little
   phantom,        ///< off: a hit where there is none
   missed,         ///< off: no hit where there is one
   wrong_element,  ///< off: of an element that is not first
   far_root,       ///< off: a later crossing of the right element, by more than 0.001 of its size
   misplaced,      ///< off by more than 0.001 of the size
   out_of_range,   ///< off: a hit outside the range that was asked about
+  wrong_normal,   ///< a right hit with the normal of no such data, off by more than 0.001 of its length
+  wrong_face,     ///< a right hit of the other side of the element
+  wrong_uv,       ///< a right hit with u and v of a point that is off by more than 0.001 of the triangle's size
   non_finite,     ///< a hit with a number that is missing, infinite or NaN
   crashed,        ///< the system ended while it was asked
   hung,           ///< no answer in the time that the system had
   skipped         ///< outside the profile, or no answer
 };
 /// The number of verdicts.
-inline constexpr int verdict_count = 13;
+inline constexpr int verdict_count = 16;
 /// The word of a verdict in files and reports, spelt as its enumerator.
 std::string_view name(Verdict verdict);
 /// The meaning of a verdict, in one line.
