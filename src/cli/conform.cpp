@@ -23,6 +23,7 @@ void add_conform(CLI::App& app, int& status) {
   add_conform_bug(*conform, status);
   add_conform_fuzz(*conform, status);
   add_conform_compare(*conform, status);
+  add_conform_history(*conform, status);
 }
 
 }  // namespace durero::cli

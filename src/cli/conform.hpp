@@ -19,6 +19,7 @@ void add_conform_minimise(CLI::App& conform, int& status);
 void add_conform_bug(CLI::App& conform, int& status);
 void add_conform_fuzz(CLI::App& conform, int& status);
 void add_conform_compare(CLI::App& conform, int& status);
+void add_conform_history(CLI::App& conform, int& status);
 
 /// The option --systems of a command.
 void add_systems(CLI::App& command, std::string& systems);

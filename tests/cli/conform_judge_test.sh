@@ -73,6 +73,8 @@ has out 'durero: gross in generic '
 has out 'durero: gross in none'
 run 0 conform compare --markdown right/report.json
 has out '| durero |'
+run 0 conform history found/report.json right/report.json
+has out '  fewer gross in generic '
 run 0 conform make other --family rim --rays 64
 : >none.jsonl
 run 1 conform judge other none.jsonl --profile durero --report other-found  # what was not judged is no pass

@@ -76,7 +76,7 @@ std::uint64_t judged(const VerdictCounts& counts) {
   return sum_where(counts, [](Verdict verdict) { return verdict != Verdict::skipped; });
 }
 
-void sort_and_check(std::vector<Summary>& systems) {
+void check_one_suite(const std::vector<Summary>& systems) {
   for (const Summary& system : systems) {
     const Summary& first = systems.front();
     if (std::tie(system.suite_version, system.seed, system.rays, system.numbers, system.faces, system.question) !=
@@ -84,9 +84,27 @@ void sort_and_check(std::vector<Summary>& systems) {
       throw std::invalid_argument(fmt::format("{} and {} were asked other rays; expected reports of one suite",
                                               text::shown(first.system), text::shown(system.system)));
   }
+}
+
+void sort_and_check(std::vector<Summary>& systems) {
+  check_one_suite(systems);
   std::ranges::stable_sort(systems, std::greater<>(), [](const Summary& system) {
     return std::pair{gross(system.counts), of(system.counts, Verdict::off)};
   });
+}
+
+/// A share as a reader sees it, such as `34 %`.
+std::string share_text(double share) {
+  const double percent = 100 * share;
+  const int digits = percent < 99 ? 2 : 3;  // of two, 99.6 would be 1e+02
+  return fmt::format("{:.{}g} %", percent, digits);
+}
+
+/// The share of gross failures among the judged rays of a family; nothing where none was judged.
+std::optional<double> gross_share(const Summary& system, std::string_view family) {
+  const auto found = std::ranges::find(system.families, family, &Summary::OfFamily::family);
+  if (found == system.families.end() || judged(found->counts) == 0) return std::nullopt;
+  return double(gross(found->counts)) / double(judged(found->counts));
 }
 
 /// `tiny 34 %, inside 2 %`: of the judged rays, the most first.
@@ -99,9 +117,7 @@ std::string failing_families(const Summary& system) {
   std::ranges::stable_sort(shares, std::greater<>(), [](const auto& share) { return share.first; });
   std::string text;
   for (const auto& [share, family] : shares) {
-    const double percent = 100 * share;
-    const int digits = percent < 99 ? 2 : 3;  // of two, 99.6 would be 1e+02
-    text += fmt::format("{}{} {:.{}g} %", text.empty() ? "" : ", ", family, percent, digits);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", family, share_text(share));
   }
   return text.empty() ? "none" : text;
 }
@@ -131,8 +147,10 @@ Summary read_summary(const io::Source& source) {
   return read;
 }
 
-std::string comparison_text(std::vector<Summary> systems) {
-  sort_and_check(systems);
+namespace {
+
+/// A row for each system, in their order.
+std::string table_text(const std::vector<Summary>& systems) {
   std::size_t width = 6;
   for (const Summary& system : systems) width = std::max(width, title_of(system).size());
   std::string text = fmt::format("{:<{}} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "system", width, "judged", "skipped",
@@ -143,6 +161,39 @@ std::string comparison_text(std::vector<Summary> systems) {
                         of(counts, Verdict::skipped), of(counts, Verdict::exact), of(counts, Verdict::right),
                         of(counts, Verdict::off), gross(counts));
   }
+  return text;
+}
+
+/// `tiny 34 % to 2 %, inside 0 % to 1 %`: the families that fail less, or more, in the later report.
+std::string changed_families(const Summary& before, const Summary& after, bool less) {
+  std::string text;
+  for (const Family& family : families()) {
+    const std::optional<double> was = gross_share(before, family.name), is = gross_share(after, family.name);
+    if (!was || !is || (less ? *is >= *was : *is <= *was)) continue;
+    text += fmt::format("{}{} {} to {}", text.empty() ? "" : ", ", family.name, share_text(*was), share_text(*is));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string history_text(const std::vector<Summary>& versions) {
+  check_one_suite(versions);
+  std::string text = table_text(versions);
+  for (std::size_t i = 1; i < versions.size(); ++i) {
+    const std::string less = changed_families(versions[i - 1], versions[i], true),
+                      more = changed_families(versions[i - 1], versions[i], false);
+    text += fmt::format("{}, after {}:\n", title_of(versions[i]), title_of(versions[i - 1]));
+    if (!less.empty()) text += fmt::format("  fewer gross in {}\n", less);
+    if (!more.empty()) text += fmt::format("  more gross in {}\n", more);
+    if (less.empty() && more.empty()) text += "  the same share of gross failures in each family\n";
+  }
+  return text;
+}
+
+std::string comparison_text(std::vector<Summary> systems) {
+  sort_and_check(systems);
+  std::string text = table_text(systems);
   for (const Summary& system : systems)
     text += fmt::format("{}: gross in {}\n", system.system, failing_families(system));
   return text;

@@ -48,6 +48,27 @@ TEST_CASE("systems stand side by side, the worst first") {
   CHECK(markdown.find("| blind (1) |") < markdown.find("| right (1) |"));
 }
 
+TEST_CASE("the versions of a system stand in their order, with the families that fail less or more") {
+  Summary old = summary(report_of("mine", true)), fresh = summary(report_of("mine", false));
+  old.version = "1.0";
+  fresh.version = "1.1";
+  const std::string text = history_text({old, fresh});
+  CHECK(text.find("mine (1.0) ") < text.find("mine (1.1) "));
+  CHECK_THAT(text,
+             Catch::Contains("mine (1.1), after mine (1.0):\n  fewer gross in tiny ") && Catch::Contains(" to 0 %\n"));
+  CHECK(text.find("more gross") == text.npos);
+  CHECK_THAT(history_text({fresh, old}),
+             Catch::Contains("mine (1.0), after mine (1.1):\n  more gross in tiny 0 % to "));
+  CHECK_THAT(history_text({old, old}), Catch::Contains("  the same share of gross failures in each family\n"));
+  CHECK_THROWS_AS(history_text({old, summary(report_of("mine", false, 2))}), std::invalid_argument);
+}
+
+TEST_CASE("a report of a program that did not know a verdict has none of it") {
+  std::string text = report_json(report_of("blind", true));
+  for (std::size_t at = 0; (at = text.find("\"out_of_range\":0,", at)) != text.npos;) text.erase(at, 17);
+  CHECK(read_summary(io::Source("report.json", text)).counts == summary(report_of("blind", true)).counts);
+}
+
 TEST_CASE("a share of all rays is written in full") {
   Summary system = summary(report_of("blind", true));
   auto& counts = system.families.front().counts;

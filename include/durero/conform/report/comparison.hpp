@@ -44,4 +44,9 @@ std::string comparison_text(std::vector<Summary> systems);
 /// The comparison as a table of Markdown. Throws what comparison_text() throws.
 std::string comparison_markdown(std::vector<Summary> systems);
 
+/// The history of a system as a table with a row for each report, in their order, such as that of its versions; then,
+/// of each report and the one before, the families in which the share of gross failures among the judged rays became
+/// less or more. Throws what comparison_text() throws.
+std::string history_text(const std::vector<Summary>& versions);
+
 }  // namespace durero::conform
