@@ -114,6 +114,12 @@ inline bool read(Scene& scene) {
 
 inline void miss() { std::puts("miss"); }
 inline void hit(const std::string& element, double t) { std::printf("hit %s %.17g\n", element.c_str(), t); }
+// A hit with its normal, and perhaps u and v of a triangle.
+inline void hit(const std::string& element, double t, Vec normal, const double* uv = nullptr) {
+  std::printf("hit %s %.17g normal %.17g %.17g %.17g", element.c_str(), t, normal[0], normal[1], normal[2]);
+  if (uv) std::printf(" uv %.17g %.17g", uv[0], uv[1]);
+  std::puts("");
+}
 // The answer to a shadow ray.
 inline void shadow(bool is_hit) { std::puts(is_hit ? "hit" : "miss"); }
 inline void refused(const char* why) { std::printf("refused %s\n", why); }

@@ -90,7 +90,10 @@ def refusal(why):
 
 
 def each(first):
-    """Asks ray by ray: first(p, v) is None for a miss, (name, t) or (name, t, point)."""
+    """Asks ray by ray: first(p, v) is None for a miss, (name, t) or (name, t, point).
+
+    What it says besides may stand last, as {"normal": (x, y, z), "front": True, "uv": (u, v)} or some of it.
+    """
 
     def ask(rays):
         claims = []
@@ -114,9 +117,17 @@ def shown(claim):
         return "miss"
     if isinstance(claim, str):
         return claim
-    name, t, *punto = claim
-    numbers = [t, *(punto[0] if punto else ())]
-    return " ".join(["hit", name or "-", *("-" if x is None else repr(float(x)) for x in numbers)])
+    name, t, *rest = claim
+    besides = rest.pop() if rest and isinstance(rest[-1], dict) else {}
+    numbers = [t, *(rest[0] if rest else ())]
+    words = ["hit", name or "-", *("-" if x is None else repr(float(x)) for x in numbers)]
+    if "normal" in besides:
+        words += ["normal", *(repr(float(x)) for x in besides["normal"])]
+    if "front" in besides:
+        words += ["front" if besides["front"] else "back"]
+    if "uv" in besides:
+        words += ["uv", *(repr(float(x)) for x in besides["uv"])]
+    return " ".join(words)
 
 
 def shadow_lines(load_shadows, elements, rays):

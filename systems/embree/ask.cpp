@@ -122,7 +122,7 @@ static RTCGeometry geometry_of(RTCDevice device, const Element& e, Kind kind) {
 
 class Asked {
  public:
-  Asked(RTCDevice device, const Scene& of, Kind kind) : of_(&of), scene_(rtcNewScene(device)) {
+  Asked(RTCDevice device, const Scene& of, Kind kind) : kind_(kind), of_(&of), scene_(rtcNewScene(device)) {
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     for (unsigned i = 0; i < of.elements.size(); ++i) {
       RTCGeometry geometry = geometry_of(device, of.elements[i], kind);
@@ -151,10 +151,14 @@ class Asked {
     rayhit.hit.geomID = rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(scene_, &context, &rayhit);
     if (rayhit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return miss();
-    hit(of_->elements[rayhit.hit.geomID].name, ray.tfar);
+    const Element& met = of_->elements[rayhit.hit.geomID];
+    if (kind_ == Kind::user) return hit(met.name, ray.tfar);
+    const double uv[] = {rayhit.hit.u, rayhit.hit.v};
+    hit(met.name, ray.tfar, {rayhit.hit.Ng_x, rayhit.hit.Ng_y, rayhit.hit.Ng_z}, met.is("triangulo") ? uv : nullptr);
   }
 
  private:
+  Kind kind_;
   const Scene* of_;
   RTCScene scene_;
 };

@@ -57,7 +57,12 @@ class Scene:
 
     def first(self, p, v, begin=0, end=math.inf):
         rtc.rtcIntersect1(self.scene, self.set(p, v, begin, end), None)
-        return None if self.hit.geomID == NONE else (self.elements[self.hit.geomID].name, self.hit.tfar)
+        if self.hit.geomID == NONE:
+            return None
+        met = self.elements[self.hit.geomID]
+        *normal, u, v = self.hit.normal_u_v
+        besides = {"normal": normal, "uv": (u, v)} if met.tipo == "triangulo" else {"normal": normal}
+        return met.name, self.hit.tfar, besides
 
     def is_hit(self, p, v, end):
         rtc.rtcOccluded1(self.scene, self.set(p, v, 0, end), None)

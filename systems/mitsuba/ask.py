@@ -58,9 +58,14 @@ def load(elements):
     if not variant.startswith("scalar"):
         return lambda rays: claims_of_packet(scene, rays)
 
+    triangles = {element.name for element in elements if element.tipo == "triangulo"}
+
     def first(p, v):
         hit = scene.ray_intersect(mitsuba.Ray3f(p, v))
-        return (hit.shape.id(), hit.t) if hit.is_valid() else None
+        if not hit.is_valid():
+            return None
+        name = hit.shape.id()
+        return name, hit.t, {"normal": hit.n, "uv": hit.uv} if name in triangles else {"normal": hit.n}
 
     return protocol.each(first)
 
