@@ -1,4 +1,4 @@
-// durero conform merge CAMPAIGN PATH… [--output MERGED]: what the shards of a campaign say together.
+// durero conform merge CAMPAIGN PATH… [--output MERGED] [--report DIR]: what the shards of a campaign say together.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "conform_campaign.hpp"
 #include "description.hpp"
 #include "durero/conform/campaign/campaign_report.hpp"
+#include "durero/conform/report/causes.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "progress.hpp"
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 struct ConformMergeOptions {
   CampaignCall campaign;
   std::vector<std::string> paths;
-  std::string output;
+  std::string output, report;
   bool quiet = false;
 };
 
@@ -62,6 +63,7 @@ int run(const ConformMergeOptions& options) {
   const NamedCampaign named = campaign_of(options.campaign);
   std::optional<io::OutputFile> output;
   if (!options.output.empty()) output.emplace(options.output);
+  if (!options.report.empty()) require_room_for_reports(options.report);
   std::vector<std::string> files;
   for (const std::string& path : options.paths) std::ranges::copy(files_of(path), std::back_inserter(files));
   Shards shards;
@@ -76,6 +78,11 @@ int run(const ConformMergeOptions& options) {
     output->write(shards_text(shards, named.campaign, named.identity));
     output->commit();
   }
+  if (!options.report.empty()) {
+    Report report = campaign_report(shards, named.campaign, named.system);
+    guess_causes(report);
+    write_reports(options.report, report);
+  }
   io::print(said);
   return disputed(shards).empty() ? 0 : 1;
 }
@@ -88,6 +95,7 @@ void add_conform_merge(CLI::App& conform, int& status) {
   add_campaign(*command, options->campaign);
   command->add_option("PATH", options->paths, "Files of shards, single or merged, and folders of them")->required();
   command->add_option("--output", options->output, "The file for all of them together");
+  command->add_option("--report", options->report, "The folder for JSON, JUnit XML, SARIF and a page of HTML");
   add_quiet(*command, options->quiet);
   command->footer(
       "Shards may come in any order, again, and merged before: the file is the same. Of a folder every .json is "

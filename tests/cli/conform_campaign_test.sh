@@ -119,6 +119,11 @@ run 1 conform merge moody.json mood-2.json mood-1.json --output back.json
 same forth.json back.json
 run 0 conform merge moody.json mood-1.json mood-1.json
 
+# A merge writes the page of a run.
+run 0 conform merge moody.json mood-1.json --report pages
+has pages/report.html '<h2>Families that fail</h2>'
+has pages/report.json '"format":"durero-report"'
+
 # A shard of no rays, and the campaign beside its shards.
 mkdir empty
 campaign empty/c.json durero 0

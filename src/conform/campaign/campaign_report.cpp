@@ -9,7 +9,6 @@
 #include "conform/families/digest.hpp"
 #include "conform/report/report_parts.hpp"
 #include "durero/conform/ask/question.hpp"
-#include "durero/conform/report/report.hpp"
 
 namespace durero::conform {
 namespace {
@@ -174,15 +173,19 @@ double failing_share_by_scenes(std::uint64_t judged, std::size_t of_scene) {
   return std::min(1.0, 3.0 * static_cast<double>(of_scene) / static_cast<double>(judged));
 }
 
+Report campaign_report(const Shards& shards, const Campaign& campaign, const System& system) {
+  return {.title = system.title,
+          .version = shards.says,
+          .asked = asked_by_name(campaign, system),
+          .profile = system.profile,
+          .options = suite_options(campaign, system.profile),
+          .tally = totals(shards, campaign, system.profile)};
+}
+
 std::string campaign_text(const Shards& shards, const Campaign& campaign, const std::string& identity,
                           const System& system) {
   const std::vector<const ShardCounts*> there = counting(shards);
-  const Report report{.title = system.title,
-                      .version = shards.says,
-                      .asked = asked_by_name(campaign, system),
-                      .profile = system.profile,
-                      .options = suite_options(campaign, system.profile),
-                      .tally = totals(shards, campaign, system.profile)};
+  const Report report = campaign_report(shards, campaign, system);
   return fmt::format("campaign {}: {} of {} shards\n", identity, there.size(), campaign.shards) +
          missing_text(there, campaign.shards) + disputes_text(shards) + report_text(report) + "\n" + ulps_text(there) +
          bounds_text(report.tally);

@@ -107,8 +107,10 @@ std::string family_html(const Report& report, const FamilyTally& family) {
       fmt::format("<h3 id=\"{0}\">{0}</h3>\n<p>{1}. Why: {2}. {3} of {4} rays fail, {5} of them gross.</p>\n",
                   family.family->name, as_markup(family.family->kind), as_markup(family.family->reason),
                   family.failures(), family.rays(), family.gross());
-  html += figure(spread_svg(family), fmt::format("A dot a case: log₂ of its greatest backward error, in ε, against {}",
-                                                 family.family->parameter.name));
+  if (!family.spreads.empty())
+    html +=
+        figure(spread_svg(family), fmt::format("A dot a case: log₂ of its greatest backward error, in ε, against {}",
+                                               family.family->parameter.name));
   if (family.most_failures)
     html += figure(scene_svg(*family.most_failures),
                    fmt::format("{}: where its rays should hit", family.most_failures->of.name()));

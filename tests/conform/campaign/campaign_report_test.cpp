@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "conform/sharded.hpp"
+#include "durero/conform/report/causes.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -141,6 +142,19 @@ TEST_CASE("the worst rays are said with the calls that replay them") {
   unusual.tipos = test::profile_of_all().tipos;
   CHECK_FALSE(has(text(of_it, unusual), "minimise"));
   CHECK(has(said, "\nhits off by 0 ulps: "));
+}
+
+TEST_CASE("the report of a campaign is that of a run, without what only a run keeps") {
+  const System system = blind();
+  Report report = campaign_report(shards({6}), two, system);
+  CHECK(report.tally.rays() == totals(shards({6}), two, system.profile).rays());
+  CHECK(report.tally.failures() > 0);
+  guess_causes(report);
+  CHECK_FALSE(report.causes.all.empty());
+  CHECK_FALSE(report.causes.all[0].ordinary);
+  const std::string page = report_html(report);
+  CHECK(has(page, "<h3 id=\"tiny\">"));
+  CHECK_FALSE(has(page, "A dot a case"));
 }
 
 TEST_CASE("hits are counted by their ulps") {

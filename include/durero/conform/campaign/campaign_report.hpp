@@ -6,6 +6,7 @@
 
 #include "durero/conform/ask/system_file.hpp"
 #include "durero/conform/campaign/shard.hpp"
+#include "durero/conform/report/report.hpp"
 
 namespace durero::conform {
 
@@ -28,6 +29,10 @@ double failing_share(std::uint64_t judged);
 /// one ray is judged shows no failure with probability 1 − p at most: that is, as if it had that ray alone.
 /// Precondition: judged > 0.
 double failing_share_by_scenes(std::uint64_t judged, std::size_t of_scene = rays_of_a_case);
+
+/// The report of all shards together, as of one run: the worst rays are those of totals(), and what only a run keeps,
+/// such as its dots and samples, is left out. Throws what totals() throws.
+Report campaign_report(const Shards& shards, const Campaign& campaign, const System& system);
 
 /// The report in words: the shards that are there, missing or disputed; a row for each family and the worst rays, as
 /// report_text has them; and the bounds of the families without a failure.
