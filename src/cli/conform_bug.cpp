@@ -54,9 +54,9 @@ std::optional<Finding> failure_of(const System& system, const SuiteCase& of, con
   return worst;
 }
 
-/// Adds the reproducer and its output, where the system has a template.
+/// Adds the reproducer and its output, where the system has a template, which asks for first hits.
 void add_reproducer(BugReport& bug, const ConformBugOptions& options) {
-  if (bug.system.reproducer.program.empty()) return;
+  if (bug.system.reproducer.program.empty() || options.of.suite.question != SuiteCall().question) return;
   using Path = std::filesystem::path;
   bug.file = options.reproducer.empty() ? Path(bug.system.reproducer.program).stem().string()
                                         : Path(options.reproducer).filename().string();
@@ -65,6 +65,9 @@ void add_reproducer(BugReport& bug, const ConformBugOptions& options) {
 }
 
 int run(const ConformBugOptions& options) {
+  if (!options.reproducer.empty() && options.of.suite.question != SuiteCall().question)
+    throw std::runtime_error(fmt::format("a reproducer of the question {}; expected a call without --reproducer",
+                                         options.of.suite.question));
   const System system = system_of(options.system);
   require_present(system);
   if (!options.reproducer.empty() && system.reproducer.program.empty())
@@ -87,6 +90,8 @@ int run(const ConformBugOptions& options) {
   if (options.of.suite.seed != SuiteCall().seed) bug.call += fmt::format(" --seed {}", options.of.suite.seed);
   bug.least = least_finding(*failure, system.profile, ask);
   bug.variations = variations(bug.least.finding, system.profile, ask);
+  if (options.of.suite.question != SuiteCall().question)
+    bug.call += fmt::format(" --question {}", options.of.suite.question);
   if (options.of.suite.faces != SuiteCall().faces) bug.call += fmt::format(" --faces {}", options.of.suite.faces);
   add_reproducer(bug, options);
   progress.reset();
@@ -107,6 +112,7 @@ void add_conform_bug(CLI::App& conform, int& status) {
   add_system(*command, options->system);
   command->add_option("CASE", options->of.name, "Which, such as tiny/0007")->required();
   auto* ray = add_ray(*command, options->of);
+  add_question(*command, options->of.suite);
   add_quiet(*command, options->quiet);
   command->add_option("--output", options->output, "The file for the report; without it, the standard output");
   command->add_option("--reproducer", options->reproducer,

@@ -36,10 +36,15 @@ has out 'phantom: expected no hit up to t = '
 has out '; got a hit'
 has out 'shadows 1'
 has found/python3-endless.py-durero-conform-answer/report.json '"question":"shadow"'
-checks=$((checks + 1))
-if grep -q 'durero conform bug' out; then fail 'no program shows a shadow ray, and bug is named'; fi
+bug=$(sed -n 's/^ *\(durero conform bug .*\)/\1/p' out | head -n 1)
 minimise=$(sed -n 's/^  \(durero conform minimise .*\)/\1/p' out | head -n 1)
 show=$(sed -n 's/^  \(durero conform show .*\)/\1/p' out | head -n 1)
+called=$bug
+checks=$((checks + 1))
+(durero() { "$durero" "$@"; }; eval "$bug") >report.md 2>err && fail 'it is right'
+has report.md 'shadows 1'
+has report.md ' --question shadow'
+refused 'a reproducer of the question shadow; expected a call without --reproducer' conform bug durero rim/0000 --question shadow --reproducer r.cpp
 called=$minimise
 checks=$((checks + 2))
 (durero() { "$durero" "$@"; }; eval "$minimise") >out 2>err && fail 'it is right'

@@ -71,8 +71,8 @@ std::string cause_html(const Report& report, const Cause& cause) {
                       as_markup(claim_words(finding)), as_markup(question_of(finding, report.profile)));
   const std::string call = writing_up(report, *shown);
   if (!call.empty())
-    html += fmt::format("<p class=\"less\">The report to file, with a program that shows it:</p>\n<pre>{}</pre>\n",
-                        as_markup(call));
+    html += fmt::format("<p class=\"less\">The report to file{}:</p>\n<pre>{}</pre>\n",
+                        has_range(report.options.question) ? "" : ", with a program that shows it", as_markup(call));
   return html + "</div>\n";
 }
 

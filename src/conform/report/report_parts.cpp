@@ -166,7 +166,7 @@ std::string minimising(const Report& report, const Finding& finding) {
 }
 
 std::string writing_up(const Report& report, const Finding& finding) {
-  if (report.asked.empty() || has_range(report.options.question)) return "";
+  if (report.asked.empty()) return "";
   return fmt::format("durero conform bug {} {} --ray {}{}", report.asked, finding.of.name(), finding.ray,
                      unusual_suite(report, finding));
 }
