@@ -5,12 +5,6 @@
 #include <numbers>
 
 namespace durero::io {
-namespace {
-
-struct CosineSine {
-  double cosine, sine;
-};
-/// Of an angle in degrees; exact where it is of whole right angles.
 CosineSine turn_of(double degrees) {
   const double rest = std::remainder(degrees, 360);
   if (rest == 0) return {1, 0};
@@ -20,8 +14,6 @@ CosineSine turn_of(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   return {std::cos(angle), std::sin(angle)};
 }
-
-}  // namespace
 
 glm::dvec3 Transform::normal(const glm::dvec3& n) const { return glm::transpose(glm::inverse(linear)) * n; }
 

@@ -31,6 +31,13 @@ struct Transform {
   model::Mapa map() const;
 };
 
+/// The cosine and the sine of an angle.
+struct CosineSine {
+  double cosine, sine;
+};
+/// Of an angle in degrees; exact where it is of whole right angles, else of binary64.
+CosineSine turn_of(double degrees);
+
 /// The turn about an axis, 0 to 2, of so many degrees, from the next axis to the one behind it. It is exact where the
 /// angle is of whole right angles; another has the sine and cosine of binary64.
 Transform turn_about(int axis, double degrees);

@@ -30,6 +30,7 @@ AffineMap AffineMap::of_matrix(const std::array<double, 16>& matrix) {
     for (std::size_t j = 0; j < 3; ++j) map.linear_[i][j] = matrix[4 * j + i];
     map.shift_[i] = matrix[12 + i];
   }
+  map.divisor_ = matrix[15];
   return map;
 }
 
@@ -89,6 +90,38 @@ std::optional<AffineMap> AffineMap::normals() const {
     for (std::size_t j = 0; j < 3; ++j) map.linear_[i][j] = factor * cofactor(i, j);
   map.divisor_ = sign(whole) > 0 ? whole : -whole;
   return map;
+}
+
+std::optional<AffineMap> AffineMap::inverse() const {
+  const auto transposed = normals();
+  if (!transposed) return std::nullopt;
+  AffineMap back;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) back.linear_[i][j] = transposed->linear_[j][i] * divisor_;
+  for (std::size_t i = 0; i < 3; ++i)
+    back.shift_[i] =
+        -inner_product({transposed->linear_[0][i], transposed->linear_[1][i], transposed->linear_[2][i]}, shift_);
+  back.divisor_ = transposed->divisor_ * divisor_;
+  return back;
+}
+
+AffineMap AffineMap::linear() const {
+  AffineMap map = *this;
+  map.shift_ = {};
+  return map;
+}
+
+bool AffineMap::keeps_axes() const {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (i != j && sign(linear_[i][j]) != 0) return false;
+  return true;
+}
+
+bool AffineMap::is_identity() const {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (linear_[i][i] != divisor_ || sign(shift_[i]) != 0) return false;
+  return keeps_axes();
 }
 
 }  // namespace durero::io

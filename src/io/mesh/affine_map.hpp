@@ -14,7 +14,8 @@ class AffineMap {
  public:
   /// The identity.
   AffineMap();
-  /// Of the sixteen numbers of a matrix, column by column, the last row being 0 0 0 1.
+  /// Of the sixteen numbers of a matrix, column by column, the last row being 0 0 0 w: all others are then over w.
+  /// Precondition: w > 0.
   static AffineMap of_matrix(const std::array<double, 16>& matrix);
   /// Scales, turns by the quaternion x y z w, and shifts. A quaternion of another length than 1 turns like the one of
   /// length 1: the matrix of its products is divided by the square of its length, which takes no root. Precondition: it
@@ -31,8 +32,15 @@ class AffineMap {
   /// The map of the normals of a surface to those of its image: the transposed inverse. Nothing where there is no
   /// inverse.
   std::optional<AffineMap> normals() const;
+  /// The way back; nothing where there is none.
+  std::optional<AffineMap> inverse() const;
+  /// The same without the shift.
+  AffineMap linear() const;
   /// −1 where it turns right into left, 1 where it does not, 0 where it flattens space.
   int orientation() const { return sign(determinant()); }
+  /// Whether axes stay along themselves, and whether each point stays where it is.
+  bool keeps_axes() const;
+  bool is_identity() const;
 
   /// @{ A number of the map is a numerator over the divisor, which is above 0; column 3 is that of the shift.
   const number::Dyadic& numerator(std::size_t row, std::size_t column) const {
