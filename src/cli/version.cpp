@@ -13,6 +13,7 @@
 #include <CLI/Version.hpp>
 #include <boost/version.hpp>
 #include <memory>
+#include <pugixml.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,7 +78,8 @@ Pairs libraries() {
           {"libjpeg-turbo", of_parts(LIBJPEG_TURBO_VERSION_NUMBER, 1'000'000, 1000, 1000)},
           {"RapidJSON", RAPIDJSON_VERSION_STRING},
           {"CLI11", CLI11_VERSION},
-          {"FLINT", FLINT_VERSION}};
+          {"FLINT", FLINT_VERSION},
+          {"pugixml", of_parts(PUGIXML_VERSION / 10, 100, 1)}};
 }
 
 void write_words(io::json::Writer& out, std::string_view key, const std::vector<std::string>& words) {

@@ -10,6 +10,7 @@
 #include "durero/io/mesh/obj.hpp"
 #include "durero/io/mesh/ply.hpp"
 #include "durero/io/mesh/stl.hpp"
+#include "durero/io/mitsuba/mitsuba.hpp"
 #include "durero/io/nff/nff.hpp"
 #include "durero/io/pov/pov.hpp"
 #include "durero/io/radiance/radiance.hpp"
@@ -32,7 +33,8 @@ constexpr Format all[] = {
     {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
     {.ending = ".pov", .read = read_pov, .write = pov_text, .has_bodies = true},
     {.ending = ".rad", .read = read_radiance},
-    {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes}};
+    {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes},
+    {.ending = ".xml", .read = read_mitsuba, .is_mesh = true}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
 bool is_written(const Format& format) { return format.write != nullptr; }

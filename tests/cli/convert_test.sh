@@ -220,8 +220,6 @@ absent hits.csv
 printf 's 0 0 0 1\ns 0 0 0 0\n' >bad.nff
 refused 'bad.nff:2:9: radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)' import bad.nff -o bad.json
 absent bad.json
-finish
-
 # A survey of a folder: how many files are read, what stops the others, and what is left out.
 mkdir -p folder/below
 printf 'torus { 1, 0.5 } sphere { 0, 1 pigment { rgb 1 } }\n#version 3.7;' >folder/one.pov
@@ -247,4 +245,30 @@ run 2 import nothing --survey
 has err 'durero: nothing: no folder; expected one'
 run 2 import folder --survey -o scene.json
 run 2 import folder
-has err 'durero: --output: it is missing'
+has err 'durero: import: --output: it is missing'
+
+# Scenes of Mitsuba: instances are groups, and the triangles of files beside them faces of a mesh.
+mkdir -p room/meshes
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >room/meshes/one.obj
+cat >room/room.xml <<'TEXT'
+<scene version="3.0.0">
+<shape type="shapegroup" id="pair"><shape type="sphere"/>
+<shape type="obj"><string name="filename" value="meshes/one.obj"/></shape></shape>
+<shape type="instance"><ref id="pair"/></shape>
+<shape type="instance"><ref id="pair"/><transform name="to_world"><scale x="2"/></transform></shape>
+<shape type="torus"/>
+</scene>
+TEXT
+run 0 import room/room.xml -o room.json
+has err 'durero: room/room.xml: 1 shape "torus" left out: a scene has none'
+has room.json '[0,3,2]]}'
+has room.json '"u1":{"elementos":["s1"],"groups":["m1"]}'
+printf '0 0 -5 0 0 1\n1.75 0 -5 0 0 1\n' >rays.txt
+run 0 trace room.json rays.txt
+has out '"t":4,'
+sed 's/one.obj/two.obj/' room/room.xml >two.xml
+refused 'two.xml:3:43: no file "meshes/two.obj"; expected a file in the folder of the scene or beneath it' \
+  import two.xml -o bad.json
+run 0 import room --survey
+has out 'room: 2 of 2 files are read'
+finish
