@@ -12,6 +12,7 @@
 #include "durero/io/mesh/stl.hpp"
 #include "durero/io/mitsuba/mitsuba.hpp"
 #include "durero/io/nff/nff.hpp"
+#include "durero/io/pbrt/pbrt.hpp"
 #include "durero/io/pov/pov.hpp"
 #include "durero/io/radiance/radiance.hpp"
 
@@ -30,6 +31,7 @@ constexpr Format all[] = {
     {.ending = ".json", .read = import_json, .write = write_json, .has_bodies = true},
     {.ending = ".nff", .read = read_nff, .write = nff_text, .has_lines = true},
     {.ending = ".obj", .read = read_obj, .write = obj_text, .has_lines = true, .is_mesh = true},
+    {.ending = ".pbrt", .read = read_pbrt, .is_mesh = true},
     {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
     {.ending = ".pov", .read = read_pov, .write = pov_text, .has_bodies = true},
     {.ending = ".rad", .read = read_radiance},

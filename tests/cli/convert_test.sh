@@ -247,7 +247,7 @@ run 2 import folder --survey -o scene.json
 run 2 import folder
 has err 'durero: import: --output: it is missing'
 
-# Scenes of Mitsuba: instances are groups, and the triangles of files beside them faces of a mesh.
+# Scenes of Mitsuba and pbrt: instances are groups, and the triangles of files beside them faces of a mesh.
 mkdir -p room/meshes
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >room/meshes/one.obj
 cat >room/room.xml <<'TEXT'
@@ -269,6 +269,17 @@ has out '"t":4,'
 sed 's/one.obj/two.obj/' room/room.xml >two.xml
 refused 'two.xml:3:43: no file "meshes/two.obj"; expected a file in the folder of the scene or beneath it' \
   import two.xml -o bad.json
+cat >room/hall.pbrt <<'TEXT'
+Camera "perspective"
+WorldBegin
+ObjectBegin "ball" Shape "sphere" ObjectEnd
+Translate 0 0 3 ObjectInstance "ball"
+Shape "curve"
+TEXT
+run 0 import room/hall.pbrt -o hall.json
+has err 'durero: room/hall.pbrt: 1 shape "curve" left out: a scene has none'
+has hall.json '"centro":[0,0,3]'
 run 0 import room --survey
-has out 'room: 2 of 2 files are read'
+has out 'room: 3 of 3 files are read'
+has out 'read: in 1 of them, 1 in all: shape "curve" left out: a scene has none'
 finish

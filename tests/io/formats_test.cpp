@@ -16,7 +16,7 @@ TEST_CASE("A file's name tells its format") {
   CHECK(io::format_to_read("a.ply").ending == ".ply");
   CHECK_THROWS_WITH(io::format_to_read("a.nff.step"),
                     "a.nff.step: a format that is not known by this name; expected one that ends in .glb or .gltf or "
-                    ".json or .nff or .obj or .ply or .pov or .rad or .stl or .xml");
+                    ".json or .nff or .obj or .pbrt or .ply or .pov or .rad or .stl or .xml");
   CHECK(io::format_to_read("A.GLB").ending == ".glb");
   CHECK(io::format_to_write_bytes("a.Stl").ending == ".stl");
   CHECK_THROWS_WITH(io::format_to_write_bytes("a.obj"),
