@@ -173,6 +173,35 @@ Definition instance_of_what_has_neither_open_nor_multiple_edges_bounds :=
 Definition instance_of_a_mesh_has_no_degenerate_face :=
   MainMeshes.a_mesh_has_no_degenerate_face two_faces (proj1 two_faces_are_a_mesh).
 
+(** The tetrahedron encloses the point whose coordinates are all a quarter. *)
+Ltac is_a_corner := first [left; left; reflexivity | left; right; reflexivity | right; reflexivity].
+Ltac is_no_corner H := destruct H as [[H | H] | H]; discriminate H.
+Lemma no_face_of_it_stands_twice : Pieces.repetidas tetrahedron ≡ ∅.
+Proof.
+  intros n. split; [| intros []]. intros (m & c & d & L & C & D & E). unfold Pieces.face, numbered in C, D. cbn in C, D.
+  assert (K : forall v, v ∈ Auditoria.esquinas c -> v ∈ Auditoria.esquinas d) by (intros v; apply E). clear E.
+  destruct n as [| [| [| [| n]]]]; cbn in C; [injection C as <- .. | destruct n; discriminate];
+    destruct m as [| [| [| m]]]; cbn in D; try lia; injection D as <-;
+    first [assert (H := K 0%nat ltac:(is_a_corner)); is_no_corner H | assert (H := K 2%nat ltac:(is_a_corner)); is_no_corner H
+          | assert (H := K 3%nat ltac:(is_a_corner)); is_no_corner H].
+Qed.
+Lemma planes_bear_the_tetrahedron n : n ∈ Pieces.faces tetrahedron -> exists d level, Enclosed.bears tetrahedron n d level
+  /\ Auditoria.along d (mk_Punto (1 / 4) (1 / 4) (1 / 4)) < level.
+Proof.
+  intros [c C]. pose proof C as N. unfold numbered in N. cbn in N.
+  destruct n as [| [| [| [| n]]]]; cbn in N; [injection N as <- .. | destruct n; discriminate];
+    [exists (mk_Punto 0 0 (-1)), 0 | exists (mk_Punto 0 (-1) 0), 0 | exists (mk_Punto 1 1 1), 1 | exists (mk_Punto (-1) 0 0), 0];
+    (split; [eexists; split; [exact C |] | unfold Auditoria.along; cbn; lra]);
+    intros i p P; unfold numbered in P; cbn in P;
+    (destruct i as [| [| [| [| i]]]]; cbn in P; [injection P as <- .. | destruct i; discriminate]);
+    unfold Auditoria.along; cbn; (split; intros H; [first [lra | is_no_corner H] | first [lra | exfalso; apply H; is_a_corner]]).
+Qed.
+Definition instance_of_a_convex_mesh_encloses_what_lies_within :=
+  MainMeshes.a_convex_mesh_encloses_what_lies_within tetrahedron (mk_Punto (1 / 4) (1 / 4) (1 / 4))
+    (MainMeshes.what_has_neither_open_nor_multiple_edges_bounds tetrahedron the_tetrahedron_is_a_mesh the_tetrahedron_is_closed
+      no_edge_of_it_is_multiple) no_face_of_it_stands_twice
+    (ex_intro _ 0%nat (ex_intro _ (mk_Cara 0 2 1) eq_refl)) planes_bear_the_tetrahedron.
+
 (** A face that stands twice, once each way round. *)
 Definition both_ways : Red := mk_Red (puntos two_faces) [mk_Cara 0 1 2; mk_Cara 1 0 2].
 Lemma both_ways_are_a_mesh : both_ways ∈ Malla.

@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Puntos Tipos Malla Meshes MeshClaims MeshesApart Beside Watertight Auditoria
-  VolumeOfMesh Pieces Screen Instancias Solidos.
+  VolumeOfMesh Pieces Enclosed Screen Instancias Solidos.
 Import Escena Operaciones Edits Totals Puntos.
 Local Open Scope R_scope.
 Local Open Scope zed_scope.
@@ -160,6 +160,13 @@ Theorem a_junction_lies_on_a_face_of_its_edge r v i j : (v, i, j) ∈ Pieces.uni
   exists n c w, n ∈ VolumeOfMesh.de_arista r i j /\ Pieces.face r n c /\ (v, w) ∈ Malla.numbered (Malla.puntos r)
   /\ w ∈ Auditoria.envolvente r (Auditoria.esquinas c) /\ w ∈ Pieces.piel r.
 Proof. exact (Pieces.a_junction_lies_on_a_face_of_its_edge r v i j). Qed.
+
+(** A convex mesh, of which no face stands twice, encloses each point within: each face lies in a plane that has all other points
+    of the mesh on one side, and the point on that side. *)
+Theorem a_convex_mesh_encloses_what_lies_within r w : Pieces.pares r -> Pieces.repetidas r ≡ ∅ -> (exists n, n ∈ Pieces.faces r) ->
+  (forall n, n ∈ Pieces.faces r -> exists d level, Enclosed.bears r n d level /\ Auditoria.along d w < level) ->
+  w ∈ Enclosed.encerrados r.
+Proof. exact (Enclosed.a_convex_mesh_encloses_what_lies_within r w). Qed.
 
 (** * Copies and solids *)
 
