@@ -3,18 +3,8 @@
 #include "durero/trace/search.hpp"
 
 namespace durero::trace {
-namespace {
 
-void write_hit(scene::Hit& hit, scene::ElementRef e, const RoundedPoint& rounded) {
-  hit.resultado = model::Resultado::hit;
-  hit.t = rounded.t;
-  hit.punto = rounded.punto;
-  if (hit.elementos.size() == 1) {  // as in nearly all hits that are written over
-    hit.elementos[0] = e;
-  } else {
-    hit.elementos.assign(1, e);
-  }
-}
+namespace {
 
 RoundedPoint lane_of(const RoundedPacket& rounded, std::size_t lane) {
   return {true, rounded.t[lane], {rounded.x[lane], rounded.y[lane], rounded.z[lane]}};
@@ -55,25 +45,6 @@ RoundedPoint Certified::rounded(const Hits& hits, std::size_t lane) {
   }
   const scene::Query& query = queries_[hits.queue.numbers[lane]];
   return Search(scene_, query.rayo, query.en, counts_).rounded_hit(hits.queue.elements[lane], hits.findings[lane]);
-}
-
-/// A lane where some step is not certain goes through the search of one ray.
-void FoundHits::finish() {
-  if (queue_.count == 0) return;
-  triage(queue_.packet, model::Tipo::soy_triangulo, findings_);
-  improve_and_round(queue_.packet, model::Tipo::soy_triangulo, findings_, rounded_);
-  for (std::size_t lane = 0; lane < queue_.count; ++lane) {
-    const std::uint32_t number = queue_.numbers[lane];
-    const scene::ElementRef e = queue_.elements[lane];
-    RoundedPoint rounded = lane_of(rounded_, lane);
-    if ((findings_.hit & rounded_.certain & 1u << lane) == 0) {
-      const scene::Query& query = queries_[number];
-      const Search search(scene_, query.rayo, query.en, unseen_);
-      rounded = search.rounded_hit(e, search.meeting(e, no_limit));
-    }
-    write_hit(hits_[number], e, rounded);
-  }
-  queue_.count = 0;
 }
 
 }  // namespace durero::trace

@@ -83,24 +83,13 @@ void triage_columns_from(const RayColumns& rays, std::uint64_t which, scene::Sha
           HWY_ATTR { return found_in_lanes_from<tipo>(f); });
 }
 
-/// The triangles of a block from lane `at` on, widened exactly.
-HWY_INLINE LaneElement<model::Tipo::soy_triangulo> triangles(const TriangleBlock& block, std::size_t at) {
-  const hn::Rebind<float, LaneTag> half;
-  LaneElement<model::Tipo::soy_triangulo> element{};
-  const auto of = [&](std::size_t i, std::size_t axis) HWY_ATTR {
-    return Lanes(hn::PromoteTo(LaneTag(), hn::LoadU(half, &block.vertices[i][axis][at])));
-  };
-  for (std::size_t i = 0; i < 3; ++i) element.vertices[i] = {of(i, 0), of(i, 1), of(i, 2)};
-  return element;
-}
-
 void triage_block(const Ray& ray, const TriangleBlock& block, Findings& findings) {
   constexpr model::Tipo tipo = model::Tipo::soy_triangulo;
   const LaneRay everywhere{in_every_lane(ray.p), in_every_lane(ray.v), Lanes(ray.speed)};
   findings.hit = findings.undecided = 0;
   unsigned used = 0;
   for (std::size_t at = 0; at < TriangleBlock::size; at += lanes()) {
-    const LaneElement<tipo> element = triangles(block, at);
+    const LaneElement<tipo> element = widened_triangles(block.vertices, at);
     const BoundedQuadratic<Lanes> f = quadratic<Lanes>(element, everywhere);
     keep(f, found_in_lanes<tipo>(f), at, findings);
     used |= bits(element.vertices[0].x == element.vertices[0].x) << at;

@@ -36,6 +36,18 @@ HWY_INLINE LaneElement<tipo> element(const Packet& packet, std::size_t at) {
           {load(packet.vertices[0], at), load(packet.vertices[1], at), load(packet.vertices[2], at)}};
 }
 
+/// Triangles in columns of binary32, from place `at` on, widened exactly.
+template <class Column>
+HWY_INLINE LaneElement<model::Tipo::soy_triangulo> widened_triangles(
+    const std::array<std::array<Column, 3>, 3>& vertices, std::size_t at) {
+  const hn::Rebind<float, LaneTag> half;
+  LaneElement<model::Tipo::soy_triangulo> element{};
+  const auto of = [&](std::size_t i, std::size_t axis)
+                      HWY_ATTR { return Lanes(hn::PromoteTo(LaneTag(), hn::LoadU(half, &vertices[i][axis][at]))); };
+  for (std::size_t i = 0; i < 3; ++i) element.vertices[i] = {of(i, 0), of(i, 1), of(i, 2)};
+  return element;
+}
+
 /// A vector in every lane.
 HWY_INLINE Vec<Lanes> in_every_lane(const glm::dvec3& x) { return {Lanes(x.x), Lanes(x.y), Lanes(x.z)}; }
 

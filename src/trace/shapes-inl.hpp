@@ -27,12 +27,10 @@ HWY_INLINE BoundedQuadratic<T> quadratic(const Element& element, const Ray& ray)
 /// potencia at p + t·v.
 template <class R, class Element, class Ray>
 HWY_INLINE Power<R> power_at(R t, const Element& element, const Ray& ray) {
-  const auto power = [&](const auto& from)
-                         HWY_ATTR { return power_of<R>(Of<Element::tipo>(), element, place_at(t, ray, from)); };
   if constexpr (Element::tipo == model::Tipo::soy_triangulo)
-    return power(element.vertices[0]);
+    return power_of<R>(Of<Element::tipo>(), element, place_at(t, ray, element.vertices[0]));
   else
-    return power(element.centro);
+    return power_of<R>(Of<Element::tipo>(), element, place_at(t, ray, element.centro));
 }
 
 /// The quadratic of a ray that starts on the element: potencia at t, less potencia at the origin.

@@ -27,8 +27,19 @@ struct ByParity {
     for (std::size_t i = 0; i < rays.count; ++i)
       rays.left |= std::uint64_t{static_cast<int>(rays.stored_p[0][i]) % 2 != 0} << i;
   }
+  const trace::TriangleBlock& block(std::uint32_t) const { return none; }
+  trace::TriangleBlock none{};
   static scene::ElementRef own(scene::ElementRef e) { return {e.tipo, e.index + 100}; }
 };
+
+/// The answer to a bundle that calls use(number, rays, place) for each place.
+template <class Use>
+auto each_place(Use use) {
+  return [use](std::uint32_t first, const SingleRays& rays, std::uint64_t which) {
+    for (std::uint32_t place = 0; place < SingleRays::size; ++place)
+      if ((which >> place & 1) != 0) use(first + place, rays, place);
+  };
+}
 
 std::vector<scene::Query> queries_at(std::size_t count, std::size_t step) {
   std::vector<scene::Query> queries;
@@ -51,12 +62,12 @@ TEST_CASE("queries are answered in bundles or left, each once") {
   const ByParity source;
   std::vector<int> answered(queries.size());
   const Unbundled left(source, queries, SingleSearch::nearest,
-                       [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
+                       each_place([&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
                          ++answered[number];
                          CHECK(rays.stored_p[0][place] == number);
                          CHECK(rays.stored_v[2][place] == 5);
                          CHECK(rays.start[place] == SingleRays::none);
-                       });
+                       }));
   CHECK(source.searches == 3);
   CHECK_FALSE(left.none());
   const std::vector<double> places = places_left(left, queries);
@@ -74,9 +85,9 @@ TEST_CASE("queries of a permuted view are left by their places in the whole") {
   for (std::uint32_t i = 20; i-- > 4;) order.push_back(i);
   const IndexedView<const scene::Query> view(queries, order);
   const Unbundled left(ByParity(), view, SingleSearch::nearest,
-                       [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
+                       each_place([&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
                          CHECK(rays.stored_p[0][place] == order[number]);
-                       });
+                       }));
   CHECK(places_left(left, view) == std::vector<double>{19, 17, 15, 13, 11, 9, 7, 5});
 }
 
@@ -86,10 +97,10 @@ TEST_CASE("a ray that starts on one element takes its name along, and one that s
   queries[3].en = {element(7)};
   queries[4].en = {element(7), element(8)};
   const Unbundled left(ByParity(), queries, SingleSearch::any,
-                       [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
+                       each_place([&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
                          CHECK(number != 4);
                          CHECK(rays.start[place] == (number == 3 ? 107 : SingleRays::none));
-                       });
+                       }));
   CHECK(places_left(left, queries) == std::vector<double>{8});
 }
 
@@ -110,7 +121,7 @@ TEST_CASE("a source that cannot, few queries, and rays that are handed back all 
   some.insert(some.end(), odd.begin(), odd.end());
   const ByParity source;
   std::size_t answered = 0;
-  const Unbundled left(source, some, SingleSearch::nearest, [&](auto...) { ++answered; });
+  const Unbundled left(source, some, SingleSearch::nearest, each_place([&](auto...) { ++answered; }));
   CHECK(answered == 64);
   CHECK(places_left(left, some).size() == odd.size());
   CHECK(source.searches < 15);

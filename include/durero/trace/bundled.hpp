@@ -3,6 +3,7 @@
 /// other queries are left to Batch and SegmentBatch.
 
 #include <algorithm>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -17,18 +18,21 @@ namespace durero::trace {
 
 /// A source of candidates (trace/candidates.hpp) that answers bundles. Beside the operations of PairCandidates it has
 ///   bundles()              whether it can, in its scene;
-///   search(search, rays)   answers rays, or adds them to rays.left. Triangles are named by the index of own(e).
+///   search(search, rays)   answers rays, or adds them to rays.left. Triangles are named by the index of own(e);
+///   block(name)            the block of a triangle of that name, in whose lane name modulo 8 it stands.
 template <class Source>
 concept BundleSource = requires(const Source& source, SingleRays& rays) {
   { source.bundles() } -> std::same_as<bool>;
+  { source.block(SingleRays::none) } -> std::same_as<const TriangleBlock&>;
   source.search(SingleSearch::nearest, rays);
 };
 
 /// The queries of a block that are not answered in bundles.
 class Unbundled {
  public:
-  /// Answers queries of a block in bundles; answer(number, rays, place) is called for each that is answered, where its
-  /// ray has that place in `rays`. Bundles are given up in a block where they hand most rays back.
+  /// Answers queries of a block in bundles; answer(number, rays, which) is called for each bundle, where `number` is
+  /// that of the query at its first place, and `which` are the places that are answered. Bundles are given up in a
+  /// block where they hand most rays back.
   template <class Source, class Answer>
   Unbundled(const Source& source, IndexedView<const scene::Query> block, SingleSearch search, Answer answer) {
     if constexpr (BundleSource<Source>) {
@@ -38,13 +42,10 @@ class Unbundled {
       for (; next < block.size() && places_.size() <= next / 2 + most_in_vain; next += rays.count) {
         const std::uint64_t several = push(source, block, next, rays);
         source.search(search, rays);
-        for (std::size_t place = 0; place < rays.count; ++place) {
-          if (((rays.left | several) >> place & 1) != 0) {
-            leave(block, next + place);
-          } else {
-            answer(static_cast<std::uint32_t>(next + place), rays, place);
-          }
-        }
+        const std::uint64_t all = ~std::uint64_t{0} >> (SingleRays::size - rays.count);
+        std::uint64_t left = (rays.left | several) & all;
+        answer(static_cast<std::uint32_t>(next), rays, all & ~left);
+        for (; left != 0; left &= left - 1) leave(block, next + static_cast<std::size_t>(std::countr_zero(left)));
       }
       any_answered_ = places_.size() < next;
       for (; any_answered_ && next < block.size(); ++next) leave(block, next);

@@ -23,6 +23,7 @@
 #include "durero/trace/batch.hpp"
 #include "durero/trace/bundled.hpp"
 #include "durero/trace/certified.hpp"
+#include "durero/trace/found_hits.hpp"
 #include "durero/trace/search.hpp"
 
 namespace durero::trace {
@@ -184,14 +185,10 @@ template <PairCandidates Source>
 Unbundled without_bundled_hits(const Source& source, IndexedView<const scene::Query> queries,
                                IndexedView<scene::Hit> hits) {
   FoundHits found(source.scene(), queries, hits);
-  Unbundled left(source, queries, SingleSearch::nearest,
-                 [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
-                   const std::uint32_t own = rays.found(place);
-                   if (own == SingleRays::none) return void(hits[number] = {});
-                   found.push(number, source, {model::Tipo::soy_triangulo, own});
-                 });
-  found.finish();
-  return left;
+  // The bundle's type is open, so that nothing is compiled for a source without blocks.
+  return Unbundled(
+      source, queries, SingleSearch::nearest,
+      [&](std::uint32_t first, const auto& rays, std::uint64_t which) { found.answer(first, rays, which, source); });
 }
 
 /// first_hit_among of every query, in order, batched in lanes: for more than a few rays the fastest way to the same

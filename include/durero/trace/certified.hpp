@@ -15,6 +15,25 @@
 
 namespace durero::trace {
 
+/// Writes a hit on one element.
+inline void write_hit(scene::Hit& hit, scene::ElementRef e, const RoundedPoint& rounded) {
+  hit.resultado = model::Resultado::hit;
+  hit.t = rounded.t;
+  hit.punto = rounded.punto;
+  if (hit.elementos.size() == 1) {  // as in nearly all hits that are written over
+    hit.elementos[0] = e;
+  } else {
+    hit.elementos.assign(1, e);
+  }
+}
+/// Writes a miss.
+inline void write_miss(scene::Hit& hit) {
+  hit.resultado = model::Resultado::miss;
+  hit.t = 0;
+  hit.punto = glm::dvec3(0);
+  hit.elementos.clear();
+}
+
 /// A kernel of Batch. It writes each hit into its query's place, and counts the decisions of each step.
 class Certified {
  public:
@@ -52,13 +71,7 @@ class Certified {
   }
   static Point point(const Findings& findings, std::size_t lane) { return {findings[lane]}; }
 
-  void miss(std::uint32_t number) {
-    scene::Hit& hit = hits_[number];
-    hit.resultado = model::Resultado::miss;
-    hit.t = 0;
-    hit.punto = glm::dvec3(0);
-    hit.elementos.clear();
-  }
+  void miss(std::uint32_t number) { write_miss(hits_[number]); }
   template <class Source>
   void hit(std::uint32_t number, const RayNumbers& ray, const Source& source, scene::ElementRef own,
            const Point& point) {
@@ -95,34 +108,6 @@ class Certified {
   Counts& counts_;
   std::array<Hits, scene::shape_count> waiting_{};
   std::array<Hits, scene::shape_count> waiting_own_{};  // on the elements that their rays start on
-  RoundedPacket rounded_;
-};
-
-/// First hits whose elements are known, which wait to be computed and rounded in lanes.
-class FoundHits {
- public:
-  /// The references must outlive it. Precondition: `hits` has a place for each query.
-  FoundHits(const scene::Scene& scene, IndexedView<const scene::Query> queries, IndexedView<scene::Hit> hits)
-      : scene_(scene), queries_(queries), hits_(hits) {}
-
-  /// Adds the hit of a query on an element alone, by the source's name of it, on which its ray does not start.
-  /// Precondition: all elements that are added are triangles.
-  template <class Source>
-  void push(std::uint32_t number, const Source& source, scene::ElementRef own) {
-    queue_.push(source, number, Ray(queries_[number].rayo), own);
-    queue_.elements[queue_.count - 1] = source.element(own);
-    if (queue_.full()) finish();
-  }
-  /// Writes the hits that wait.
-  void finish();
-
- private:
-  const scene::Scene& scene_;
-  IndexedView<const scene::Query> queries_;
-  IndexedView<scene::Hit> hits_;
-  Counts unseen_{};
-  Queue queue_;
-  Findings findings_;
   RoundedPacket rounded_;
 };
 

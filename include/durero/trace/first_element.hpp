@@ -2,6 +2,8 @@
 /// The first element that a ray meets, without its point. No root is improved and nothing is rounded, which is faster
 /// for callers that need neither t nor the point.
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -87,12 +89,15 @@ void first_elements_among(const Source& source, std::span<const scene::Query> qu
     const auto block = picked(queries, order, begin, count);
     const auto answers = picked(elements, order, begin, count);
     const Unbundled unbundled(
-        source, block, SingleSearch::nearest, [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
-          const std::uint32_t found = rays.found(place);
-          answers[number] =
-              found == SingleRays::none
-                  ? FirstElement{}
-                  : FirstElement{model::Resultado::hit, 1, source.element({model::Tipo::soy_triangulo, found})};
+        source, block, SingleSearch::nearest, [&](std::uint32_t first, const SingleRays& rays, std::uint64_t which) {
+          for (; which != 0; which &= which - 1) {
+            const auto place = static_cast<std::size_t>(std::countr_zero(which));
+            const std::uint32_t found = rays.found(place);
+            answers[first + place] =
+                found == SingleRays::none
+                    ? FirstElement{}
+                    : FirstElement{model::Resultado::hit, 1, source.element({model::Tipo::soy_triangulo, found})};
+          }
         });
     if (unbundled.none()) return;
     const auto left = unbundled.of(block);

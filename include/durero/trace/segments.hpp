@@ -243,8 +243,11 @@ void occluded_segments_in_lanes(const Source& source, std::span<const scene::Que
         const auto block = picked(queries, order, begin, count);
         const auto answers = picked(occluded, order, begin, count);
         const Unbundled left(source, block, SingleSearch::any,
-                             [&](std::uint32_t number, const SingleRays& rays, std::size_t place) {
-                               answers[number] = rays.meets(place);
+                             [&](std::uint32_t first, const SingleRays& rays, std::uint64_t which) {
+                               for (; which != 0; which &= which - 1) {
+                                 const auto place = static_cast<std::size_t>(std::countr_zero(which));
+                                 answers[first + place] = rays.meets(place);
+                               }
                              });
         if (!left.none()) SegmentBatch(source, left.of(block), left.of(answers)).answer();
       },

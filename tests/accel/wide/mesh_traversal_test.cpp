@@ -1,5 +1,6 @@
 #include "durero/accel/wide/mesh_traversal.hpp"
 
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -100,7 +101,9 @@ std::vector<scene::Query> shadows(const WideBvh& tree, const std::vector<scene::
 /// The part of the queries that bundles answer.
 double answered(const WideBvh& tree, const std::vector<scene::Query>& queries, SingleSearch search) {
   std::size_t count = 0;
-  const trace::Unbundled left(tree, queries, search, [&](auto...) { ++count; });
+  const trace::Unbundled left(tree, queries, search, [&](auto, const auto&, std::uint64_t which) {
+    count += static_cast<std::size_t>(std::popcount(which));
+  });
   return static_cast<double>(count) / static_cast<double>(queries.size());
 }
 

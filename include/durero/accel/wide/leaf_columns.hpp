@@ -71,6 +71,10 @@ class LeafColumns {
     }
     return index;
   }
+  /// The block of a triangle by the index of its leaf. Precondition: `in_block` is set.
+  const trace::TriangleBlock& block_of(std::uint32_t leaf) const {
+    return blocks_[(leaf & ~in_block) / trace::TriangleBlock::size];
+  }
   /// The blocks, by index.
   std::span<const trace::TriangleBlock> blocks() const noexcept { return blocks_; }
 
@@ -78,7 +82,7 @@ class LeafColumns {
   template <class Visit>
   decltype(auto) visit(scene::ElementRef leaf, Visit&& visit) const {
     if (is_in_block(leaf)) {
-      const scene::Triangle triangle = block_of(leaf).triangle(lane_in_block(leaf));
+      const scene::Triangle triangle = block_of(leaf.index).triangle(lane_in_block(leaf));
       return visit(triangle);
     }
     return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) -> decltype(auto) {
@@ -87,7 +91,7 @@ class LeafColumns {
   }
   /// Prefetches the geometry of a leaf.
   void ask_for_shape(scene::ElementRef leaf) const {
-    if (is_in_block(leaf)) return trace::ask_for(block_of(leaf));
+    if (is_in_block(leaf)) return trace::ask_for(block_of(leaf.index));
     visit(leaf, [](const auto& shape) { trace::ask_for(shape); });
   }
   /// The addresses of the rows, for prefetching them without a branch. The traversal prefetches nearly every leaf that
@@ -128,7 +132,7 @@ class LeafColumns {
   }
   /// The element of the scene that the leaf is a copy of.
   scene::ElementRef element(scene::ElementRef leaf) const {
-    if (is_in_block(leaf)) return {leaf.tipo, block_of(leaf).elements[lane_in_block(leaf)]};
+    if (is_in_block(leaf)) return {leaf.tipo, block_of(leaf.index).elements[lane_in_block(leaf)]};
     return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) {
       return scene::ElementRef{leaf.tipo, std::get<Column<Shape>>(columns_).elements[leaf.index]};
     });
@@ -165,9 +169,6 @@ class LeafColumns {
     return leaf.tipo == model::Tipo::soy_triangulo && (leaf.index & in_block) != 0;
   }
   static std::size_t lane_in_block(scene::ElementRef leaf) { return leaf.index % trace::TriangleBlock::size; }
-  const trace::TriangleBlock& block_of(scene::ElementRef leaf) const {
-    return blocks_[(leaf.index & ~in_block) / trace::TriangleBlock::size];
-  }
 
   std::size_t place(scene::ElementRef e) const { return first_[static_cast<std::size_t>(e.tipo)] + e.index; }
 
