@@ -1,11 +1,14 @@
 #include "durero/accel/wide/ray_order.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
-#include <numeric>
+#include <utility>
 
 #include "durero/accel/wide/wide_bvh.hpp"
 
@@ -38,14 +41,34 @@ struct Keyed {
   std::uint32_t key, number;
 };
 
-/// Sorts by some bits of the keys, stably (counting sort).
+/// The parts in which so many keys are sorted; they depend on this number alone. Few keys are one part.
+std::size_t key_parts(std::size_t size) { return size < (1 << 17) ? 1 : size >> 16; }
+
+/// Calls use(part, begin, end) for each part of so many keys, on as many threads as the calling thread may use.
+template <class Use>
+void for_each_key_part(std::size_t size, Use use) {
+  const std::size_t parts = key_parts(size);
+  const auto use_part = [&](std::size_t part) { use(part, part * size / parts, (part + 1) * size / parts); };
+  if (parts == 1) return use_part(0);
+  oneapi::tbb::parallel_for(std::size_t{0}, parts, use_part, oneapi::tbb::simple_partitioner());
+}
+
+/// Sorts by some bits of the keys, stably (counting sort). Each part of the keys has counts of its own: `next` has, for
+/// each part, the place of its next entry with each value of the bits.
 void sort_by_bits(std::span<const Keyed> from, std::span<Keyed> to, unsigned shift, unsigned bits,
                   std::vector<std::uint32_t>& next) {
-  const std::uint32_t mask = (std::uint32_t{1} << bits) - 1;
-  next.assign(mask + 2, 0);
-  for (const Keyed& each : from) ++next[(each.key >> shift & mask) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  for (const Keyed& each : from) to[next[each.key >> shift & mask]++] = each;
+  const std::size_t values = std::size_t{1} << bits, parts = key_parts(from.size());
+  const auto value_of = [&](const Keyed& each) { return each.key >> shift & (values - 1); };
+  next.assign(values * parts, 0);
+  for_each_key_part(from.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) ++next[part * values + value_of(from[i])];
+  });
+  std::uint32_t before = 0;
+  for (std::size_t value = 0; value < values; ++value)
+    for (std::size_t part = 0; part < parts; ++part) before += std::exchange(next[part * values + value], before);
+  for_each_key_part(from.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) to[next[part * values + value_of(from[i])]++] = from[i];
+  });
 }
 
 /// Sorts by all bits, in passes (radix sort). Many keys pay for wider passes.
@@ -118,8 +141,10 @@ std::vector<std::uint32_t> WideBvh::order(std::span<const scene::Query> queries,
   if (each_near_the_last(queries, first ? 0 : near_for_segments * spacing())) return {};
   const RayOrderKey key_of(nodes().front(), spacing());
   std::vector<Keyed> keyed(queries.size());
-  for (std::uint32_t i = 0; i < queries.size(); ++i)
-    keyed[i] = {key_of(queries[i].rayo.p().xyz(), queries[i].rayo.v().xyz()), i};
+  for_each_key_part(queries.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      keyed[i] = {key_of(queries[i].rayo.p().xyz(), queries[i].rayo.v().xyz()), static_cast<std::uint32_t>(i)};
+  });
   sort(keyed, key_of.bits());
   std::vector<std::uint32_t> order(queries.size());
   std::ranges::transform(keyed, order.begin(), &Keyed::number);

@@ -1,6 +1,9 @@
 // Large trees answer many segments in an order of their own: each answer must stand where its question does.
+#include <oneapi/tbb/global_control.h>
+
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "accel/each_alone.hpp"
 #include "durero/accel/wide/wide_bvh.hpp"
@@ -46,6 +49,24 @@ TEST_CASE("every ray is in the order once, where the tree is large and the rays 
   CHECK(tree.order(queries_from(random, 100, 1.5), QueryKind::segment).empty());
   CHECK(tree.order(queries_from(random, 3000, 0), QueryKind::segment).empty());
   CHECK(tree.order({}, QueryKind::segment).empty());
+}
+
+TEST_CASE("many rays are sorted in parts, stably, whatever the number of threads") {
+  const scene::Scene scene = many_spheres(30000);
+  const accel::WideBvh tree(scene);
+  const accel::RayOrderKey key_of(tree.nodes().front(), tree.spacing());
+  Random random(10);
+  const std::vector<scene::Query> queries = queries_from(random, 300000, 1.5);
+  const auto ordered = [&](std::size_t threads) {
+    const oneapi::tbb::global_control some(oneapi::tbb::global_control::max_allowed_parallelism, threads);
+    return tree.order(queries, QueryKind::segment);
+  };
+  const std::vector<std::uint32_t> order = ordered(1);
+  REQUIRE(order.size() == queries.size());
+  CHECK(std::ranges::is_sorted(order, {}, [&](std::uint32_t i) {
+    return std::pair(key_of(queries[i].rayo.p().xyz(), queries[i].rayo.v().xyz()), i);
+  }));
+  for (const std::size_t threads : {2, 3}) CHECK(ordered(threads) == order);
 }
 
 TEST_CASE("answers of a large tree are those one by one, each in its place") {
