@@ -48,7 +48,7 @@ from .elements import Triangulo, Tronco, TruncatedCone, Written
 from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
-from .mesh import MeshCheck, MeshFinding, check_mesh
+from .mesh import MeshCheck, MeshFinding, MeshPiece, check_mesh
 from .scene import Answer, Group, HitsWithElements, Mesh, Scene
 
 __version__ = _durero.version
@@ -102,6 +102,7 @@ __all__ = [
     "Mesh",
     "MeshCheck",
     "MeshFinding",
+    "MeshPiece",
     "Outcome",
     "PROXIMITY",
     "Plane",

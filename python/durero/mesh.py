@@ -32,6 +32,17 @@ class MeshFinding:
 
 
 @dataclasses.dataclass(frozen=True)
+class MeshPiece:
+    """Triangles that share vertices with each other, and with no others."""
+
+    first: str
+    """The name of the first of them; of faces given as arrays its number, from 0."""
+    triangles: int
+    volume: Optional[fractions.Fraction]
+    """Exact; None where the piece is open or its faces disagree."""
+
+
+@dataclasses.dataclass(frozen=True)
 class MeshCheck:
     """What is found of a mesh."""
 
@@ -43,6 +54,7 @@ class MeshCheck:
     side: Optional[str]
     """Of the point that was asked about: inside, outside, surface, or none where the triangles bound nothing."""
     findings: Tuple[MeshFinding, ...]
+    each_piece: Tuple[MeshPiece, ...]
 
 
 def check_mesh(
@@ -75,10 +87,15 @@ def check_mesh(
         told["triangles"],
         told["vertices"],
         told["pieces"],
-        fractions.Fraction(told["volume"]) if "volume" in told else None,
+        _volume(told),
         told["point"]["side"] if "point" in told else None,
         tuple(_finding(finding) for finding in told["findings"]),
+        tuple(MeshPiece(piece["first"], piece["triangles"], _volume(piece)) for piece in told["each_piece"]),
     )
+
+
+def _volume(told: dict[str, Any]) -> Optional[fractions.Fraction]:
+    return fractions.Fraction(told["volume"]) if "volume" in told else None
 
 
 def _finding(told: dict[str, Any]) -> MeshFinding:

@@ -67,6 +67,11 @@ void add_check(CLI::App& app, int& status) {
       ->add_option("--picture", options->picture,
                    "With --mesh: a picture of the mesh from two sides, with the findings marked, NAME.png")
       ->needs(mesh);
+  command
+      ->add_option("--most", options->most,
+                   "With --mesh: list no more findings of each kind, and no more pieces; the others are counted")
+      ->needs(mesh)
+      ->check(CLI::PositiveNumber);
   add_quiet(*command, options->quiet);
   command->footer(
       "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"

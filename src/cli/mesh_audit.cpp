@@ -36,10 +36,11 @@ int audit_mesh(const AuditCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "check");
   const io::Imported found = imported(call.scene);
   const io::SceneMesh mesh = io::mesh_of(found.scene);
-  const io::MeshCheck check = io::check_mesh(call.scene, mesh, point_in(call.point));
+  io::MeshCheck check = io::check_mesh(call.scene, mesh, point_in(call.point));
   if (picture) picture->write(naming_file<std::domain_error>(call.scene, [&] { return mesh_picture(mesh, check); }));
   progress.reset();
   if (picture) picture->commit();
+  if (call.most > 0) list_at_most(call.most, check);
   io::print(call.format == "json"    ? mesh_check_json(check)
             : call.format == "sarif" ? mesh_check_sarif(check)
                                      : mesh_check_text(check));

@@ -2,6 +2,7 @@
 /// The audit of a mesh, `durero check --mesh FILE`. The demonstration's program reads no other program's format, and
 /// refuses it (demo_commands.cpp).
 
+#include <cstddef>
 #include <string>
 
 namespace durero::cli {
@@ -12,6 +13,7 @@ struct AuditCall {
   std::string format = "text";  ///< of the answer: `text`, `json` or `sarif`
   std::string point;            ///< of which the side is told: X,Y,Z, or empty
   std::string picture;          ///< the file that is drawn, or empty
+  std::size_t most = 0;         ///< so many findings of each kind, and pieces, are listed; 0 for all
   bool quiet = false;           ///< without progress
 };
 

@@ -123,10 +123,38 @@ std::vector<std::uint32_t> pieces(std::size_t vertex_count, Faces faces) {
   return piece_of;
 }
 
-void judge_face(Vertices vertices, Faces faces, std::uint32_t n, MeshAudit& audit, number::Dyadic& sum) {
-  const glm::dvec3 &a = vertices[faces[n][0]], &b = vertices[faces[n][1]], &c = vertices[faces[n][2]];
-  if (are_collinear(a, b, c)) audit.degenerate.push_back(n);
-  sum += determinant(a, b, c);
+/// The faces whose points lie on one line.
+std::vector<std::uint32_t> degenerate_faces(Vertices vertices, Faces faces) {
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t n = 0; n < faces.size(); ++n)
+    if (are_collinear(vertices[faces[n][0]], vertices[faces[n][1]], vertices[faces[n][2]])) found.push_back(n);
+  return found;
+}
+
+/// Tells the pieces apart, and adds up what each and all of them enclose. Precondition: edges and piece_of are audited.
+void judge_pieces(Vertices vertices, Faces faces, MeshAudit& audit) {
+  std::vector<std::uint32_t> of_face(faces.size()), of_vertex(vertices.size());  // the place of each one's piece
+  std::vector<number::Dyadic> sums;                                              // six times the volume of each piece
+  for (std::uint32_t n = 0; n < faces.size(); ++n) {
+    if (audit.piece_of[n] == n) {
+      of_face[n] = static_cast<std::uint32_t>(audit.pieces.size());
+      audit.pieces.push_back({n, 0});
+      sums.emplace_back();
+    }
+    const std::uint32_t place = of_face[n] = of_face[audit.piece_of[n]];
+    ++audit.pieces[place].faces;
+    sums[place] += determinant(vertices[faces[n][0]], vertices[faces[n][1]], vertices[faces[n][2]]);
+    for (const std::uint32_t corner : faces[n]) of_vertex[corner] = place;
+  }
+  std::vector<bool> bounds(audit.pieces.size(), true);
+  for (const EdgeEnds& edge : audit.open) bounds[of_vertex[edge[0]]] = false;
+  for (const EdgeEnds& edge : audit.discordant) bounds[of_vertex[edge[0]]] = false;
+  number::Dyadic sum;
+  for (std::size_t place = 0; place < sums.size(); ++place) {
+    sum += sums[place];
+    if (bounds[place]) audit.pieces[place].volume = sums[place].rational() / 6;
+  }
+  audit.volume = sum.rational() / 6;
 }
 
 }  // namespace
@@ -137,13 +165,12 @@ MeshAudit audited(std::span<const glm::dvec3> vertices, std::span<const CornerNu
   std::vector<EdgeWalk> walks = walks_of(faces);
   judge_edges(walks, audit);
   audit.repeated = repeated_faces(faces);
-  number::Dyadic sum;
-  for (std::uint32_t n = 0; n < faces.size(); ++n) judge_face(vertices, faces, n, audit, sum);
+  audit.degenerate = degenerate_faces(vertices, faces);
   audit.t_junctions = t_junctions(vertices, faces, walks);
   audit.crossings = crossings(vertices, faces);
   audit.singular = singular_vertices(vertices.size(), faces);
   audit.piece_of = pieces(vertices.size(), faces);
-  audit.volume = sum.rational() / 6;
+  judge_pieces(vertices, faces, audit);
   return audit;
 }
 

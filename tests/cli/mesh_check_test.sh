@@ -38,6 +38,23 @@ run 1 check --mesh tent.obj --format sarif
 has out '"ruleId":"uniones_en_t"'
 run 2 check --mesh absent.obj
 
+# No more findings of a kind than --most, and the others counted; the exit status and the picture are as without it.
+run 1 check --mesh tent.obj
+findings=$(grep -c '^abiertas: ' out)
+[ "$findings" -gt 2 ] || fail "tent.obj has $findings open edges, expected more than 2"
+run 1 check --mesh tent.obj --most 2
+[ "$(grep -c '^abiertas: tent' out)" = 2 ] || fail 'expected two open edges of tent.obj'
+has out "abiertas: $((findings - 2)) more"
+run 1 check --mesh tent.obj --most 2 --format json
+has out '"unlisted":{"abiertas":'
+run 2 check --mesh tent.obj --most 0
+run 2 check mended.json --most 1
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n' >apart.obj
+run 1 check --mesh apart.obj
+has out 'piece of apart.obj:2: 1 triangle, volume none'
+run 1 check --mesh apart.obj --most 1
+has out 'pieces: 1 more'
+
 # The picture of the findings: white, grey, red and yellow are in it, and of a mesh without findings neither of the last.
 run 1 check --mesh tent.obj --picture tent.png
 has out 'uniones_en_t: '

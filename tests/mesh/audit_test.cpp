@@ -46,6 +46,31 @@ std::set<std::set<model::Ordinal>> as_pieces(const std::vector<std::uint32_t>& p
   return all;
 }
 
+/// The faces of a piece alone, by the numbers of the whole; its points are all of them.
+model::Red piece_alone(const model::Red& red, const std::vector<std::uint32_t>& piece_of, std::uint32_t first) {
+  std::vector<model::Punto> points;
+  std::vector<model::Cara> faces;
+  for (const auto& [n, p] : red.puntos()) points.push_back(p);
+  for (const auto& [n, c] : red.caras())
+    if (piece_of[n] == first) faces.push_back(c);
+  return model::Red::of(points, faces);
+}
+
+/// Each piece has the volume that the text gives its faces alone, where none of their edges is open or discordant.
+void check_pieces(const model::Red& red, const MeshAudit& audit) {
+  std::uint32_t faces = 0;
+  for (const MeshPiece& piece : audit.pieces) {
+    const model::Red alone = piece_alone(red, audit.piece_of, piece.first);
+    RC_ASSERT(piece.faces == alone.caras().size());
+    RC_ASSERT(piece.volume.has_value() == (model::abiertas(alone).empty() && model::discordes(alone).empty()));
+    RC_CLASSIFY(piece.volume && *piece.volume != number::Rational(0), "with a piece that encloses a volume");
+    if (piece.volume) RC_ASSERT(*piece.volume == model::volumen(alone));
+    faces += static_cast<std::uint32_t>(piece.faces);
+  }
+  RC_ASSERT(faces == red.caras().size());
+  RC_ASSERT(std::ranges::is_sorted(audit.pieces, {}, &MeshPiece::first));
+}
+
 MeshAudit audited(const model::Red& red) {
   std::vector<glm::dvec3> vertices;
   for (const auto& [n, p] : red.puntos()) vertices.emplace_back(p.x(), p.y(), p.z());
@@ -149,9 +174,35 @@ TEST_CASE("the audit of any mesh is that of the text") {
     RC_ASSERT(std::ranges::is_sorted(singular));
     RC_ASSERT(as_pieces(audit.piece_of) == model::piezas(red));
     RC_ASSERT(audit.volume == model::volumen(red));
+    check_pieces(red, audit);
     RC_ASSERT(std::ranges::is_sorted(audit.open) && std::ranges::is_sorted(audit.discordant));
     RC_ASSERT(std::ranges::is_sorted(audit.t_junctions));
   });
+}
+
+TEST_CASE("each piece has a volume of its own, if it is closed") {
+  // Two tetrahedra apart, the second turned inside out, and one without its last face.
+  const std::array<CornerNumbers, 4> closed{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  std::vector<glm::dvec3> vertices;
+  std::vector<CornerNumbers> faces;
+  for (std::uint32_t at = 0; at < 3; ++at) {
+    for (const glm::dvec3& corner :
+         {glm::dvec3(0, 0, 0), glm::dvec3(3, 0, 0), glm::dvec3(0, 3, 0), glm::dvec3(0, 0, 3)})
+      vertices.push_back(corner + 10.0 * at);
+    for (std::uint32_t n = 0; n < (at == 2 ? 3 : 4); ++n) {
+      CornerNumbers face = closed[n];
+      if (at == 1) std::swap(face[0], face[1]);
+      for (std::uint32_t& corner : face) corner += 4 * at;
+      faces.push_back(face);
+    }
+  }
+  const MeshAudit audit = mesh::audited(vertices, faces);
+  REQUIRE(audit.pieces.size() == 3);
+  CHECK(audit.pieces[0].volume == number::Rational(9) / 2);
+  CHECK(audit.pieces[1].volume == number::Rational(-9) / 2);
+  CHECK(audit.pieces[1].first == 4);
+  CHECK_FALSE(audit.pieces[2].volume);
+  CHECK(audit.pieces[2].faces == 3);
 }
 
 TEST_CASE("the faces that cross are those of the text") {

@@ -4,6 +4,7 @@ from __future__ import annotations
 import json
 import pathlib
 import subprocess
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -34,6 +35,17 @@ def test_findings_are_those_of_the_program(tmp_path: pathlib.Path) -> None:
     assert [list(f.mended) for f in check.findings] == [f["mended"] for f in told["findings"]]
     assert (check.triangles, check.vertices, check.pieces, check.volume) == (5, 5, 1, None)
     assert check.side == told["point"]["side"]
+    assert [(piece.first, piece.triangles, piece.volume) for piece in check.each_piece] == [("0", 5, None)]
+
+
+def test_each_piece_has_its_volume() -> None:
+    closed = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+    check = durero.check_mesh(np.concatenate([VERTICES[:4], VERTICES[:4] * 3 + 9]), np.concatenate([closed, closed + 4]))
+    assert [(piece.first, piece.triangles, piece.volume) for piece in check.each_piece] == [
+        ("0", 4, Fraction(4, 3)),
+        ("4", 4, 36),
+    ]
+    assert check.volume == Fraction(112, 3)
 
 
 def test_arrays_are_audited_as_a_scene_and_their_degenerate_faces_told() -> None:

@@ -5,8 +5,10 @@
 /// all.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,6 +42,14 @@ struct SingularVertex {
   std::vector<std::uint32_t> fans;  ///< the least face of each, in ascending order; two or more
 };
 
+/// Faces that are joined to each other by shared vertices, and to no other.
+struct MeshPiece {
+  std::uint32_t first;  ///< the least of them
+  std::size_t faces;    ///< how many there are
+  /// What they enclose, exact; nothing where some edge of them is open or discordant.
+  std::optional<number::Rational> volume{};
+};
+
 /// The findings, each list in ascending order. The names of the text are those of model/auditoria.hpp.
 struct MeshAudit {
   std::vector<EdgeEnds> open;             ///< edges of one face, the lesser number first (abiertas)
@@ -52,7 +62,8 @@ struct MeshAudit {
   std::vector<SingularVertex> singular;   ///< vertices where fans touch (singulares)
   /// For each face the least face that is joined to it by shared vertices: one number a piece (piezas).
   std::vector<std::uint32_t> piece_of;
-  number::Rational volume;  ///< exact; what the faces enclose where they are closed (volumen)
+  std::vector<MeshPiece> pieces;  ///< in the order of their least faces
+  number::Rational volume;        ///< exact; what the faces enclose where they are closed (volumen)
 };
 
 /// The audit. Precondition: the vertices are finite, and each corner of a face is the number of one of them; throws

@@ -212,14 +212,33 @@ SceneMesh mesh_of(std::span<const glm::dvec3> vertices, std::span<const CornerNu
 }
 
 MeshCheck check_mesh(const std::string& file, const SceneMesh& mesh, const std::optional<glm::dvec3>& point) {
-  mesh::MeshAudit audit = mesh::audited(mesh.vertices, mesh.faces);
-  MeshCheck check{file, mesh.faces.size(), mesh.vertices.size(), 0, std::nullopt, std::nullopt, {}};
+  const mesh::MeshAudit audit = mesh::audited(mesh.vertices, mesh.faces);
+  MeshCheck check{file, mesh.faces.size(), mesh.vertices.size(), audit.pieces.size(), std::nullopt, std::nullopt, {}};
   MeshFindings(mesh, check.findings).add(audit);
   if (audit.open.empty() && audit.discordant.empty()) check.volume = audit.volume.str();
   if (point) check.point = {*point, side_name(mesh::side_of(mesh.vertices, mesh.faces, *point))};
-  std::ranges::sort(audit.piece_of);
-  check.pieces = audit.piece_of.size() - std::ranges::unique(audit.piece_of).size();
+  for (const mesh::MeshPiece& piece : audit.pieces) {
+    AuditedPiece& listed = check.listed_pieces.emplace_back(AuditedPiece{mesh.names[piece.first], piece.faces, {}});
+    if (piece.volume) listed.volume = piece.volume->str();
+  }
   return check;
+}
+
+void list_at_most(std::size_t most, MeshCheck& check) {
+  std::vector<MeshDefect> listed;
+  std::size_t of_kind = 0;
+  for (MeshDefect& finding : check.findings) {
+    of_kind = !listed.empty() && listed.back().kind == finding.kind ? of_kind + 1 : 1;
+    if (of_kind <= most) {
+      listed.push_back(std::move(finding));
+    } else if (check.unlisted.empty() || check.unlisted.back().kind != finding.kind) {
+      check.unlisted.push_back({finding.kind, 1});
+    } else {
+      ++check.unlisted.back().count;
+    }
+  }
+  check.findings = std::move(listed);
+  if (check.listed_pieces.size() > most) check.listed_pieces.resize(most);
 }
 
 }  // namespace durero::io

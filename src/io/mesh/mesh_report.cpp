@@ -65,6 +65,42 @@ std::string point_line(const MeshPoint& point) {
   return fmt::format("{}: {}\n", point_text(point.place), side);
 }
 
+/// The volume of triangles in words.
+std::string volume_text(const std::optional<std::string>& volume) {
+  return volume.value_or("none, as they bound none");
+}
+
+/// A line for each piece, where there are several.
+std::string piece_lines(const MeshCheck& check) {
+  std::string text;
+  if (check.pieces < 2) return text;
+  for (const AuditedPiece& piece : check.listed_pieces)
+    text += fmt::format("piece of {}: {} triangle{}, volume {}\n", piece.first, piece.faces,
+                        piece.faces == 1 ? "" : "s", volume_text(piece.volume));
+  if (check.pieces > check.listed_pieces.size())
+    text += fmt::format("pieces: {} more\n", check.pieces - check.listed_pieces.size());
+  return text;
+}
+
+void write_pieces(json::Writer& out, const MeshCheck& check) {
+  out.key("each_piece").begin_array();
+  for (const AuditedPiece& piece : check.listed_pieces) {
+    out.begin_object().member("first", piece.first).member("triangles", std::uint64_t{piece.faces});
+    if (piece.volume) out.member("volume", *piece.volume);
+    out.end_object();
+  }
+  out.end_array();
+}
+
+void write_unlisted(json::Writer& out, const MeshCheck& check) {
+  out.key("unlisted").begin_object();
+  for (const UnlistedFindings& rest : check.unlisted) out.member(rest.kind, std::uint64_t{rest.count});
+  out.end_object();
+}
+
+/// The findings of a kind that are not listed, in words.
+std::string said_of(const UnlistedFindings& rest) { return fmt::format("{} more", rest.count); }
+
 /// A result without a region: a format may have no lines. The triangles are its logical locations.
 void write_result(json::Writer& out, std::string_view uri, const MeshDefect& defect) {
   out.new_line().begin_object().member("ruleId", defect.kind).member("level", "error");
@@ -79,12 +115,13 @@ void write_result(json::Writer& out, std::string_view uri, const MeshDefect& def
 }  // namespace
 
 std::string mesh_check_text(const MeshCheck& check) {
-  std::string text =
-      fmt::format("{}: {} triangles, {} vertices, {}, volume {}\n", text::escaped(check.file), check.faces,
-                  check.vertices, check.pieces == 1 ? "1 piece" : fmt::format("{} pieces", check.pieces),
-                  check.volume.value_or("none, as they bound none"));
+  std::string text = fmt::format(
+      "{}: {} triangles, {} vertices, {}, volume {}\n", text::escaped(check.file), check.faces, check.vertices,
+      check.pieces == 1 ? "1 piece" : fmt::format("{} pieces", check.pieces), volume_text(check.volume));
+  text += piece_lines(check);
   if (check.point) text += point_line(*check.point);
   for (const MeshDefect& defect : check.findings) text += line_of(defect);
+  for (const UnlistedFindings& rest : check.unlisted) text += fmt::format("{}: {}\n", rest.kind, said_of(rest));
   return text;
 }
 
@@ -96,11 +133,14 @@ std::string mesh_check_json(const MeshCheck& check) {
   out.member("triangles", std::uint64_t{check.faces}).member("vertices", std::uint64_t{check.vertices});
   out.member("pieces", std::uint64_t{check.pieces});
   if (check.volume) out.member("volume", *check.volume);
+  write_pieces(out, check);
   if (check.point)
     out.key("point").begin_object().member("place", check.point->place).member("side", check.point->side).end_object();
   out.key("findings").begin_array();
   for (const MeshDefect& defect : check.findings) write_defect(out, defect);
-  out.end_array().end_object();
+  out.end_array();
+  if (!check.unlisted.empty()) write_unlisted(out, check);
+  out.end_object();
   return text + '\n';
 }
 
@@ -111,6 +151,11 @@ std::string mesh_check_sarif(const MeshCheck& check) {
   out.key("results").begin_array();
   const std::string uri = sarif_uri(check.file);
   for (const MeshDefect& defect : check.findings) write_result(out, uri, defect);
+  for (const UnlistedFindings& rest : check.unlisted) {
+    write_sarif_message(out.new_line().begin_object().member("ruleId", rest.kind).member("level", "error"), "message",
+                        said_of(rest));
+    out.end_object();
+  }
   end_sarif(out);
   return text + '\n';
 }

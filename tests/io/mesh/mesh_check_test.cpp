@@ -50,6 +50,41 @@ TEST_CASE("a closed mesh has no finding, and an exact volume") {
   CHECK(check.volume == "4/3");
 }
 
+TEST_CASE("pieces are told by their first faces, each with its own volume") {
+  const glm::dvec3 far(10, 0, 0);
+  const MeshCheck check = check_mesh("m", mesh_of_scene({base, {{o + far, y + far, x + far}}, front, slope, side}));
+  CHECK(check.pieces == 2);
+  CHECK_FALSE(check.volume);
+  REQUIRE(check.listed_pieces.size() == 2);
+  CHECK(check.listed_pieces[0].first == "a");
+  CHECK(check.listed_pieces[0].faces == 4);
+  CHECK(check.listed_pieces[0].volume == "4/3");
+  CHECK(check.listed_pieces[1].first == "b");
+  CHECK_FALSE(check.listed_pieces[1].volume);
+}
+
+TEST_CASE("so many findings of each kind are left, and so many pieces; the others are counted") {
+  MeshCheck check{"m", 9, 9, 3, std::nullopt, std::nullopt, {}, {{"a", 4, {}}, {"e", 4, {}}, {"i", 1, {}}}, {}};
+  for (const char* kind : {"abiertas", "abiertas", "abiertas", "abiertas", "discordes", "discordes", "cruzadas"})
+    check.findings.push_back({kind, {std::to_string(check.findings.size())}, {}, "", {}});
+  MeshCheck all = check;
+  list_at_most(4, all);
+  CHECK(all.findings.size() == 7);
+  CHECK(all.unlisted.empty());
+  CHECK(all.listed_pieces.size() == 3);
+  list_at_most(1, check);
+  std::vector<std::string> first;
+  for (const MeshDefect& each : check.findings) first.push_back(each.faces[0]);
+  CHECK(first == std::vector<std::string>{"0", "4", "6"});
+  REQUIRE(check.unlisted.size() == 2);
+  CHECK(check.unlisted[0].kind == "abiertas");
+  CHECK(check.unlisted[0].count == 3);
+  CHECK(check.unlisted[1].kind == "discordes");
+  CHECK(check.unlisted[1].count == 1);
+  CHECK(check.pieces == 3);
+  CHECK(check.listed_pieces.size() == 1);
+}
+
 TEST_CASE("faces by numbers are named by their own, and same points are one vertex") {
   const std::vector<glm::dvec3> vertices{o, x, y, o, half, z};
   const std::vector<mesh::CornerNumbers> faces{{0, 1, 2}, {3, 4, 1}, {3, 5, 1}};

@@ -41,6 +41,19 @@ struct MeshPoint {
   std::string side;  ///< `inside`, `outside`, `surface`, or `none` where the triangles bound nothing
 };
 
+/// Triangles that share vertices with each other, and with no others.
+struct AuditedPiece {
+  std::string first;                  ///< the name of the first of them
+  std::size_t faces;                  ///< how many there are
+  std::optional<std::string> volume;  ///< a fraction; nothing where the piece is not closed, or its faces disagree
+};
+
+/// The findings of one kind that are not listed.
+struct UnlistedFindings {
+  std::string kind;   ///< the name of the text
+  std::size_t count;  ///< how many there are
+};
+
 /// The findings of the triangles of a file.
 struct MeshCheck {
   std::string file;                   ///< its name
@@ -49,10 +62,15 @@ struct MeshCheck {
   std::optional<std::string> volume;  ///< a fraction; nothing where the mesh is not closed, or its faces disagree
   std::optional<MeshPoint> point;     ///< where one was asked about
   std::vector<MeshDefect> findings;   ///< by kinds, in the order of the text
+  std::vector<AuditedPiece> listed_pieces{};  ///< in the order of the triangles: all, or the first
+  std::vector<UnlistedFindings> unlisted{};   ///< by kinds; none where all findings are listed
 };
 
 /// Audits a mesh that a file gave, and says the side of a point. Precondition: the point is finite.
 MeshCheck check_mesh(const std::string& file, const SceneMesh& mesh,
                      const std::optional<glm::dvec3>& point = std::nullopt);
+
+/// Leaves the first findings of each kind and the first pieces, so many of each; the others are counted.
+void list_at_most(std::size_t most, MeshCheck& check);
 
 }  // namespace durero::io
