@@ -120,13 +120,19 @@ Proof.
   pose proof (on_own d' level' m e s x B E Sub Hx) as At. pose proof (middle_before m d' level' D B) as Before.
   pose proof (before_hull r s d level x (before_each d level n d_bears) Hx) as Most.
   destruct (along_ray x X) as (u & U & A & _). rewrite A in At, Most. rewrite middle_at in Most.
-  destruct (Rle_or_lt u 1) as [One | One]; nra.
+  destruct (Rle_or_lt u 1) as [One | One].
+  - pose proof (Rmult_le_pos (1 - u) (level' - along d' w) ltac:(lra) ltac:(lra)).
+    pose proof (Rmult_lt_0_compat u (level' - along d' middle) U ltac:(lra)). lra.
+  - pose proof (Rmult_lt_0_compat (u - 1) (level - along d w) ltac:(lra) ltac:(lra)). lra.
 Qed.
 (** The face itself has the middle alone. *)
 Lemma own_met_once s x : s ⊆ esquinas c -> x ∈ puntos_de_rayo to_middle -> x ∈ envolvente r s -> x = middle.
 Proof.
   intros Sub X Hx. pose proof (on_own d level n c s x d_bears c_there Sub Hx) as At.
-  destruct (along_ray x X) as (u & U & A & One). rewrite A, middle_at in At. apply One. nra.
+  destruct (along_ray x X) as (u & U & A & One). rewrite A, middle_at in At. apply One.
+  destruct (Rtotal_order u 1) as [H | [H | H]]; [| exact H |]; exfalso.
+  - pose proof (Rmult_lt_0_compat (1 - u) (level - along d w) ltac:(lra) ltac:(lra)). lra.
+  - pose proof (Rmult_lt_0_compat (u - 1) (level - along d w) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (** No edge has a point of the ray: each edge of the face is one of another face too, which has not the middle. *)
