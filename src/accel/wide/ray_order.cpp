@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/common.hpp>
+#include <memory>
+#include <span>
 #include <utility>
 
 #include "durero/accel/wide/wide_bvh.hpp"
@@ -39,6 +41,16 @@ bool each_near_the_last(std::span<const scene::Query> queries, double near) {
 
 struct Keyed {
   std::uint32_t key, number;
+};
+/// Keys that are not written at first, so that the thread that writes them is the first to touch their pages.
+class Keys {
+ public:
+  explicit Keys(std::size_t size) : keys_(std::make_unique_for_overwrite<Keyed[]>(size)), size_(size) {}
+  std::span<Keyed> all() const { return {keys_.get(), size_}; }
+
+ private:
+  std::unique_ptr<Keyed[]> keys_;
+  std::size_t size_;
 };
 
 /// The parts in which so many keys are sorted; they depend on this number alone. Few keys are one part.
@@ -72,13 +84,13 @@ void sort_by_bits(std::span<const Keyed> from, std::span<Keyed> to, unsigned shi
 }
 
 /// Sorts by all bits, in passes (radix sort). Many keys pay for wider passes.
-void sort(std::vector<Keyed>& keyed, unsigned bits) {
-  const unsigned at_a_time = keyed.size() < few ? 8 : 12;
-  std::vector<Keyed> sorted(keyed.size());
+void sort(Keys& keyed, unsigned bits) {
+  const unsigned at_a_time = keyed.all().size() < few ? 8 : 12;
+  Keys sorted(keyed.all().size());
   std::vector<std::uint32_t> next;
   for (unsigned shift = 0; shift < bits; shift += at_a_time) {
-    sort_by_bits(keyed, sorted, shift, at_a_time, next);
-    keyed.swap(sorted);
+    sort_by_bits(keyed.all(), sorted.all(), shift, at_a_time, next);
+    std::swap(keyed, sorted);
   }
 }
 
@@ -103,12 +115,12 @@ namespace {
 /// Sorts by key(ray), stably.
 template <class Key>
 void sort_by_key(Key key, unsigned bits, std::span<const trace::Ray> rays, std::vector<std::uint32_t>& numbers) {
-  std::vector<Keyed> keyed(numbers.size());
-  std::ranges::transform(numbers, keyed.begin(), [&](std::uint32_t number) {
+  Keys keyed(numbers.size());
+  std::ranges::transform(numbers, keyed.all().begin(), [&](std::uint32_t number) {
     return Keyed{key(rays[number]), number};
   });
   sort(keyed, bits);
-  std::ranges::transform(keyed, numbers.begin(), &Keyed::number);
+  std::ranges::transform(keyed.all(), numbers.begin(), &Keyed::number);
 }
 
 /// Whether the ends of a sample of segments spread at most an eighth as far as their origins.
@@ -140,14 +152,14 @@ std::vector<std::uint32_t> WideBvh::order(std::span<const scene::Query> queries,
   if (nodes().size_bytes() < (first ? least_of_rays : least_of_segments) || queries.size() < least_rays) return {};
   if (each_near_the_last(queries, first ? 0 : near_for_segments * spacing())) return {};
   const RayOrderKey key_of(nodes().front(), spacing());
-  std::vector<Keyed> keyed(queries.size());
+  Keys keyed(queries.size());
   for_each_key_part(queries.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      keyed[i] = {key_of(queries[i].rayo.p().xyz(), queries[i].rayo.v().xyz()), static_cast<std::uint32_t>(i)};
+      keyed.all()[i] = {key_of(queries[i].rayo.p().xyz(), queries[i].rayo.v().xyz()), static_cast<std::uint32_t>(i)};
   });
   sort(keyed, key_of.bits());
   std::vector<std::uint32_t> order(queries.size());
-  std::ranges::transform(keyed, order.begin(), &Keyed::number);
+  std::ranges::transform(keyed.all(), order.begin(), &Keyed::number);
   return order;
 }
 
