@@ -134,3 +134,18 @@ TEST_CASE("most hits of ordinary rays are certain in lanes") {
   CHECK(std::popcount(rounded.certain) + 2 > std::popcount(inner));
   CHECK((rounded.certain & ~inner) == 0);
 }
+
+TEST_CASE("a hit from an origin that is not ordinary is not certain in lanes") {
+  SingleRays rays;
+  trace::HitTriangles triangles;
+  trace::RoundedRays rounded;
+  trace::TriangleBlock block;
+  block.set(0, {{glm::dvec3(-1, -1, 0), {1, -1, 0}, {0, 1, 0}}}, 0);
+  for (const double x : {0.0, 0x1p-100, 0x1p-101, -0x1p-900}) {
+    triangles.set(rays.count, block, 0);
+    rays.push({x, 0, 0.25}, {0, 0, -1}, SingleRays::none);
+  }
+  REQUIRE(round_to_single(rays));
+  round_hits(rays, triangles, rays.open, rounded);
+  CHECK(rounded.certain == 0b0011);
+}
