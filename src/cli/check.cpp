@@ -71,7 +71,7 @@ void add_check(CLI::App& app, int& status) {
       ->add_option("--most", options->most,
                    "With --mesh: list no more findings of each kind, and no more pieces; the others are counted")
       ->needs(mesh)
-      ->check(CLI::PositiveNumber);
+      ->check(whole_number(1, 1'000'000'000));
   add_quiet(*command, options->quiet);
   command->footer(
       "As JSON and SARIF all that is wrong with the file is printed, each with its label, its JSON pointer and its\n"
