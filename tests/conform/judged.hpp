@@ -1,6 +1,9 @@
 #pragma once
 /// Small answered cases, and systems that answer them: right ones and wrong ones.
 
+#include <algorithm>
+#include <vector>
+
 #include "durero/conform/report/tally.hpp"
 #include "durero/scene/attributes.hpp"
 
@@ -19,6 +22,19 @@ inline conform::SuiteCase answered_case(const char* family, std::uint64_t number
   conform::SuiteCase of = conform::suite_case(options, *conform::find_family(family), number);
   conform::answer(of);
   return of;
+}
+
+/// The first cases of a family, so many at most, asked that question.
+inline std::vector<conform::SuiteCase> asked_cases(const conform::Family& family, conform::QuestionKind question,
+                                                   conform::NumberFormat numbers, std::uint64_t count) {
+  const conform::SuiteOptions options{.rays = 1024, .numbers = numbers, .question = question};
+  std::vector<conform::SuiteCase> all;
+  for (std::uint64_t number = 0; number < std::min(count, conform::cases(options, family)); ++number) {
+    all.push_back(conform::suite_case(options, family, number));
+    conform::answer(all.back());
+    conform::ask_question(all.back(), options);
+  }
+  return all;
 }
 
 /// What a right system says: the exact answer; of no minimum, that it hits at 0.

@@ -37,14 +37,7 @@ Claim hit_of_ball(double t) {
 
 /// The cases of a family as first hits within ranges.
 std::vector<SuiteCase> ranged(const Family& family, NumberFormat numbers, std::uint64_t count) {
-  const SuiteOptions options{.rays = 1024, .numbers = numbers, .question = QuestionKind::range};
-  std::vector<SuiteCase> all;
-  for (std::uint64_t number = 0; number < std::min(count, cases(options, family)); ++number) {
-    all.push_back(suite_case(options, family, number));
-    answer(all.back());
-    ask_question(all.back(), options);
-  }
-  return all;
+  return test::asked_cases(family, QuestionKind::range, numbers, count);
 }
 
 /// A crossing of a ray by exact arithmetic, element by element, without the trees of the judge.

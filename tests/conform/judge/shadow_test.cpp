@@ -33,14 +33,7 @@ Verdict verdict(const SuiteCase& of, bool is_hit, const Profile& profile = test:
 
 /// The cases of a family as shadow rays.
 std::vector<SuiteCase> shadows(const Family& family, NumberFormat numbers, std::uint64_t count) {
-  const SuiteOptions options{.rays = 1024, .numbers = numbers, .question = QuestionKind::shadow};
-  std::vector<SuiteCase> all;
-  for (std::uint64_t number = 0; number < std::min(count, cases(options, family)); ++number) {
-    all.push_back(suite_case(options, family, number));
-    answer(all.back());
-    ask_question(all.back(), options);
-  }
-  return all;
+  return test::asked_cases(family, QuestionKind::shadow, numbers, count);
 }
 
 struct ShadowTally {
