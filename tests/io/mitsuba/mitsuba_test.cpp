@@ -50,6 +50,22 @@ const std::string sample = R"(<?xml version="1.0"?>
 
 }  // namespace
 
+TEST_CASE("A disc of Mitsuba turns with its transform") {
+  const auto disc = import_scene(shape("disk", moved("<rotate y=\"1\" angle=\"90\"/><scale value=\"3\"/>")))
+                        .scene.singles<scene::Disc>()[0];
+  CHECK((disc.vector == glm::dvec3(1, 0, 0) && disc.radio == 3));
+}
+
+TEST_CASE("A value of Mitsuba has a million characters at most, once its names stand for theirs") {
+  const std::string half(500'000, '0');
+  const auto radius = [&](const std::string& value) {
+    return import_scene("<default name=\"a\" value=\"" + half + "\"/>" +
+                        shape("sphere", "<float name=\"radius\" value=\"" + value + "\"/>"));
+  };
+  CHECK(radius("$a.5").scene.singles<scene::Sphere>()[0].radio == 0.5);
+  CHECK_THROWS_WITH(radius("$a$a$a.5"), Catch::Contains("a value of more than 1000000 characters"));
+}
+
 TEST_CASE("Shapes of Mitsuba are those of a scene, where their transforms put them") {
   const io::Imported i = io::read_mitsuba(io::Source("f", sample));
   const auto spheres = i.scene.singles<scene::Sphere>();

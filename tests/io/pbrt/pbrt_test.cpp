@@ -54,6 +54,16 @@ Shape "bilinearmesh" "point3 P" [0 0 0 1 0 0 0 1 0 1 1 0]
 
 }  // namespace
 
+TEST_CASE("An instance of pbrt is put where its own transformation puts what its object has put") {
+  const io::Imported i = import_text(
+      "ObjectBegin \"o\" Translate 1 0 0 Shape \"sphere\" ObjectEnd AttributeBegin Scale 2 2 2 ObjectInstance \"o\" "
+      "AttributeEnd Rotate 90 0 1 0 ObjectInstance \"o\"");
+  const auto spheres = i.scene.singles<scene::Sphere>();
+  REQUIRE(spheres.size() == 2);
+  CHECK((spheres[0].centro == glm::dvec3(2, 0, 0) && spheres[0].radio == 2));
+  CHECK((spheres[1].centro == glm::dvec3(0, 0, -1) && spheres[1].radio == 1));
+}
+
 TEST_CASE("Shapes of pbrt are those of a scene, where the transformations put them") {
   const io::Imported i = import_text(sample);
   const auto spheres = i.scene.singles<scene::Sphere>();
