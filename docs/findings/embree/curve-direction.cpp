@@ -1,5 +1,5 @@
 // Embree 3.13.5 open: misplaced
-// Expected e1 at t = 27.06713520062746, point (-73.86572959874508, 0, 0); got e1 at t = 26.679790496826172.
+// Expected e1 at t = 27.06713520062746, point (-73.86572959874508, 0, 0), outward normal (-0.8664369843452723, 0.35344020625376016, 0.35265701859167625), front; got e1 at t = 26.679790496826172, normal (-240662200320, 98171822080, 97954283520).
 // Cone curves are met at another t where |v| is not 1, though RTCRay says that the direction does not have to be normalized.
 // the exact answer: e1 at t = 27.06713520062746
 // e1:
