@@ -13,6 +13,7 @@ namespace {
 
 /// @{ More is taken for a program that does not end.
 constexpr std::size_t most_primitives = 20'000'000;
+constexpr std::size_t most_bytes_of_files = std::size_t{1} << 30U;
 constexpr std::size_t most_commands_within = 32;
 /// @}
 
@@ -136,12 +137,20 @@ void RadText::carry_out(const Source& source, const RadLine& line, const RadComm
 }
 
 const Source& RadText::file(const Source& source, const RadLine& line, const std::string& name) {
-  const std::filesystem::path own = std::filesystem::path(main_.name()).parent_path();
-  const auto path = file_below(own.empty() ? "." : own, name);
-  if (!path)
-    source.fail(line.at, fmt::format("no file {}", text::shown(name)), "expected one below the folder of the text");
-  const auto known = files_.find(*path);
-  return known != files_.end() ? known->second : files_.emplace(*path, read_source(*path)).first->second;
+  auto known = files_.find(name);
+  if (known == files_.end()) {
+    const std::filesystem::path own = std::filesystem::path(main_.name()).parent_path();
+    const auto path = file_below(own.empty() ? "." : own, name);
+    if (!path)
+      source.fail(line.at, fmt::format("no file {}", text::shown(name)), "expected one below the folder of the text");
+    known = files_.emplace(name, read_source(*path)).first;
+  }
+  const Source& read = known->second;
+  bytes_ += read.text().size();
+  if (bytes_ > most_bytes_of_files)
+    source.fail(line.at, "more than 1073741824 bytes of files, which may be one again and again",
+                "expected a text that ends sooner");
+  return read;
 }
 
 }  // namespace durero::io

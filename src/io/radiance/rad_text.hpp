@@ -59,7 +59,7 @@ class RadText {
   std::function<void(const RadPrimitive&)> primitive_;
   std::map<std::string, Source> files_;
   std::map<std::string, std::size_t, std::less<>> not_run_;
-  std::size_t steps_ = 0, depth_ = 0;
+  std::size_t steps_ = 0, depth_ = 0, bytes_ = 0;
 };
 
 /// @{ What kind of primitive a type is; neither is a pattern, a texture, or a mixture.
