@@ -200,6 +200,8 @@ TEST_CASE("A text that goes on for ever ends in one line") {
   write(folder, "more.rad", "!xform -a 1000 -t 0 1 0 most.rad\n");
   write(folder, "most.rad", "!xform -a 1000 -t 0 0 1 none.rad\n");
   write(folder, "none.rad", "# nothing\n");
+  for (int i = 0; i < 33; ++i) write(folder, fmt::format("d{}.rad", i + 1), fmt::format("!cat d{}.rad\n", i));
+  write(folder, "d0.rad", "# nothing\n");
   write(folder, "long.rad", "#" + std::string(std::size_t{1} << 24U, '-'));
   write(folder, "again.rad", "!xform -a 65 -t 0 0 1 long.rad\n");
   const auto error = [&](const std::string& file) {
@@ -211,6 +213,8 @@ TEST_CASE("A text that goes on for ever ends in one line") {
     return std::string();
   };
   CHECK(error("self.rad") == "commands within commands, 33 deep; expected 32 at most");
+  CHECK(error("d32.rad").empty());
+  CHECK(error("d33.rad") == error("self.rad"));
   CHECK(error("again.rad").starts_with("more than 1073741824 bytes of files"));
   CHECK(error("many.rad") == "more than 20000000 primitives and files; expected a text that ends sooner");
 }
