@@ -75,7 +75,8 @@ void add_loss_of(SharedReasons& losses, const std::string& line, const std::stri
   add_reason(losses, line.substr(has_number ? static_cast<std::size_t>(end - line.data()) : 0), file, things);
 }
 
-/// What is told of several, in the words that tell of one but for the ending of one of them; the end where none is.
+/// The loss of several things whose words are those of one thing, but for the ending of one word; the end where there
+/// is none.
 SharedReasons::iterator plural_of(const std::string& one, SharedReasons& losses) {
   for (std::size_t end = one.find(' ', 1); end != one.npos; end = one.find(' ', end + 1))
     for (const std::string_view ending : {"s", "es"}) {

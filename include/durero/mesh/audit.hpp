@@ -46,7 +46,7 @@ struct SingularVertex {
 struct MeshPiece {
   std::uint32_t first;  ///< the least of them
   std::size_t faces;    ///< how many there are
-  /// What they enclose, exact; nothing where some edge of them is open or discordant.
+  /// The volume that they enclose, exact; nothing where some edge of them is open or discordant.
   std::optional<number::Rational> volume{};
 };
 

@@ -18,7 +18,7 @@ class RangeDraw {
   RangeDraw(NumberFormat numbers, Random& random) : is_narrow_(numbers == NumberFormat::binary32), random_(&random) {}
 
   double rounded(double t) const { return is_narrow_ ? static_cast<double>(static_cast<float>(t)) : t; }
-  /// So near to t that the last bits decide, or a quarter of it away.
+  /// An end so near to t that the last bits decide, or a quarter of it away.
   double near(double t) { return rounded(t * (1 + random_->signed_power(is_narrow_ ? -22 : -50, -2))); }
   double far_behind(double t) { return rounded(t * std::ldexp(1, random_->integer(1, 20))); }
   double before(double t) { return rounded(t * random_->uniform(0, 1)); }

@@ -34,7 +34,7 @@ class AffineMap {
   std::optional<AffineMap> normals() const;
   /// The way back; nothing where there is none.
   std::optional<AffineMap> inverse() const;
-  /// The same without the shift.
+  /// The map without its shift.
   AffineMap linear() const;
   /// −1 where it turns right into left, 1 where it does not, 0 where it flattens space.
   int orientation() const { return sign(determinant()); }

@@ -65,7 +65,7 @@ class MitsubaReader {
     for (const MitsubaNode& child : node.children) number(child);
   }
 
-  /// What a ref names.
+  /// The node that a ref names.
   const MitsubaNode& target(const MitsubaNode& ref) const {
     const MitsubaNode* node = &ref;
     for (std::size_t steps = 0; node->tag == "ref"; ++steps) {

@@ -58,7 +58,7 @@ double lens_number(const MitsubaNode& node) {
   return number;
 }
 
-/// What a sensor tells of its lens and its place.
+/// The lens and the place of a sensor.
 struct Optics {
   AffinePlacement frame{};
   std::optional<double> angle{};  ///< without one the lens is of 50 mm

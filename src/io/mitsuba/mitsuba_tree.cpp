@@ -14,7 +14,7 @@
 namespace durero::io {
 namespace {
 
-/// What a scene consists of.
+/// The tags of the elements of a scene.
 constexpr std::array<std::string_view, 35> mitsuba_tags{
     "scene",   "shape",  "bsdf",    "emitter", "sensor",    "film",   "sampler", "rfilter",   "integrator",
     "texture", "medium", "phase",   "volume",  "spectrum",  "rgb",    "srgb",    "blackbody", "float",
@@ -26,7 +26,7 @@ constexpr std::size_t most_nodes = 1'000'000, most_includes = 1000, longest_valu
 
 constexpr bool is_xml_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/// Where the attribute of a number begins in an element of well-formed XML.
+/// The place at which the attribute of a number begins, in an element of well-formed XML.
 std::size_t attribute_place(std::string_view text, std::size_t element, std::size_t number) {
   std::size_t at = element;
   const auto skip = [&](auto&& is_passed) {

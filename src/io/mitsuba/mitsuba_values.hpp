@@ -14,7 +14,7 @@ namespace durero::io {
 std::vector<double> mitsuba_numbers(const MitsubaNode& node, std::string_view attribute);
 /// The number of a float or an integer.
 double mitsuba_number(const MitsubaNode& node);
-/// What a boolean says.
+/// The value of a boolean.
 bool mitsuba_boolean(const MitsubaNode& node);
 /// Three numbers, in `value` or in x, y and z. `missing` stands for each of these that is not there; a `value` of one
 /// number stands for all three.
@@ -28,7 +28,7 @@ struct MitsubaColor {
 /// A colour as it stands there; nothing of what is a picture, a pattern or in another file.
 std::optional<MitsubaColor> mitsuba_color(const MitsubaNode& node);
 
-/// What a transform does, its parts one after another.
+/// The placement of a transform, its parts one after another.
 AffinePlacement mitsuba_placement(const MitsubaNode& transform);
 
 }  // namespace durero::io

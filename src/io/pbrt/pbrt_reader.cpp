@@ -24,7 +24,7 @@ namespace {
 /// States within each other, at most.
 constexpr std::size_t deepest_state = 10'000;
 
-/// What holds for the shapes that follow.
+/// The settings of the shapes that follow.
 struct PbrtState {
   AffinePlacement by{};
   std::optional<std::uint32_t> material{};  ///< nothing: the usual one

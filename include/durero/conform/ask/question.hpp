@@ -28,7 +28,7 @@
 ///   hit                         to a shadow ray alone
 ///   refused WHY
 ///
-/// What a system says besides is judged where its profile claims it.
+/// Words besides are judged where the profile claims them.
 ///
 /// The system flushes its lines at least after each scene. A question to a system of solids leaves out the discs that
 /// close an element: the element is understood as a solid.
