@@ -1,6 +1,7 @@
 #include "axis.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "durero/model/tipos.hpp"
 
@@ -29,5 +30,15 @@ glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis) {
 }
 
 double proportion_between(double wide, double narrow, double altura) { return (wide - narrow) / altura; }
+
+std::optional<scene::AnyShape> surface_between(RoundEnd one, RoundEnd other) {
+  if (one.radius < other.radius) std::swap(one, other);
+  const auto axis = axis_between(one.at, other.at);
+  if (!axis) return std::nullopt;
+  if (one.radius == other.radius) return scene::Cylinder{one.at, one.radius, axis->vector, axis->altura};
+  const double proportion = proportion_between(one.radius, other.radius, axis->altura);
+  if (other.radius == 0) return scene::Cone{one.at, proportion, axis->vector, axis->altura};
+  return scene::TruncatedCone{one.at, other.radius, proportion, axis->vector, axis->altura};
+}
 
 }  // namespace durero::io

@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "durero/scene/any_shape.hpp"
+
 namespace durero::io {
 
 /// A direction whose exact squared length is within tolerancia_unidad of 1, and a length.
@@ -21,5 +23,14 @@ glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis);
 
 /// How much the radius narrows for each unit of height, rounded.
 double proportion_between(double wide, double narrow, double altura);
+
+/// An end of a surface about an axis.
+struct RoundEnd {
+  glm::dvec3 at;
+  double radius;  ///< from 0
+};
+
+/// The cylinder, cone or truncated cone between two ends, from the wide one on; nothing where they give no axis.
+std::optional<scene::AnyShape> surface_between(RoundEnd one, RoundEnd other);
 
 }  // namespace durero::io

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "durero/text/shown.hpp"
+#include "io/simple_looks.hpp"
 
 namespace durero::io {
 namespace {
@@ -75,28 +76,22 @@ scene::Material MitsubaLooks::material(const MitsubaNode& bsdf, int depth) {
   if (type != "diffuse" && type != "twosided") ++simplified_[type];
   const auto* const known = std::ranges::find(bsdf_types, type, &BsdfType::type);
   if (known == bsdf_types.end()) return usual();
-  scene::Material made;
+  const auto shade = [&](double usual) { return losses_.share_of(color(bsdf, known->color, usual)); };
   switch (known->kind) {
     case LookKind::diffuse:
-      made.color = losses_.share_of(color(bsdf, known->color, 0.5));
       break;
     case LookKind::mirror:
-      made.k_d = 0;
-      made.k_ps = 1;
-      made.M_PS = losses_.share_of(color(bsdf, known->color, 1));
-      break;
-    case LookKind::glass:
-      made.index = refraction(bsdf);
-      [[fallthrough]];
+      return mirror_of(shade(1));
+    case LookKind::glass: {
+      const double index = refraction(bsdf);
+      return glass_of(shade(1), index);
+    }
     case LookKind::clear:
-      made.k_d = 0;
-      made.k_t = 1;
-      made.M_T = losses_.share_of(color(bsdf, known->color, 1));
-      break;
+      return glass_of(shade(1));
     case LookKind::nested:
       return of_nested(bsdf, depth);
   }
-  return made;
+  return {.color = shade(0.5)};
 }
 
 /// The look of the first bsdf within another.

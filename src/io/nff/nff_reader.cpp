@@ -9,11 +9,11 @@
 
 #include "durero/io/json/whole_number.hpp"
 #include "durero/io/nff/nff.hpp"
-#include "durero/scene/edit.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "io/axis.hpp"
 #include "io/json/stage_fields.hpp"
+#include "io/letters.hpp"
 #include "io/losses.hpp"
 #include "io/mesh/numbered_materials.hpp"
 #include "io/mesh/polygons.hpp"
@@ -158,34 +158,18 @@ class NffReader {
     const std::size_t at = in_.offset();
     const double radius = in_.number("s");
     if (radius < 0) ++counts_.inward;
-    add(at, model::Agregar_Esfera{name('s', 0), model::Punto{center}, std::abs(radius)});
+    add(at, scene::Sphere{center, std::abs(radius)});
   }
 
   void read_cone() {
     const std::size_t at = in_.offset();
-    glm::dvec3 base = in_.triple("c");
-    double wide = in_.number("c");
-    glm::dvec3 end = in_.triple("c");
-    double narrow = in_.number("c");
-    if (std::min(wide, narrow) < 0) ++counts_.inward;
-    wide = std::abs(wide);
-    narrow = std::abs(narrow);
-    if (wide < narrow) {  // the narrow end is written first
-      std::swap(base, end);
-      std::swap(wide, narrow);
-    }
-    const auto axis = axis_between(base, end);
-    if (!axis) in_.fail(at, "the ends of c give no axis", "expected two points, a finite distance apart");
-    const model::Punto centro{base};
-    const model::Vector vector{axis->vector};
-    const double proportion = proportion_between(wide, narrow, axis->altura);
-    if (wide == narrow) {
-      add(at, model::Agregar_Cilindro{name('c', 1), centro, wide, vector, axis->altura});
-    } else if (narrow == 0) {
-      add(at, model::Agregar_Cono{name('k', 2), centro, proportion, vector, axis->altura});
-    } else {
-      add(at, model::Agregar_Tronco{name('t', 3), centro, narrow, proportion, vector, axis->altura});
-    }
+    RoundEnd base{in_.triple("c"), in_.number("c")}, end{in_.triple("c"), in_.number("c")};
+    if (std::min(base.radius, end.radius) < 0) ++counts_.inward;
+    base.radius = std::abs(base.radius);
+    end.radius = std::abs(end.radius);
+    const auto surface = surface_between(base, end);
+    if (!surface) in_.fail(at, "the ends of c give no axis", "expected two points, a finite distance apart");
+    std::visit([&](const auto& shape) { add(at, shape); }, *surface);
   }
 
   void read_polygon(bool has_normals) {
@@ -204,12 +188,11 @@ class NffReader {
     polygons_.add(vertices, fill_, looks);
   }
 
-  model::Elemento name(char letter, std::size_t type) {
-    return model::Elemento{fmt::format("{}{}", letter, ++numbered_[type])};
-  }
-
-  void add(std::size_t at, model::Operation operation) {
-    const model::Answer answer = scene_.apply_total(scene::Edit{std::move(operation), fill_});
+  template <class Shape>
+  void add(std::size_t at, const Shape& shape) {
+    const std::size_t number = ++numbered_[scene::place_of<Shape>];
+    const model::Elemento name(fmt::format("{}{}", letter_of<Shape>(), number));
+    const model::Answer answer = scene_.add(name, shape, fill_);
     if (!answer.ok()) {
       in_.fail(at, std::string(model::name(answer.r)),
                fmt::format("expected {} ({})", answer.violated->predicate, answer.violated->label));
@@ -237,7 +220,7 @@ class NffReader {
   std::vector<std::size_t> colorless_;  // lights
   NumberedMaterials materials_{scene_};
   std::optional<std::uint32_t> fill_;  // of what follows
-  std::array<std::size_t, 4> numbered_{};
+  std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "durero/text/shown.hpp"
+#include "io/simple_looks.hpp"
 
 namespace durero::io {
 namespace {
@@ -43,26 +44,17 @@ scene::Material PbrtLooks::material(const std::string& type, const PbrtParameter
   const auto* const known = std::ranges::find(pbrt_materials, is_clear ? "interface" : type, &PbrtMaterial::type);
   if (known == pbrt_materials.end()) return usual();
   const glm::dvec3 shade = losses_.share_of(color(parameters, known->color, known->usual));
-  scene::Material made;
   switch (known->look) {
     case PbrtLook::diffuse:
-      made.color = shade;
       break;
     case PbrtLook::mirror:
-      made.k_d = 0;
-      made.k_ps = 1;
-      made.M_PS = shade;
-      break;
+      return mirror_of(shade);
     case PbrtLook::glass:
-      made.index = refraction(parameters);
-      [[fallthrough]];
+      return glass_of(shade, refraction(parameters));
     case PbrtLook::clear:
-      made.k_d = 0;
-      made.k_t = 1;
-      made.M_T = shade;
-      break;
+      return glass_of(shade);
   }
-  return made;
+  return {.color = shade};
 }
 
 /// By how much light is bent that goes in: `eta`, which pbrt 3 calls index, too.

@@ -9,6 +9,7 @@
 #include "durero/scene/scene.hpp"
 #include "durero/scene/solids.hpp"
 #include "io/axis.hpp"
+#include "io/letters.hpp"
 #include "io/losses.hpp"
 #include "io/mesh/rounded_map.hpp"
 
@@ -127,7 +128,6 @@ void PlacedScene::add(const MeshTriangles& mesh, const Place& place) {
 
 template <class Shape>
 void PlacedScene::add_shape(const Shape& shape, const Place& place) {
-  static constexpr std::string_view letters = "scktpdv";  // by type
   bool is_finite = true;
   scene::for_each_attribute<Shape>([&](const auto& attribute) {
     const auto& value = shape.*attribute.field;
@@ -143,7 +143,7 @@ void PlacedScene::add_shape(const Shape& shape, const Place& place) {
     ++beyond_;
     return;
   }
-  std::string name = next_name(letters[scene::place_of<Shape>], numbered_[scene::place_of<Shape>]);
+  std::string name = next_name(letter_of<Shape>(), numbered_[scene::place_of<Shape>]);
   const model::Answer answer = scene_.add(model::Elemento{name}, shape, place.material);
   if (answer.ok())
     place.into.elementos.insert(std::move(name));

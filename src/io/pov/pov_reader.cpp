@@ -12,6 +12,7 @@
 #include "durero/scene/stage.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
+#include "io/letters.hpp"
 #include "io/losses.hpp"
 #include "io/mesh/numbered_materials.hpp"
 #include "pov_look.hpp"
@@ -329,8 +330,7 @@ class PovReader {
   /// The name of the new element; empty where it is left out.
   template <class Shape>
   std::string add_element(const Shape& shape, const ObjectMaterial& look) {
-    static constexpr std::string_view letters = "scktpdv";  // by type
-    std::string name = numbered(letters[scene::place_of<Shape>], numbered_[scene::place_of<Shape>]);
+    std::string name = numbered(letter_of<Shape>(), numbered_[scene::place_of<Shape>]);
     const bool has_place = !look.at || is_place_of(shape, *look.at);
     if (!has_place) looks_.leave_out_texture();
     const model::Answer answer = scene_.add(model::Elemento{name}, shape, has_place ? look.material : std::nullopt);

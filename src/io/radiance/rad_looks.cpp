@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/vector_relational.hpp>
+#include <glm/common.hpp>
 
 #include "durero/scene/scene.hpp"
+#include "io/json/stage_fields.hpp"
 #include "io/losses.hpp"
+#include "io/simple_looks.hpp"
 
 namespace durero::io {
 namespace {
@@ -32,9 +34,6 @@ const RadKindRow* row_of(std::string_view type) {
   const auto* const row = std::ranges::find(rad_kinds, type, &RadKindRow::type);
   return row == std::end(rad_kinds) ? nullptr : row;
 }
-
-double share_from(double x) { return std::clamp(x, 0.0, 1.0); }
-glm::dvec3 share_from(const glm::dvec3& c) { return {share_from(c.x), share_from(c.y), share_from(c.z)}; }
 
 /// The sharpest highlight that is no mirror has an exponent that this roughness gives.
 constexpr double least_roughness = 1e-3;
@@ -93,23 +92,22 @@ std::optional<scene::Material> RadLooks::look(const RadPrimitive& material) {
   const std::vector<double>& n = material.numbers;
   if (n.size() < row->least)
     material.fail(fmt::format("{} has {} numbers", material.type, n.size()), fmt::format("expected {}", row->least));
-  const glm::dvec3 told(n[0], n[1], n[2]), color = share_from(told);
+  const glm::dvec3 told(n[0], n[1], n[2]), color = glm::clamp(told, 0.0, 1.0);
   scene::Material look{.k_d = 0};
   if (row->kind == RadKind::shines) {
-    if (glm::any(glm::lessThan(told, glm::dvec3(0))))
-      material.fail("a light below 0", "expected red, green and blue, each from 0");
+    if (!is_color(told)) material.fail("a light below 0", "expected red, green and blue, each from 0");
     look.emission = told;
     return look;
   }
   if (color != told) ++bright_;
   const bool has_roughness =
       n.size() > 4 && (row->kind == RadKind::plastic || row->kind == RadKind::metal || row->kind == RadKind::trans);
-  const double specular = n.size() > 3 ? share_from(n[3]) : 0, roughness = has_roughness ? std::max(0.0, n[4]) : 0;
+  const double specular = n.size() > 3 ? std::clamp(n[3], 0.0, 1.0) : 0,
+               roughness = has_roughness ? std::max(0.0, n[4]) : 0;
   if (roughness > 0 && specular > 0) ++rough_;
   switch (row->kind) {
     case RadKind::mirrors:
-      look.k_ps = 1, look.M_PS = color;
-      break;
+      return mirror_of(color);
     case RadKind::plastic:
     case RadKind::metal:
       look.color = color;
@@ -117,7 +115,7 @@ std::optional<scene::Material> RadLooks::look(const RadPrimitive& material) {
       if (row->kind == RadKind::metal) look.M_PS = color;
       break;
     case RadKind::trans: {
-      const double through = share_from(n[5]), straight = share_from(n[6]);
+      const double through = std::clamp(n[5], 0.0, 1.0), straight = std::clamp(n[6], 0.0, 1.0);
       look.color = color;
       set_gleam(look, specular, roughness);
       look.k_t = look.k_d * through * straight, look.M_T = color;
@@ -126,12 +124,10 @@ std::optional<scene::Material> RadLooks::look(const RadPrimitive& material) {
       break;
     }
     case RadKind::dielectric:
-      look.k_t = 1, look.M_T = color;
-      if (!(n[3] > 0)) material.fail("an index of refraction that is not above 0", "expected one above 0");
-      look.index = n[3];
-      break;
+      if (!is_index(n[3])) material.fail("an index of refraction that is not above 0", "expected one above 0");
+      return glass_of(color, n[3]);
     default:
-      look.k_t = 1, look.M_T = color;  // of a thin pane, which turns no ray
+      return glass_of(color);  // of a thin pane, which turns no ray
   }
   return look;
 }

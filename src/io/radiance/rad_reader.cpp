@@ -8,10 +8,10 @@
 #include <numbers>
 
 #include "durero/io/radiance/radiance.hpp"
-#include "durero/scene/edit.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
 #include "io/axis.hpp"
+#include "io/letters.hpp"
 #include "io/losses.hpp"
 #include "io/mesh/polygons.hpp"
 #include "rad_looks.hpp"
@@ -42,11 +42,6 @@ class RadReader {
  private:
   struct Counts {
     std::size_t lights = 0, skies = 0, holes = 0, refused = 0, unnamed = 0, moved = 0;
-  };
-  /// An end of a surface about an axis.
-  struct RadEnd {
-    glm::dvec3 at;
-    double radius;
   };
   struct SurfaceRow {
     std::string_view type;
@@ -82,34 +77,18 @@ class RadReader {
   static double length(const RadPrimitive& surface, double told) { return std::abs(told) * *surface.placed.scale; }
 
   void add_sphere(const RadPrimitive& surface) {
-    put(surface,
-        model::Agregar_Esfera{name('s', 0), model::Punto{point(surface, 0)}, length(surface, surface.numbers[3])});
+    put(surface, scene::Sphere{point(surface, 0), length(surface, surface.numbers[3])});
   }
-  void add_cylinder(const RadPrimitive& surface) {
-    const double radius = length(surface, surface.numbers[6]);
-    add_between(surface, {point(surface, 0), radius}, {point(surface, 3), radius});
-  }
-  void add_cone(const RadPrimitive& surface) {
-    add_between(surface, {point(surface, 0), length(surface, surface.numbers[6])},
-                {point(surface, 3), length(surface, surface.numbers[7])});
-  }
+  void add_cylinder(const RadPrimitive& surface) { add_between(surface, surface.numbers[6], surface.numbers[6]); }
+  void add_cone(const RadPrimitive& surface) { add_between(surface, surface.numbers[6], surface.numbers[7]); }
 
-  void add_between(const RadPrimitive& surface, RadEnd wide, RadEnd narrow) {
-    if (wide.radius < narrow.radius) std::swap(wide, narrow);
-    const auto axis = axis_between(wide.at, narrow.at);
-    if (!axis) {
-      ++counts_.refused;
-      return;
-    }
-    const model::Punto centro{wide.at};
-    const model::Vector vector{axis->vector};
-    const double proportion = proportion_between(wide.radius, narrow.radius, axis->altura);
-    if (wide.radius == narrow.radius)
-      put(surface, model::Agregar_Cilindro{name('c', 1), centro, wide.radius, vector, axis->altura});
-    else if (narrow.radius == 0)
-      put(surface, model::Agregar_Cono{name('k', 2), centro, proportion, vector, axis->altura});
+  void add_between(const RadPrimitive& surface, double first, double last) {
+    const auto made =
+        surface_between({point(surface, 0), length(surface, first)}, {point(surface, 3), length(surface, last)});
+    if (made)
+      std::visit([&](const auto& shape) { put(surface, shape); }, *made);
     else
-      put(surface, model::Agregar_Tronco{name('t', 3), centro, narrow.radius, proportion, vector, axis->altura});
+      ++counts_.refused;
   }
 
   void add_ring(const RadPrimitive& surface) {
@@ -124,8 +103,7 @@ class RadReader {
       ++counts_.refused;
       return;
     }
-    put(surface,
-        model::Agregar_Disco{name('d', 4), model::Punto{point(surface, 0)}, outer, model::Vector{normal->vector}});
+    put(surface, scene::Disc{point(surface, 0), outer, normal->vector});
   }
 
   void add_polygon(const RadPrimitive& surface) {
@@ -157,18 +135,15 @@ class RadReader {
     }
   }
 
-  model::Elemento name(char letter, std::size_t type) {
-    return model::Elemento{fmt::format("{}{}", letter, ++numbered_[type])};
-  }
-
   std::optional<std::uint32_t> material_of(const RadPrimitive& surface) {
     if (looks_.light_of(surface)) ++counts_.lights;
     return looks_.of(surface);
   }
 
-  void put(const RadPrimitive& surface, model::Operation operation) {
-    std::string name(std::visit([](const auto& made) { return made.e.name(); }, operation));
-    const model::Answer answer = scene_.apply_total(scene::Edit{std::move(operation), material_of(surface)});
+  template <class Shape>
+  void put(const RadPrimitive& surface, const Shape& shape) {
+    std::string name = fmt::format("{}{}", letter_of<Shape>(), ++numbered_[scene::place_of<Shape>]);
+    const model::Answer answer = scene_.add(model::Elemento{name}, shape, material_of(surface));
     if (answer.ok())
       keep_name(surface, std::move(name));
     else
@@ -213,7 +188,7 @@ class RadReader {
   std::map<std::string, scene::Names, std::less<>> members_;
   std::map<std::string, std::size_t, std::less<>> others_;
   Counts counts_;
-  std::array<std::size_t, 5> numbered_{};
+  std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
 };
 
 }  // namespace
