@@ -1,5 +1,5 @@
-// durero import FILE -o SCENE, durero export SCENE -o FILE: other scene formats, by file name. durero import FOLDER
-// --survey: which files of a folder can be read.
+// durero import FILE -o SCENE and export SCENE -o FILE: scene formats, by file name. durero import
+// FOLDER --survey: which files of a folder can be read.
 #include <fmt/format.h>
 
 #include <optional>
@@ -10,7 +10,6 @@
 #include "durero/io/formats.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
-#include "durero/io/mesh/gathered.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/io/standard_output.hpp"
@@ -25,40 +24,68 @@ namespace {
 
 struct ConvertOptions {
   std::string from, to;
+  std::string root;       // of the files that `from` may name; empty: its own folder
   std::string triangles;  // how they come in: `mesh`, `single`, or empty: as the format has them
   bool quiet = false, binary = false, survey = false;
 };
 
-int import_scene(const ConvertOptions& options) {
-  const io::Format& format = io::format_to_read(options.from);  // its name is asked before the other file is made
-  io::require_ending(options.to, io::json_endings, "a scene");
-  io::OutputFile out(options.to);
-  std::optional<Progress> progress(std::in_place, options.quiet, "import");
-  io::Imported imported = io::read_any_format(options.from);
-  if (options.triangles == "mesh" || (options.triangles.empty() && format.is_mesh))
-    imported = io::gathered(std::move(imported), options.from);
-  io::rename_pictures(imported.scene.stage(), options.from, options.to);
-  out.write(io::scene_text(imported.scene, imported.groups));
-  out.commit();
-  progress.reset();
-  name_losses(options.from, imported.lost);
-  return 0;
+io::Imported read_any(const ConvertOptions& options) {
+  return io::import_file(options.from, options.root,
+                         options.triangles.empty() ? std::nullopt : std::optional(options.triangles == "mesh"));
 }
 
-int export_scene(const ConvertOptions& options) {
-  const io::Format& format = options.binary ? io::format_to_write_bytes(options.to) : io::format_to_write(options.to);
+io::Imported read_scene_file(const ConvertOptions& options) {
+  scene::GroupedScene read = io::read_grouped_scene(io::read_source(options.from), io::Bodies::read);
+  return {std::move(read.scene), {}, std::move(read.groups)};
+}
+
+using Writer = io::Exported (*)(const scene::Scene&, const scene::Groups&);
+
+Writer writer_of(const ConvertOptions& options) {
+  return options.binary ? io::format_to_write_bytes(options.to).write_bytes : io::format_to_write(options.to).write;
+}
+
+io::Exported write_scene_file(const scene::Scene& scene, const scene::Groups& groups) {
+  return {io::scene_text(scene, groups), {}};
+}
+
+/// Reads a scene, and writes it to the other file.
+int convert(const ConvertOptions& options, io::Imported (*read)(const ConvertOptions&), Writer write,
+            const std::string& work) {
   io::OutputFile out(options.to);
-  std::optional<Progress> progress(std::in_place, options.quiet, "export");
-  auto [scene, groups] =
-      io::read_grouped_scene(io::read_source(options.from), format.has_bodies ? io::Bodies::read : io::Bodies::refused);
-  io::rename_pictures(scene.stage(), options.from, options.to);
-  const io::Exported exported = (options.binary ? format.write_bytes : format.write)(scene, groups);
+  std::optional<Progress> progress(std::in_place, options.quiet, work);
+  io::Imported scene = read(options);
+  io::rename_pictures(scene.scene.stage(), options.from, options.to);
+  const io::Exported exported = write(scene.scene, scene.groups);
   out.write(exported.text);
   out.commit();
   progress.reset();
+  name_losses(options.from, scene.lost);
   name_losses(options.to, exported.lost);
   return 0;
 }
+
+int import_scene(const ConvertOptions& options) {
+  io::format_to_read(options.from);  // its name is asked before the other file is made
+  io::require_ending(options.to, io::json_endings, "a scene");
+  return convert(options, read_any, write_scene_file, "import");
+}
+
+/// @{ The options that several of the commands have.
+void add_ways_to_read(CLI::App& command, ConvertOptions& options) {
+  command
+      .add_option("--triangles", options.triangles,
+                  "How triangles come in: gathered into a mesh, whose points stand once, or single, each an element "
+                  "that can be edited alone; without it as the format has them")
+      ->check(one_of("way", {"mesh", "single"}));
+  command.add_option("--root", options.root,
+                     "Folder that holds the files which the text may name; without it the text's own folder");
+}
+void add_binary(CLI::App& command, bool& binary) {
+  command.add_flag("--binary", binary,
+                   "Write bytes and not a text: a .ply of binary64, without rounding, or a .stl of binary32");
+}
+/// @}
 
 }  // namespace
 
@@ -68,11 +95,7 @@ void add_import(CLI::App& app, int& status) {
   command->add_option("FILE", options->from, "File to read; its name tells the format")->required();
   auto* const output = command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json");
   output->required();
-  command
-      ->add_option("--triangles", options->triangles,
-                   "How triangles come in: gathered into a mesh, whose points stand once, or single, each an element "
-                   "that can be edited alone; without it as the format has them")
-      ->check(one_of("way", {"mesh", "single"}));
+  add_ways_to_read(*command, *options);
   command
       ->add_flag_callback(
           "--survey",
@@ -88,9 +111,9 @@ void add_import(CLI::App& app, int& status) {
       exit_status("it is written, what is left out is named on the standard error; or all of a folder are read",
                   "some of a folder are not", "the call or the file is bad") +
       examples({"import still-life.nff -o imported.json", "import bunny.obj -o bunny.json --triangles single",
-                "import scenes --survey"}));
+                "import rooms/red/scene.xml -o red.json --root rooms", "import scenes --survey"}));
   command->callback([options, &status] {
-    status = options->survey ? survey(options->from, options->quiet) : import_scene(*options);
+    status = options->survey ? survey(options->from, options->root, options->quiet) : import_scene(*options);
   });
 }
 
@@ -99,13 +122,13 @@ void add_export(CLI::App& app, int& status) {
   const auto options = std::make_shared<ConvertOptions>();
   command->add_option("SCENE", options->from, "Scene file (JSON)")->required();
   command->add_option("-o,--output", options->to, "File to write; its name tells the format")->required();
-  command->add_flag("--binary", options->binary,
-                    "Write bytes and not a text: a .ply of binary64, without rounding, or a .stl of binary32");
+  add_binary(*command, options->binary);
   add_quiet(*command, options->quiet);
   command->footer(
       exit_status("it is written; what is left out is named on the standard error", "the call or the scene is bad") +
       examples({"export demo/still-life.json -o still-life.nff", "export bunny.json -o bunny.ply --binary"}));
-  command->callback([options, &status] { status = export_scene(*options); });
+  command->callback([options, &status] { status = convert(*options, read_scene_file, writer_of(*options), "export"); });
 }
+
 
 }  // namespace durero::cli

@@ -109,14 +109,14 @@ std::vector<std::pair<std::string, SharedReason>> ordered(const SharedReasons& r
 
 }  // namespace
 
-int survey(const std::string& folder, bool quiet) {
+int survey(const std::string& folder, const std::string& root, bool quiet) {
   const std::vector<std::string> files = files_below(folder);
   SharedReasons stops, losses;
   std::size_t read = 0;
   std::optional<Progress> progress(std::in_place, quiet, "import");
   for (const std::string& file : files) {
     try {
-      for (const std::string& line : io::read_any_format(file).lost) add_loss_of(losses, line, file);
+      for (const std::string& line : io::read_any_format(file, root).lost) add_loss_of(losses, line, file);
       ++read;
     } catch (const io::InputError& error) {
       add_reason(stops, without_quotes(error.message()), error.what());

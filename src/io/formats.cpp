@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "durero/io/file_name.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
+#include "durero/io/mesh/gathered.hpp"
 #include "durero/io/mesh/gltf.hpp"
 #include "durero/io/mesh/obj.hpp"
 #include "durero/io/mesh/ply.hpp"
@@ -15,6 +19,8 @@
 #include "durero/io/pbrt/pbrt.hpp"
 #include "durero/io/pov/pov.hpp"
 #include "durero/io/radiance/radiance.hpp"
+#include "durero/text/shown.hpp"
+#include "scene_folder.hpp"
 
 namespace durero::io {
 namespace {
@@ -28,12 +34,12 @@ Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { re
 constexpr Format all[] = {
     {.ending = ".glb", .read = read_gltf, .is_mesh = true},
     {.ending = ".gltf", .read = read_gltf, .is_mesh = true},
-    {.ending = ".json", .read = import_json, .write = write_json, .has_bodies = true},
+    {.ending = ".json", .read = import_json, .write = write_json},
     {.ending = ".nff", .read = read_nff, .write = nff_text, .has_lines = true},
     {.ending = ".obj", .read = read_obj, .write = obj_text, .has_lines = true, .is_mesh = true},
     {.ending = ".pbrt", .read = read_pbrt, .is_mesh = true},
     {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
-    {.ending = ".pov", .read = read_pov, .write = pov_text, .has_bodies = true},
+    {.ending = ".pov", .read = read_pov, .write = pov_text},
     {.ending = ".rad", .read = read_radiance},
     {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes},
     {.ending = ".xml", .read = read_mitsuba, .is_mesh = true}};
@@ -66,9 +72,21 @@ const Format& format_to_write_bytes(const std::string& path) {
   return format_of(path, has_bytes, "no format with a binary form by this name");
 }
 
-Imported read_any_format(const std::string& path) {
+Imported read_any_format(const std::string& path, const std::string& root) {
   const Format& format = format_to_read(path);
-  return format.read(format.has_lines ? read_lines(path) : read_source(path));
+  std::error_code error;
+  if (!root.empty() && !std::filesystem::is_directory(root, error)) throw FileError(root, "no folder", "expected one");
+  Source source = format.has_lines ? read_lines(path) : read_source(path);
+  source.set_root(root);
+  if (!SceneFolder(source).holds_scene())
+    throw FileError(path, "lies elsewhere", fmt::format("expected a file in {} or beneath it", text::shown(root)));
+  return format.read(source);
+}
+
+Imported import_file(const std::string& path, const std::string& root, std::optional<bool> in_meshes) {
+  const bool are_gathered = in_meshes.value_or(format_to_read(path).is_mesh);
+  Imported read = read_any_format(path, root);
+  return are_gathered ? gathered(std::move(read), path) : std::move(read);
 }
 
 std::string endings_to_read() { return endings(is_read); }

@@ -48,6 +48,6 @@ same more.met back.met
 
 # What knows shapes alone says so.
 refused 'lens.json:3:' distance lens.json rays.txt
-refused 'lens.json:3:' export lens.json -o lens.nff
-absent lens.nff
+run 0 export lens.json -o lens.nff
+has err '1 instance or solid left out: NFF has none'
 finish

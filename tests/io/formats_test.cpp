@@ -1,11 +1,14 @@
 #include "durero/io/formats.hpp"
 
+#include <filesystem>
 #include <set>
 
+#include "durero/io/output_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/stage.hpp"
 #include "random_scene.hpp"
 #include "support/catch.hpp"
+#include "support/folder.hpp"
 
 using namespace durero;
 
@@ -30,6 +33,22 @@ TEST_CASE("A file's name tells its format") {
   CHECK_THROWS_WITH(io::format_to_write("a.npy"),
                     "a.npy: a format that is not known by this name; expected one that ends in .json or .nff or .obj "
                     "or .ply or .pov or .stl");
+}
+
+TEST_CASE("A file is read with the files below its folder, or below a root") {
+  const test::Folder folder;
+  std::filesystem::create_directories(folder.file("a/b"));
+  io::write_file(folder.file("a/set.inc"), "#declare R = 2;");
+  io::write_file(folder.file("a/b/ball.pov"), "#include \"../set.inc\" sphere { 0, R }");
+  const std::string ball = folder.file("a/b/ball.pov");
+  CHECK_THROWS_WITH(io::read_any_format(ball), Catch::Matchers::Contains("no file \"../set.inc\""));
+  CHECK(io::read_any_format(ball, folder.file("a")).scene.size() == 1);
+  CHECK_THROWS_WITH(io::read_any_format(ball, folder.file("c")), folder.file("c") + ": no folder; expected one");
+  CHECK_THROWS_WITH(io::read_any_format(folder.file("a/set.pov"), folder.file("a")),
+                    Catch::Matchers::Contains("No such file"));
+  std::filesystem::create_directory(folder.file("c"));
+  CHECK_THROWS_WITH(io::read_any_format(ball, folder.file("c")),
+                    ball + ": lies elsewhere; expected a file in \"" + folder.file("c") + "\" or beneath it");
 }
 
 TEST_CASE("Each format has an ending of its own, and where it is written reads the elements that it writes") {

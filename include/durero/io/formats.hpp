@@ -1,6 +1,7 @@
 #pragma once
 /// The scene formats, each a row of one table, told apart by how a file's name ends.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,8 +35,6 @@ struct Format {
   Exported (*write)(const scene::Scene&, const scene::Groups&){};
   /// Whether its texts are lines, none of which is longer than longest_line.
   bool has_lines = false;
-  /// Whether it has elements with bodies, such as instances.
-  bool has_bodies = false;
   /// Whether it is a format of meshes, which is read triangle by triangle.
   bool is_mesh = false;
   /// Writes them as bytes and not as a text. Null where the format has no such form.
@@ -52,8 +51,14 @@ const Format& format_to_write(const std::string& path);
 /// The format of a file that is to be written as bytes. Throws FileError where none has that ending and such a form.
 const Format& format_to_write_bytes(const std::string& path);
 
-/// Reads a file in the format that its name tells. Throws FileError and InputError.
-Imported read_any_format(const std::string& path);
+/// Reads a file in the format that its name tells. The files that it names lie in the root or beneath it; without one,
+/// in its own folder or beneath that. Throws InputError, and FileError, also where the root is no folder or does not
+/// hold the file.
+Imported read_any_format(const std::string& path, const std::string& root = {});
+
+/// The same with its triangles gathered into meshes, or each an element; without the choice as its format has them: a
+/// format of meshes gives meshes.
+Imported import_file(const std::string& path, const std::string& root = {}, std::optional<bool> in_meshes = {});
 
 /// @{ The endings of those formats, as a sentence lists them: ".json or .nff".
 std::string endings_to_read();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace durero::contract {
 struct clause;
@@ -60,6 +61,10 @@ class Source {
   Source(std::string name, std::string text, std::size_t lines_before = 0);
   /// FILE in messages, where it is escaped.
   const std::string& name() const noexcept { return name_; }
+  /// The folder that holds, in it or beneath it, each file that the text may name; empty where that is the text's own.
+  const std::string& root() const noexcept { return root_; }
+  /// Gives that folder.
+  void set_root(std::string folder) { root_ = std::move(folder); }
   /// Its bytes, as they were given; valid as long as the source.
   std::string_view text() const noexcept { return text_; }
 
@@ -75,6 +80,7 @@ class Source {
 
   std::string name_;
   std::string text_;
+  std::string root_{};
   std::shared_ptr<Counted> counted_;
 };
 

@@ -10,7 +10,7 @@
 
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
-#include "io/stays_within.hpp"
+#include "io/scene_folder.hpp"
 
 namespace durero::io {
 namespace {
@@ -75,11 +75,11 @@ std::string buffer_bytes(const Source& source, std::string_view uri, std::size_t
     return std::move(*bytes);
   }
   const auto name = percent_decoded(uri);
-  if (has_scheme(uri) || !name || !stays_within(*name))
-    source.fail(at, fmt::format("uri is {}", text::shown(uri)),
-                "expected data: or the name of a file in the same folder or beneath it");
+  const SceneFolder folder(source);
+  const auto path = has_scheme(uri) || !name ? std::nullopt : folder.path(source, *name);
+  if (!path) source.fail(at, fmt::format("uri is {}", text::shown(uri)), folder.expected() + ", or data:");
   try {
-    return text::read_file((std::filesystem::path(source.name()).parent_path() / *name).string(), most);
+    return text::read_file(*path, most);
   } catch (const std::system_error& error) {
     source.fail(at, fmt::format("uri is {}: {}", text::shown(uri), error.code().message()), "expected a readable file");
   }

@@ -187,7 +187,7 @@ class MitsubaReader {
     if (named == nullptr) shape.fail(fmt::format("{} without filename", shape.type()), "expected the name of a file");
     const std::string_view name = named->required("value");
     const auto path = tree_.folder.find(*named->file, name);
-    if (!path) named->fail(fmt::format("no file {}", text::shown(name)), std::string(file_of_scene), "value");
+    if (!path) named->fail(fmt::format("no file {}", text::shown(name)), tree_.folder.expected(), "value");
     if (!ends_in(*path, fmt::format(".{}", shape.type())))
       named->fail(fmt::format("{} in {}", text::shown(name), shape.type()),
                   fmt::format("expected a name that ends in .{}", shape.type()), "value");

@@ -162,7 +162,7 @@ class MitsubaFiles {
       node.fail("too many files that include files",
                 fmt::format("expected {} within each other and {} in all, at most", deepest_include, most_includes));
     const auto path = tree_.folder.find(*node.file, name);
-    if (!path) node.fail(fmt::format("no file {}", text::shown(name)), std::string(file_of_scene), "filename");
+    if (!path) node.fail(fmt::format("no file {}", text::shown(name)), tree_.folder.expected(), "filename");
     read_file(std::make_shared<const Source>(read_source(*path)), into, depth + 1);
   }
 

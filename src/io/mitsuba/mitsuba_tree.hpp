@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "durero/io/source.hpp"
-#include "io/placed/scene_folder.hpp"
+#include "io/scene_folder.hpp"
 
 namespace durero::io {
 

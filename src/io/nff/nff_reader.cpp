@@ -35,7 +35,7 @@ class NffReader {
 
  private:
   struct Counts {
-    std::size_t smooth = 0, inward = 0, near_planes = 0;
+    std::size_t smooth = 0, inward = 0, near_planes = 0, settings = 0;
   };
 
   void read_entity() {
@@ -55,8 +55,12 @@ class NffReader {
       read_cone();
     } else if (entity == "p" || entity == "pp") {
       read_polygon(entity == "pp");
+    } else if (entity == "Q" || entity == "Z") {
+      in_.number(entity);
+      ++counts_.settings;
     } else {
-      in_.fail(at, fmt::format("unknown entity {}", text::shown(entity)), "expected one of v, b, l, f, s, c, p, pp");
+      in_.fail(at, fmt::format("unknown entity {}", text::shown(entity)),
+               "expected one of v, b, l, f, s, c, p, pp, Q, Z");
     }
   }
 
@@ -210,6 +214,7 @@ class NffReader {
     polygons_.name_losses(lost);
     add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
     add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
+    add_loss(lost, counts_.settings, "setting", "settings", "of another tracer (Q, Z) left out");
     return lost;
   }
 

@@ -76,6 +76,10 @@ class NffWriter {
   }
 
   void write_element(ElementRef element) {
+    if (scene_.body(element) != nullptr) {
+      ++bodies_;
+      return;
+    }
     if (const auto normals = scene_.vertex_normals(element))
       return write_patch(scene_.shapes<scene::Triangle>()[element.index], *normals);
     scene_.visit(element, [&](const auto& shape) { write_shape(shape); });
@@ -117,6 +121,7 @@ class NffWriter {
     if (scene_.stage().environment) out_.lost.emplace_back("1 environment left out: NFF has none");
     if (scene_.stage().max_depth) out_.lost.emplace_back("1 max_depth left out: NFF has none");
     add_loss(out_.lost, planes_, "plane", "planes", "left out: NFF has none");
+    add_loss(out_.lost, bodies_, "instance or solid", "instances and solids", "left out: NFF has none");
     add_loss(out_.lost, discs_, "disc", "discs", "left out: NFF has none");
     add_blur_losses(out_.lost, scene_, "NFF");
     ends_.name_losses(out_.lost, "NFF");
@@ -125,7 +130,7 @@ class NffWriter {
   const scene::Scene& scene_;
   Exported out_;
   WrittenEnds ends_;
-  std::size_t planes_ = 0, discs_ = 0, other_looks_ = 0;
+  std::size_t planes_ = 0, discs_ = 0, bodies_ = 0, other_looks_ = 0;
 };
 
 }  // namespace

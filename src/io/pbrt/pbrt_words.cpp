@@ -190,7 +190,7 @@ void PbrtWords::include(const std::string& name, bool is_alone) {
 
 std::string PbrtWords::path(const PbrtPlace& place, std::string_view name) const {
   auto path = folder_.find(*files_.front().source, name);  // as pbrt does, whichever file names it
-  if (!path) place.fail(fmt::format("no file {}", text::shown(name)), std::string(file_of_scene));
+  if (!path) place.fail(fmt::format("no file {}", text::shown(name)), folder_.expected());
   return std::move(*path);
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "durero/text/shown.hpp"
-#include "io/stays_within.hpp"
+#include "io/scene_folder.hpp"
 #include "pov_program.hpp"
 
 namespace durero::io {
@@ -91,8 +91,7 @@ void PovProgram::set_default(const PovToken& directive) { keep({"#default", dire
 
 /// The file of that name below the folder of the text, or among POV-Ray's own; nothing where there is none.
 std::optional<std::string> PovProgram::found_file(const std::string& name) const {
-  const std::filesystem::path own = std::filesystem::path(main_.name()).parent_path();
-  if (auto path = file_below(own.empty() ? "." : own, name)) return path;
+  if (auto path = SceneFolder(main_).find(main_, name)) return path;
   for (const std::string_view folder : include_folders)
     if (auto path = file_below(folder, name)) return path;
   return std::nullopt;
@@ -103,7 +102,7 @@ void PovProgram::include(const PovToken& at) {
   const auto known = found_file(file);
   if (!known)
     at.fail(fmt::format("no file {}", text::shown(file)),
-            "expected one below the folder of the text, or one of POV-Ray's own where it is installed");
+            SceneFolder(main_).expected() + ", or one of POV-Ray's own where it is installed");
   if (files_.size() >= most_files) at.fail("more than 2000 files are included", "expected 2000 at most");
   const Source& source = files_.emplace_back(read_source(*known));
   push(Frame(source, true), at);

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "durero/text/shown.hpp"
-#include "io/stays_within.hpp"
+#include "io/scene_folder.hpp"
 
 namespace durero::io {
 namespace {
@@ -139,10 +139,9 @@ void RadText::carry_out(const Source& source, const RadLine& line, const RadComm
 const Source& RadText::file(const Source& source, const RadLine& line, const std::string& name) {
   auto known = files_.find(name);
   if (known == files_.end()) {
-    const std::filesystem::path own = std::filesystem::path(main_.name()).parent_path();
-    const auto path = file_below(own.empty() ? "." : own, name);
-    if (!path)
-      source.fail(line.at, fmt::format("no file {}", text::shown(name)), "expected one below the folder of the text");
+    const SceneFolder folder(main_);
+    const auto path = folder.find(main_, name);
+    if (!path) source.fail(line.at, fmt::format("no file {}", text::shown(name)), folder.expected());
     known = files_.emplace(name, read_source(*path)).first;
   }
   const Source& read = known->second;

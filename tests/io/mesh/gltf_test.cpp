@@ -318,7 +318,7 @@ TEST_CASE("a buffer is a file beside the glTF, or beneath its folder") {
   for (const std::string uri :
        {"/etc/passwd", "../a.bin", "in/../../a", "%2e%2e/a", "http://a/b", "a:b", "", "%2", "%zz"})
     CHECK_THROWS_WITH(read(uri), place + "uri is \"" + uri +
-                                     "\"; expected data: or the name of a file in the same folder or beneath it");
+                                     "\"; expected a file in the folder of the scene or beneath it, or data:");
 }
 
 TEST_CASE("a malformed glTF is refused where it stands") {

@@ -111,6 +111,8 @@ TEST_CASE("What a scene cannot hold is counted and named") {
         std::vector<std::string>{"1 surface seen from inside only: kept, seen from both sides",
                                  "1 near plane (hither) left out: a scene's camera has none"});
   CHECK(import_text("s 0 0 0 1\n").lost.empty());
+  CHECK(import_text("Q 2\nZ 200\ns 0 0 0 1\n").lost ==
+        std::vector<std::string>{"2 settings of another tracer (Q, Z) left out"});
 }
 
 TEST_CASE("Patches keep the normals of their corners, there and back; one without a direction leaves a flat triangle") {
@@ -315,8 +317,8 @@ TEST_CASE("A truncated cone is exported by its two radii, and comes back; what t
 TEST_CASE("A malformed NFF file is an error with its place") {
   using Case = std::pair<std::string, std::string>;
   const Case cases[] = {
-      {"^polygon 3", "unknown entity \"polygon\"; expected one of v, b, l, f, s, c, p, pp"},
-      {"s 0 0 0 1 ^2", "unknown entity \"2\"; expected one of v, b, l, f, s, c, p, pp"},
+      {"^polygon 3", "unknown entity \"polygon\"; expected one of v, b, l, f, s, c, p, pp, Q, Z"},
+      {"s 0 0 0 1 ^2", "unknown entity \"2\"; expected one of v, b, l, f, s, c, p, pp, Q, Z"},
       {"s 0 0 0 ^0", "radio_no_positivo; expected radio? ∈ Rmas (Agregar_Esfera.pre.2)"},
       {"s 0 0 ^x 1", "\"x\" in s; expected a finite number"},
       {"s 0 0 ^1e999 1", "\"1e999\" in s; expected a finite number"},

@@ -170,7 +170,8 @@ TEST_CASE("A program that does not end, or is wrong, is one line at its place") 
             "functions within each other, deeper than 300; expected 300 at most"},
            {"#include ^", "the text ends; expected a text behind #include"},
            {"^#include \"no.inc\"",
-            "no file \"no.inc\"; expected one below the folder of the text, or one of POV-Ray's own where it is "
+            "no file \"no.inc\"; expected a file in the folder of the scene or beneath it, or one of POV-Ray's own "
+            "where it is "
             "installed"},
            {"^#includ \"a\"", "#includ is not carried out; expected another directive"},
            {"#if (1) sphere { 0, 1 } ^", "the text ends; expected #end for each #if, #while, #for and #switch"},

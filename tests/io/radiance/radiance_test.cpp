@@ -189,7 +189,8 @@ TEST_CASE("A malformed text of Radiance is an error with its place") {
   CHECK(error_at("^void plastic m 0 0 3 1 1 1\nm sphere s 0 0 4 0 0 0 1") == "plastic has 3 numbers; expected 5");
   CHECK(error_at("^void light m 0 0 3 1 -1 1\nm sphere s 0 0 4 0 0 0 1").starts_with("a light below 0"));
   CHECK(error_at("^void dielectric m 0 0 5 1 1 1 0 0\nm sphere s 0 0 4 0 0 0 1").starts_with("an index of refraction"));
-  CHECK(error_at("^!xform gone.rad").starts_with("no file \"gone.rad\"; expected one below the folder of the text"));
+  CHECK(error_at("^!xform gone.rad")
+            .starts_with("no file \"gone.rad\"; expected a file in the folder of the scene or beneath it"));
   CHECK(error_at("^!xform ../f.rad").starts_with("no file"));
 }
 
