@@ -45,6 +45,7 @@ void add_agree(CLI::App& app, int& status);
 void add_check(CLI::App& app, int& status);
 void add_completion(CLI::App& app, int& status);
 void add_conform(CLI::App& app, int& status);
+void add_convert(CLI::App& app, int& status);
 void add_distance(CLI::App& app, int& status);
 void add_edit(CLI::App& app, int& status);
 void add_engines(CLI::App& app, int& status);

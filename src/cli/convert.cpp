@@ -1,4 +1,4 @@
-// durero import FILE -o SCENE and export SCENE -o FILE: scene formats, by file name. durero import
+// durero convert FROM TO, import FILE -o SCENE and export SCENE -o FILE: scene formats, by file name. durero import
 // FOLDER --survey: which files of a folder can be read.
 #include <fmt/format.h>
 
@@ -130,5 +130,28 @@ void add_export(CLI::App& app, int& status) {
   command->callback([options, &status] { status = convert(*options, read_scene_file, writer_of(*options), "export"); });
 }
 
+void add_convert(CLI::App& app, int& status) {
+  auto* command = app.add_subcommand("convert", "Read a scene in one format and write it in another");
+  const auto options = std::make_shared<ConvertOptions>();
+  command
+      ->add_option("FROM", options->from,
+                   fmt::format("File to read; its name tells the format ({})", io::endings_to_read()))
+      ->required();
+  command
+      ->add_option("TO", options->to,
+                   fmt::format("File to write; its name tells the format ({})", io::endings_to_write()))
+      ->required();
+  add_ways_to_read(*command, *options);
+  add_binary(*command, options->binary);
+  add_quiet(*command, options->quiet);
+  command->footer(
+      exit_status("it is written; what is left out is named on the standard error", "the call or the file is bad") +
+      examples({"convert demo/still-life.json still-life.pov", "convert still-life.pov still-life.nff",
+                "convert bunny.obj bunny.ply --binary"}));
+  command->callback([options, &status] {
+    io::format_to_read(options->from);  // its name is asked before the other file is made
+    status = convert(*options, read_any, writer_of(*options), "convert");
+  });
+}
 
 }  // namespace durero::cli

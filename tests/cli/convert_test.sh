@@ -1,4 +1,4 @@
-# durero import and export: NFF there and back, meshes, and what is lost on the way.
+# durero import, export and convert: NFF there and back, meshes, and what is lost on the way.
 . "$(dirname "$0")/harness.sh"
 cat >scene.nff <<'TEXT'
 b 0.1 0.2 0.3
@@ -282,4 +282,37 @@ has hall.json '"centro":[0,0,3]'
 run 0 import room --survey
 has out 'room: 3 of 3 files are read'
 has out 'read: in 1 of them, 1 in all: shape "curve" left out: a scene has none'
+# Any format becomes any other; what one of both does not keep is named.
+run 0 convert scene.nff converted.json
+same converted.json scene.json
+empty err
+run 0 convert converted.json converted.pov
+run 0 export scene.json -o exported.pov
+same converted.pov exported.pov
+run 0 convert meshes/solid.obj converted.ply --binary
+has err 'durero: meshes/solid.obj: 1 triangle left out: the vertices lie on one line'
+has err 'durero: converted.ply: 4 names of elements left out: PLY has none'
+run 0 convert converted.ply converted.stl
+refused 'scene.step: a format that is not known by this name; expected one that ends in .glb' convert scene.step a.json
+refused 'a.step: a format that is not known by this name; expected one that ends in .json' convert scene.json a.step
+absent a.step
+printf '{"format":"durero-scene","version":1,"elementos":[{"id":"e","tipo":"instancia","de":{"tipo":"esfera","centro":[0,0,0],"radio":1},"mapa":[[2,0,0,0],[0,1,0,0],[0,0,1,0]]}]}' >copy_of.json
+run 0 convert copy_of.json copy_of.nff
+has err 'durero: copy_of.nff: 1 instance or solid left out: NFF has none'
+! grep -q '^s ' copy_of.nff || fail 'copy_of.nff has a sphere, expected none'
+
+# Files out of the scene's folder are read where a root holds them.
+mkdir -p sets/room
+echo '#declare R = 2;' >sets/size.inc
+echo '#include "../size.inc" sphere { 0, R }' >sets/room/ball.pov
+refused 'sets/room/ball.pov:1:1: no file "../size.inc"; expected a file in the folder of the scene or beneath it, or one' \
+  import sets/room/ball.pov -o ball.json
+run 0 import sets/room/ball.pov -o ball.json --root sets
+has ball.json '"radio":2'
+run 0 import sets --survey --root sets
+has out 'sets: 1 of 1 files are read'
+run 1 import sets --survey
+refused 'sets/room/ball.pov: lies elsewhere; expected a file in "meshes" or beneath it' \
+  import sets/room/ball.pov -o ball.json --root meshes
+refused 'none: no folder; expected one' import sets/room/ball.pov -o ball.json --root none
 finish
