@@ -30,7 +30,7 @@ The exact value is there too, a number x + y√Δ, and the specification itself 
 >>> durero.spec.eval("#elementos = 2", scene)
 True
 
-Scene           help(durero.Scene): load, save, apply, add, remove, group, trace, occluded, exact, render
+Scene           help(durero.Scene): load, save, import_file, export_file, apply, add, remove, group, trace, occluded, exact, render
 Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo; Written, of a type of a Z text
 Sphere …        the same classes in English: Sphere, Cylinder, Cone, TruncatedCone, Plane, Disc, Triangle; arguments and
                 properties have English names too, as center is centro
@@ -49,7 +49,7 @@ from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
 from .mesh import MeshCheck, MeshFinding, MeshPiece, check_mesh
-from .scene import Answer, Group, HitsWithElements, Mesh, Scene
+from .scene import Answer, Group, HitsWithElements, Imported, Mesh, Scene
 
 __version__ = _durero.version
 
@@ -98,6 +98,7 @@ __all__ = [
     "Group",
     "HIT",
     "HitsWithElements",
+    "Imported",
     "InputError",
     "Mesh",
     "MeshCheck",

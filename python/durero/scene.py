@@ -73,6 +73,13 @@ class Mesh(NamedTuple):
     material: Optional[str]
 
 
+class Imported(NamedTuple):
+    """A scene from a file of another program, and a line for each kind of thing that it does not keep."""
+
+    scene: Scene
+    lost: Tuple[str, ...]
+
+
 def _mesh_arrays(vertices: object, faces: object) -> Tuple[object, object]:
     """The arrays of vertices and faces, or those of a mesh of trimesh (faces) or Open3D (triangles)."""
     if faces is not None:
@@ -126,6 +133,41 @@ class Scene(Mapping[str, Element]):
         scene = cls()
         scene._scene = _durero.read_scene(text, name, None if surfaces is None else os.fspath(surfaces))
         return scene
+
+    @classmethod
+    def import_file(
+        cls,
+        path: _Path,
+        *,
+        triangles: Optional[Literal["mesh", "single"]] = None,
+        root: Optional[_Path] = None,
+    ) -> Imported:
+        """Reads a scene in any format that `durero import` knows, by the ending of the name. Raises InputError at the
+        first thing that is wrong, and OSError.
+
+        `triangles` become faces of a mesh, or each an element, `single`; without it as the format has them. The files
+        that a text names lie in the folder `root` or beneath it, without it in the text's own.
+
+        >>> import pathlib, tempfile
+        >>> file = pathlib.Path(tempfile.mkdtemp(), "ball.nff")
+        >>> _ = file.write_text("s 0 0 5 1 Q 2")
+        >>> scene, lost = Scene.import_file(file)
+        >>> scene["s1"].centro, lost
+        ((0.0, 0.0, 5.0), ('1 setting of another tracer (Q, Z) left out',))
+        """
+        if triangles not in (None, "mesh", "single"):
+            raise ValueError(f"triangles is {triangles!r}; expected 'mesh' or 'single'")
+        scene = cls()
+        in_meshes = None if triangles is None else triangles == "mesh"
+        scene._scene, lost = _durero.import_file(os.fspath(path), "" if root is None else os.fspath(root), in_meshes)
+        return Imported(scene, tuple(lost))
+
+    def export_file(self, path: _Path, *, binary: bool = False) -> Tuple[str, ...]:
+        """Writes the scene in any format that `durero export` knows, by the ending of the name, as a text or as bytes.
+        The file appears whole or not at all. Answers a line for each kind of thing that it does not keep. Raises
+        OSError.
+        """
+        return tuple(_durero.export_file(self._scene, os.fspath(path), binary))
 
     @property
     def surfaces(self) -> Optional[str]:

@@ -41,6 +41,10 @@ class Mesh(NamedTuple):
     uv: Optional[npt.NDArray[np.float64]]
     material: Optional[str]
 
+class Imported(NamedTuple):
+    scene: Scene
+    lost: Tuple[str, ...]
+
 class Scene(Mapping[str, Element]):
     _scene: _durero.Scene
     __hash__ = None  # type: ignore[assignment]
@@ -55,6 +59,11 @@ class Scene(Mapping[str, Element]):
 
     @classmethod
     def _read(cls, text: bytes, name: str, surfaces: Optional[_Path]) -> Scene: ...
+
+    @classmethod
+    def import_file(cls, path: _Path, *, triangles: Optional[Literal['mesh', 'single']]=..., root: Optional[_Path]=...) -> Imported: ...
+
+    def export_file(self, path: _Path, *, binary: bool=...) -> Tuple[str, ...]: ...
 
     @property
     def surfaces(self) -> Optional[str]: ...

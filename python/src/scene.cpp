@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "durero/composed/engine.hpp"
+#include "durero/io/formats.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/render/output/tone.hpp"
@@ -325,6 +326,27 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
   return py::array_t<std::uint8_t>({height, width, py::ssize_t{3}}, pixels->data(), owner);
 }
 
+/// The scene of a file in any format, and what it lost on the way.
+std::pair<Scene, std::vector<std::string>> import_file(const std::string& path, const std::string& root,
+                                                       std::optional<bool> in_meshes) {
+  io::Imported read = [&] {
+    const py::gil_scoped_release released;
+    return io::import_file(path, root, in_meshes);
+  }();
+  return {Scene(scene::GroupedScene{std::move(read.scene), std::move(read.groups)}), std::move(read.lost)};
+}
+
+/// Writes a scene in the format that the name tells. What it loses.
+std::vector<std::string> export_file(const Scene& scene, const std::string& path, bool binary) {
+  const auto state = scene.state();
+  require_own_shapes(*state, "export_file");
+  const py::gil_scoped_release released;
+  const io::Format& format = binary ? io::format_to_write_bytes(path) : io::format_to_write(path);
+  const io::Exported exported = (binary ? format.write_bytes : format.write)(state->scene(), state->grouped().groups);
+  io::write_file(path, exported.text);
+  return exported.lost;
+}
+
 }  // namespace
 
 void add_scene(py::module_& module) {
@@ -348,6 +370,8 @@ void add_scene(py::module_& module) {
       .def("save", [](const Scene& scene, const std::string& path) { io::write_file(path, text(scene)); })
       .def("render", render);
   module.def("read_scene", read);
+  module.def("import_file", import_file);
+  module.def("export_file", export_file);
 }
 
 }  // namespace durero::python
