@@ -62,6 +62,7 @@ void add_spec(CLI::App& app, int& status);
 void add_stats(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
 void add_version(CLI::App& app, int& status);
+void add_view(CLI::App& app, int& status);
 void add_voxelise(CLI::App& app, int& status);
 
 void add_spec_export(CLI::App& spec, int& status);   ///< of spec: export

@@ -29,10 +29,8 @@ std::string time_text(double seconds) {
 /// The text cut to one line of the terminal: the rest of a longer one would stay when it is written over.
 std::string cut_to_terminal(std::string text) {
   winsize size{};
-  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || text.size() < size.ws_col) return text;
-  std::size_t kept = size.ws_col - 1U;
-  while (kept > 0 && text::continues(text[kept])) --kept;
-  return text.substr(0, kept);
+  if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return text;
+  return std::string(text::head(text, size.ws_col - 1U));
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ class SceneTracer {
   const scene::Scene& scene() const { return written_ ? written_->scene : input_->scene; }
   /// The engine that answers.
   const engine::Engine& engine() const { return written_ ? *written_->engine : *ready_; }
+  /// Whether a Z text answers.
+  bool is_by_text() const noexcept { return written_.has_value(); }
   /// Prepares the same engine for the scene at another time. Throws std::domain_error of a Z text's elements.
   std::unique_ptr<const engine::Engine> prepare(const scene::Scene& then) const;
   /// Checks that the engine honours origins. Throws std::invalid_argument, where `why` gives the reason that it must.

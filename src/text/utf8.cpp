@@ -40,6 +40,12 @@ std::string_view first(std::string_view text) noexcept {
   return text.substr(0, character ? character->length : 1);
 }
 
+std::string_view head(std::string_view text, std::size_t characters) noexcept {
+  std::size_t end = 0;
+  for (; characters > 0 && end < text.size(); --characters) end += first(text.substr(end)).size();
+  return text.substr(0, end);
+}
+
 std::string encode(char32_t code) {
   const auto byte = [](char32_t value) { return static_cast<char>(static_cast<unsigned char>(value)); };
   const auto continuation = [&](unsigned shift) { return byte(0x80U | ((code >> shift) & 0x3FU)); };

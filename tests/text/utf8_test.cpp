@@ -10,6 +10,7 @@ using durero::text::Character;
 using durero::text::decode;
 using durero::text::encode;
 using durero::text::first;
+using durero::text::head;
 using durero::text::is_scalar;
 
 TEST_CASE("A character is read with its length, at both ends of every length") {
@@ -56,4 +57,13 @@ TEST_CASE("The first of a text is a whole character, or one byte") {
   CHECK(first("\xE2\x88") == "\xE2");
   CHECK(first("\xC3(") == "\xC3");
   CHECK(first("").empty());
+}
+
+TEST_CASE("The head of a text has whole characters") {
+  CHECK(head("aé√b", 0) == "");
+  CHECK(head("aé√b", 2) == "aé");
+  CHECK(head("aé√b", 3) == "aé√");
+  CHECK(head("aé√b", 9) == "aé√b");
+  CHECK(head("a\xC3", 2) == "a\xC3");
+  CHECK(head("", 1) == "");
 }

@@ -29,6 +29,9 @@ std::optional<Character> decode(std::string_view text) noexcept;
 /// text.
 std::string_view first(std::string_view text) noexcept;
 
+/// The first characters of a text, so many at most. A byte that begins no character counts as one.
+std::string_view head(std::string_view text, std::size_t characters) noexcept;
+
 /// Writes a character as its bytes, so that decode() reads it back. Precondition: is_scalar(code).
 std::string encode(char32_t code);
 
