@@ -16,6 +16,7 @@
 
 #include "durero/scene/stage.hpp"
 #include "pov_expression.hpp"
+#include "pov_spline.hpp"
 #include "pov_token.hpp"
 
 namespace durero::io {
@@ -30,9 +31,12 @@ struct PovFunction {
   std::shared_ptr<const PovTokens> body;
 };
 
-/// The value of a name: nothing yet, numbers, a text, an array, a function, or tokens that are put in its place.
+/// The value of a name: nothing yet, numbers, a text, an array, a function, a spline, or tokens that are put in its
+/// place.
 struct PovValue {
-  std::variant<std::monostate, PovNumbers, std::string, PovArray, PovFunction, std::shared_ptr<const PovTokens>> of;
+  std::variant<std::monostate, PovNumbers, std::string, PovArray, PovFunction, std::shared_ptr<const PovSpline>,
+               std::shared_ptr<const PovTokens>>
+      of;
 
   /// Whether it is nothing but the name that has it, as that of a name without a value which a macro is given.
   bool is_itself(std::string_view name) const;
@@ -141,6 +145,8 @@ class PovProgram final : private PovTerms {
   PovArray array();
   PovArray elements();
   PovFunction function();
+  std::shared_ptr<const PovSpline> spline();
+  PovNumbers value_of(const PovSpline& spline, const PovToken& at);
   PovTokens captured();
   void invoke(const Macro& macro, const PovToken& at);
   std::shared_ptr<PovValue> argument();

@@ -70,14 +70,29 @@ PovValue PovProgram::value() {
   if (auto said = take_text()) return {*std::move(said)};
   if (token->text == "array") return {array()};
   const PovToken* const behind = raw(1);
+  if (token->text == "spline" && behind != nullptr && behind->text == "{") return {spline()};
+  if (token->text == "function" && behind != nullptr && behind->text == "{" && raw(2) != nullptr &&
+      raw(2)->text == "spline") {
+    pass();
+    pass();
+    PovValue within{spline()};
+    expect("}", "behind a function");
+    return within;
+  }
   if (token->text == "function" && behind != nullptr && is_any(behind->text, {"{", "("})) return {function()};
   const auto known = token->is_name() ? find(token->text) : nullptr;
   if (known && std::holds_alternative<PovArray>(known->of)) {
     pass();
     return copied(*known);
   }
+  if (known && std::holds_alternative<std::shared_ptr<const PovSpline>>(known->of) &&
+      (behind == nullptr || behind->text != "(")) {
+    pass();
+    return *known;
+  }
   const bool is_number =
-      known && (std::holds_alternative<PovNumbers>(known->of) || std::holds_alternative<PovFunction>(known->of));
+      known && (std::holds_alternative<PovNumbers>(known->of) || std::holds_alternative<PovFunction>(known->of) ||
+                std::holds_alternative<std::shared_ptr<const PovSpline>>(known->of));
   if (is_number || begins_pov_expression(*token) || is_one_of(questions, token->text)) return {pov_sum(*this)};
   return {std::make_shared<const PovTokens>(captured())};
 }
@@ -156,6 +171,51 @@ PovFunction PovProgram::function() {
     }
   }));
   return made;
+}
+
+/// Numbers and vectors behind another spline, whose copy it begins as, and a kind.
+std::shared_ptr<const PovSpline> PovProgram::spline() {
+  pass();
+  expect("{", "behind spline");
+  PovSpline made;
+  while (!take("}")) {
+    const PovToken* const token = here();
+    if (token == nullptr) fail_here("expected } behind a spline");
+    const auto known = token->is_name() ? find(token->text) : nullptr;
+    const auto* const other = known ? std::get_if<std::shared_ptr<const PovSpline>>(&known->of) : nullptr;
+    if (const auto kind = pov_spline_kind(token->text)) {
+      made.kind = *kind;
+      pass();
+    } else if (other != nullptr) {
+      made = **other;
+      pass();
+    } else {
+      const double at = pov_sum(*this).of[0];
+      expect(",", "between a number of a spline and its vector");
+      made.put(at, pov_sum(*this));
+      if (made.size() > most_elements) fail_here("expected a spline of 1,000,000 vectors at most");
+    }
+    take(",");
+  }
+  if (made.size() == 0) fail_here("expected a vector at least in a spline");
+  return std::make_shared<const PovSpline>(std::move(made));
+}
+
+/// Of a spline whose name stands before.
+PovNumbers PovProgram::value_of(const PovSpline& spline, const PovToken& at) {
+  expect("(", fmt::format("behind {}", at.text));
+  const double where = pov_sum(*this).of[0];
+  PovSplineKind kind = spline.kind;
+  if (take(",")) {
+    const auto other = here() == nullptr ? std::nullopt : pov_spline_kind(here()->text);
+    if (!other) fail_here("expected linear_spline, quadratic_spline, cubic_spline or natural_spline");
+    kind = *other;
+    pass();
+  }
+  expect(")", fmt::format("behind {}", at.text));
+  steps_ += spline.size();
+  count_step(at);
+  return spline.value(where, kind);
 }
 
 std::shared_ptr<PovValue> PovProgram::element_of(const std::shared_ptr<PovValue>& array) {
@@ -281,6 +341,12 @@ std::optional<PovNumbers> PovProgram::named() {
     const PovFunction copy = *function;  // it may be declared again
     pass();
     return call(copy, token);
+  }
+  if (const auto* const spline = std::get_if<std::shared_ptr<const PovSpline>>(&known->of)) {
+    if (behind == nullptr || behind->text != "(") return std::nullopt;
+    const auto copy = *spline;
+    pass();
+    return value_of(*copy, token);
   }
   return std::nullopt;
 }
