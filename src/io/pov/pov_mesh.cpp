@@ -114,32 +114,100 @@ PointList border_of(std::vector<PointList> outlines) {
   return border;
 }
 
-}  // namespace
-
-std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in) {
+/// A count, and so many points, of which each outline ends with its first one.
+std::vector<PointList> read_outlines(PovWords& in, std::string_view word) {
   const std::size_t at = in.offset();
-  const double count = in.number("polygon");
+  const double count = in.number(word);
   if (!(count >= 3 && count <= double(most)))
-    in.fail(at, fmt::format("polygon of {} points", count), "expected 3 to 10,000,000");
+    in.fail(at, fmt::format("{} of {} points", word, count), "expected 3 to 10,000,000");
   std::vector<PointList> outlines(1);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     in.comma();
-    const glm::dvec3 point = in.triple("polygon");
-    if (!outlines.back().empty() && point == outlines.back().front())  // an outline ends where it begins
+    const glm::dvec3 point = in.triple(word);
+    if (!outlines.back().empty() && point == outlines.back().front())
       outlines.emplace_back();
     else
       outlines.back().push_back(point);
   }
   if (outlines.back().empty()) outlines.pop_back();
-  if (std::ranges::any_of(outlines, [](const PointList& outline) { return outline.size() < 3; })) return std::nullopt;
+  return outlines;
+}
+
+bool is_line(const PointList& outline) { return outline.size() < 3; }
+
+PovShape triangle_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return {scene::Triangle{{a, b, c}}};
+}
+
+double height(PovWords& in) {
+  const double height = in.number("prism");
+  in.comma();
+  return height;
+}
+
+/// The sweep of a prism: the place of (x, z) of an outline at the height y.
+glm::dvec3 swept(const glm::dvec3& point, double height, bool is_conic) {
+  const double times = is_conic ? height : 1;
+  return {times * point.x, height, times * point.y};
+}
+
+}  // namespace
+
+std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in) {
+  std::vector<PointList> outlines = read_outlines(in, "polygon");
+  if (std::ranges::any_of(outlines, is_line)) return std::nullopt;
   const PointList border = border_of(std::move(outlines));
   const auto triangles = triangulated(border);
   if (!triangles) return std::nullopt;
   std::vector<PovShape> shapes;
-  for (const auto& [a, b, c] : *triangles) shapes.push_back({scene::Triangle{{border[a], border[b], border[c]}}});
+  for (const auto& [a, b, c] : *triangles) shapes.push_back(triangle_of(border[a], border[b], border[c]));
   return shapes;
 }
 
-bool is_of_triangles(std::string_view word) { return word == "mesh" || word == "mesh2" || word == "polygon"; }
+std::optional<std::vector<PovShape>> read_pov_prism(PovWords& in) {
+  bool is_conic = false, is_straight = true;
+  while (true) {
+    if (in.take("conic_sweep"))
+      is_conic = true;
+    else if (in.take("linear_sweep"))
+      is_conic = false;
+    else if (in.take("linear_spline"))
+      is_straight = true;
+    else if (in.take("quadratic_spline") || in.take("cubic_spline") || in.take("bezier_spline"))
+      is_straight = false;
+    else
+      break;
+    in.comma();
+  }
+  const double heights[] = {height(in), height(in)};
+  const std::vector<PointList> outlines = read_outlines(in, "prism");
+  in.comma();
+  const bool is_closed = !in.take("open");
+  if (!is_straight || std::ranges::any_of(outlines, is_line)) return std::nullopt;
+  std::vector<PovShape> shapes;
+  const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    if (a != b && b != c && c != a) shapes.push_back(triangle_of(a, b, c));
+  };
+  for (const PointList& outline : outlines)
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const glm::dvec3 &one = outline[i], &next = outline[(i + 1) % outline.size()];
+      const glm::dvec3 a = swept(one, heights[0], is_conic), b = swept(next, heights[0], is_conic),
+                       c = swept(next, heights[1], is_conic), d = swept(one, heights[1], is_conic);
+      add(a, b, c);
+      add(a, c, d);
+    }
+  if (!is_closed) return shapes;
+  const PointList border = border_of(outlines);
+  const auto triangles = triangulated(border);
+  if (!triangles) return std::nullopt;
+  for (const double height : heights)
+    for (const auto& [a, b, c] : *triangles)
+      add(swept(border[a], height, is_conic), swept(border[b], height, is_conic), swept(border[c], height, is_conic));
+  return shapes;
+}
+
+bool is_of_triangles(std::string_view word) {
+  return word == "mesh" || word == "mesh2" || word == "polygon" || word == "prism";
+}
 
 }  // namespace durero::io

@@ -1,5 +1,6 @@
 #pragma once
-/// The objects of a POV-Ray text that are triangles: mesh2, of vertices and triangles by their numbers, and polygon.
+/// The objects of a POV-Ray text that are triangles: mesh2, of vertices and triangles by their numbers, polygon, and
+/// prism of straight sides.
 
 #include <array>
 #include <cstdint>
@@ -29,6 +30,10 @@ PovMesh read_pov_mesh(PovWords& in);
 /// Reads a polygon from behind its { up to what stands behind its points, as triangles. Its first outline is around all
 /// others, which are those of holes; nothing where they are not, or touch themselves or one another.
 std::optional<std::vector<PovShape>> read_pov_polygon(PovWords& in);
+
+/// Reads a prism likewise: its sides, and its bottom and its top where it is closed. Nothing where its sides are
+/// curved, or its outlines are none of a polygon.
+std::optional<std::vector<PovShape>> read_pov_prism(PovWords& in);
 
 /// Whether an object of that word is a group of triangles, which bounds no solid.
 bool is_of_triangles(std::string_view word);

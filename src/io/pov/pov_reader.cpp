@@ -31,12 +31,12 @@ using Words = std::span<const std::string_view>;
 
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
                            holders[] = {"mesh",  "mesh2",        "polygon",    "union", "object",
-                                        "merge", "intersection", "difference", "box"};
+                                        "merge", "intersection", "difference", "box",   "prism"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "blob",       "cubic",          "height_field", "isosurface",
-                                       "julia_fractal", "lathe",      "lemon",          "ovus",         "poly",
-                                       "prism",         "parametric", "quadric",        "quartic",      "sor",
-                                       "sphere_sweep",  "text",       "superellipsoid", "torus"};
+constexpr std::string_view others[] = {"bicubic_patch", "blob",           "cubic",   "height_field", "isosurface",
+                                       "julia_fractal", "lathe",          "lemon",   "ovus",         "poly",
+                                       "parametric",    "quadric",        "quartic", "sor",          "sphere_sweep",
+                                       "text",          "superellipsoid", "torus"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
@@ -135,7 +135,7 @@ class PovReader {
       if (object.shape->has_hole) ++left_out_["disc with a hole"];
     } else if (object.word == "box")
       object.box = solids_.box();
-    else if (object.word == "mesh2" || object.word == "polygon")
+    else if (object.word == "mesh2" || object.word == "polygon" || object.word == "prism")
       read_triangles(object);
     else
       read_parts(object, depth);
@@ -234,13 +234,17 @@ class PovReader {
     return {true, materials_.number(std::move(read->material)), std::nullopt};
   }
 
-  /// The triangles of a mesh2 or a polygon, from behind its { to behind its numbers.
+  /// The triangles of a mesh2, a polygon or a prism, from behind its { to behind its numbers.
   void read_triangles(PovObject& object) {
     std::optional<std::vector<PovShape>> triangles;
     if (object.word == "polygon") {
       triangles = read_pov_polygon(in_);
       object.is_left_out = !triangles;
       if (!triangles) ++left_out_["polygon that touches itself, or of several parts,"];
+    } else if (object.word == "prism") {
+      triangles = read_pov_prism(in_);
+      object.is_left_out = !triangles;
+      if (!triangles) ++left_out_["prism of curves, or whose outline touches itself,"];
     } else {
       const PovMesh mesh = read_pov_mesh(in_);
       counts_.attributes += mesh.left_out;

@@ -81,6 +81,33 @@ TEST_CASE("A polygon is a group of triangles, closed or not, with holes that go 
             .lost == Lines{"3 polygon that touches itself, or of several parts, left out: a scene has none"});
 }
 
+TEST_CASE("A prism is a group of triangles, open or closed, that goes up straight or to a point") {
+  const auto bounds = [](const io::Imported& i) {
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const scene::Triangle& triangle : i.scene.shapes<scene::Triangle>())
+      for (const glm::dvec3& vertex : triangle.vertices) low = glm::min(low, vertex), high = glm::max(high, vertex);
+    return std::pair(low, high);
+  };
+  const std::string square = "4, <0, 0>, <2, 0>, <2, 3>, <0, 3>";
+  const io::Imported box = import_text("prism { linear_sweep linear_spline 1, 2, " + square + " }");
+  CHECK(box.scene.shapes<scene::Triangle>().size() == 12);
+  CHECK(bounds(box) == std::pair(glm::dvec3(0, 1, 0), glm::dvec3(2, 2, 3)));
+  CHECK(box.groups.table().at("m1").elementos.size() == 12);
+  CHECK(import_text("prism { 1, 2, " + square + " open translate x }").scene.size() == 8);
+  const io::Imported pyramid =
+      import_text("prism { conic_sweep 0, 2, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> }");
+  CHECK(pyramid.scene.size() == 6);
+  CHECK(bounds(pyramid) == std::pair(glm::dvec3(-2, 0, -2), glm::dvec3(2, 2, 2)));
+  const io::Imported ring = import_text("prism { 0, 1, 9, 0, 9*x, 9*y, 0, <1, 1>, <1, 2>, <2, 2>, <2, 1>, <1, 1> }");
+  double area = 0;
+  for (const scene::Triangle& t : ring.scene.shapes<scene::Triangle>())
+    if (t.vertices[0].y == 1 && t.vertices[1].y == 1 && t.vertices[2].y == 1)
+      area += glm::length(glm::cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0])) / 2;
+  CHECK(area == Approx(39.5));
+  CHECK(import_text("prism { cubic_spline 0, 1, 6, 0, 9*x, 9*y, 0, x, y } prism { 0, 1, 4, 0, <1, 1>, x, y }").lost ==
+        Lines{"2 prism of curves, or whose outline touches itself, left out: a scene has none"});
+}
+
 TEST_CASE("Other transformations make exact copies, with their caps") {
   const io::Imported i = import_text(
       "sphere { x, 1 scale <2, 2, 1> } cone { 0, 1, y, 0.5 scale <1, 2, 3> } cylinder { 0, y, 1 open scale <1, 2, 3> "
