@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "durero/model/tipos.hpp"
+#include "losses.hpp"
 
 namespace durero::io {
 
@@ -31,12 +32,20 @@ glm::dvec3 end_of(const glm::dvec3& base, const Axis& axis) {
 
 double proportion_between(double wide, double narrow, double altura) { return (wide - narrow) / altura; }
 
-std::optional<scene::AnyShape> surface_between(RoundEnd one, RoundEnd other) {
+void EndRoundings::name_losses(std::vector<std::string>& lost) const {
+  add_loss(lost, axes, "axis", "axes", "rounded: a scene holds a direction and a length");
+  add_loss(lost, proportions, "proportion", "proportions",
+           "rounded: a scene holds how much a cone narrows by its height");
+}
+
+std::optional<scene::AnyShape> surface_between(RoundEnd one, RoundEnd other, EndRoundings& rounded) {
   if (one.radius < other.radius) std::swap(one, other);
   const auto axis = axis_between(one.at, other.at);
   if (!axis) return std::nullopt;
+  if (end_of(one.at, *axis) != other.at) ++rounded.axes;
   if (one.radius == other.radius) return scene::Cylinder{one.at, one.radius, axis->vector, axis->altura};
   const double proportion = proportion_between(one.radius, other.radius, axis->altura);
+  if (other.radius + proportion * axis->altura != one.radius) ++rounded.proportions;
   if (other.radius == 0) return scene::Cone{one.at, proportion, axis->vector, axis->altura};
   return scene::TruncatedCone{one.at, other.radius, proportion, axis->vector, axis->altura};
 }

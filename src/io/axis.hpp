@@ -1,8 +1,11 @@
 #pragma once
 /// Between two ways to write an element's axis: by its end points, and by base, direction and length.
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "durero/scene/any_shape.hpp"
 
@@ -30,7 +33,16 @@ struct RoundEnd {
   double radius;  ///< from 0
 };
 
+/// What of surfaces is rounded that a text gives by their ends.
+struct EndRoundings {
+  std::size_t axes = 0;         ///< whose other end is not quite where the text says
+  std::size_t proportions = 0;  ///< whose wide radius is not quite the text's
+
+  /// Adds a line for each kind.
+  void name_losses(std::vector<std::string>& lost) const;
+};
+
 /// The cylinder, cone or truncated cone between two ends, from the wide one on; nothing where they give no axis.
-std::optional<scene::AnyShape> surface_between(RoundEnd one, RoundEnd other);
+std::optional<scene::AnyShape> surface_between(RoundEnd one, RoundEnd other, EndRoundings& rounded);
 
 }  // namespace durero::io

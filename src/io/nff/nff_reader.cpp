@@ -171,7 +171,7 @@ class NffReader {
     if (std::min(base.radius, end.radius) < 0) ++counts_.inward;
     base.radius = std::abs(base.radius);
     end.radius = std::abs(end.radius);
-    const auto surface = surface_between(base, end);
+    const auto surface = surface_between(base, end, rounded_);
     if (!surface) in_.fail(at, "the ends of c give no axis", "expected two points, a finite distance apart");
     std::visit([&](const auto& shape) { add(at, shape); }, *surface);
   }
@@ -212,6 +212,7 @@ class NffReader {
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
     polygons_.name_losses(lost);
+    rounded_.name_losses(lost);
     add_loss(lost, counts_.inward, "surface", "surfaces", "seen from inside only: kept, seen from both sides");
     add_loss(lost, counts_.near_planes, "near plane", "near planes", "(hither) left out: a scene's camera has none");
     add_loss(lost, counts_.settings, "setting", "settings", "of another tracer (Q, Z) left out");
@@ -222,6 +223,7 @@ class NffReader {
   scene::Scene scene_;
   Polygons polygons_{scene_, "p"};
   Counts counts_;
+  EndRoundings rounded_;
   std::vector<std::size_t> colorless_;  // lights
   NumberedMaterials materials_{scene_};
   std::optional<std::uint32_t> fill_;  // of what follows

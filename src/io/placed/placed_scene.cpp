@@ -57,18 +57,13 @@ void PlacedScene::add(const OpenCylinder& cylinder, const Place& place) {
   std::array<glm::dvec3, 2> ends = cylinder.ends;
   if (is_similar)
     for (glm::dvec3& end : ends) end = moved(end, place.by);
-  const auto axis = axis_between(ends[0], ends[1]);
-  if (!axis) {
+  const double radius = cylinder.radius * place.by.scale.value_or(1);
+  const auto made = surface_between({ends[0], radius}, {ends[1], cylinder.is_cone ? 0 : radius}, rounded_);
+  if (!made) {
     ++refused_["two ends, a finite distance apart"];
     return;
   }
-  if (end_of(ends[0], *axis) != ends[1]) ++axes_;
-  const double radius = cylinder.radius * place.by.scale.value_or(1);
-  const auto add_made = [&](const auto& shape) { is_similar ? add_shape(shape, place) : add_copy(shape, place); };
-  if (cylinder.is_cone)
-    add_made(scene::Cone{ends[0], proportion_between(radius, 0, axis->altura), axis->vector, axis->altura});
-  else
-    add_made(scene::Cylinder{ends[0], radius, axis->vector, axis->altura});
+  std::visit([&](const auto& shape) { is_similar ? add_shape(shape, place) : add_copy(shape, place); }, *made);
 }
 
 void PlacedScene::add(const scene::Disc& disc, const Place& place) {
@@ -185,7 +180,7 @@ Imported PlacedScene::take(std::vector<std::string> lost) {
   materials_.finish();
   scene_.audit();
   add_loss(lost, moved_, "point", "points", "moved by a transformation: each coordinate is rounded once");
-  add_loss(lost, axes_, "axis", "axes", "rounded: a scene holds a direction and a length");
+  rounded_.name_losses(lost);
   add_loss(lost, directions_, "direction", "directions", "rounded: those of a scene have length 1");
   add_loss(lost, flat_, "triangle", "triangles", "kept flat: a normal at a vertex has no direction");
   add_loss(lost, aligned_, "triangle", "triangles", "left out: the vertices lie on one line");

@@ -15,6 +15,7 @@
 #include "durero/scene/body.hpp"
 #include "durero/scene/vertex_normals.hpp"
 #include "durero/scene/wrap.hpp"
+#include "io/axis.hpp"
 #include "io/mesh/numbered_materials.hpp"
 #include "placement.hpp"
 
@@ -97,7 +98,8 @@ class PlacedScene {
   std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
   std::size_t tried_ = 0;
   std::size_t bodies_ = 0, meshes_ = 0, instances_ = 0;  // numbers of names
-  std::size_t moved_ = 0, axes_ = 0, directions_ = 0, aligned_ = 0, beyond_ = 0, without_ = 0, flat_ = 0;  // losses
+  EndRoundings rounded_;
+  std::size_t moved_ = 0, directions_ = 0, aligned_ = 0, beyond_ = 0, without_ = 0, flat_ = 0;  // losses
   std::map<std::string, std::size_t> refused_;
 };
 

@@ -37,8 +37,8 @@ PovShape PovShapes::cylinder() {
 }
 
 PovShape PovShapes::cone() {
-  PovEnd ends[2];
-  for (PovEnd& end : ends) {
+  RoundEnd ends[2];
+  for (RoundEnd& end : ends) {
     end.at = vertex("cone");
     end.radius = in_.number("cone");
     if (&end == ends) in_.comma();
@@ -47,27 +47,11 @@ PovShape PovShapes::cone() {
   return between(ends[is_turned ? 1 : 0], ends[is_turned ? 0 : 1]);
 }
 
-PovShape PovShapes::between(const PovEnd& one, const PovEnd& other) {
+PovShape PovShapes::between(const RoundEnd& one, const RoundEnd& other) {
   PovShape shape{scene::Cylinder{}};
   shape.ends = {one, other};
   shape.is_closed = !in_.take("open");
   return shape;
-}
-
-scene::AnyShape PovShapes::along_axis(std::size_t at, std::string_view word, const PovEnd& wide, const PovEnd& narrow) {
-  const auto axis = axis_between(wide.at, narrow.at);
-  if (!axis)
-    in_.fail(at, fmt::format("the ends of {} give no axis", word), "expected two points, a finite distance apart");
-  if (end_of(wide.at, *axis) != narrow.at) ++axes_;
-  if (wide.radius == narrow.radius) return scene::Cylinder{wide.at, wide.radius, axis->vector, axis->altura};
-  return narrowing(*axis, wide, narrow);
-}
-
-scene::AnyShape PovShapes::narrowing(const Axis& axis, const PovEnd& wide, const PovEnd& narrow) {
-  const double proportion = proportion_between(wide.radius, narrow.radius, axis.altura);
-  if (narrow.radius + proportion * axis.altura != wide.radius) ++proportions_;
-  if (narrow.radius == 0) return scene::Cone{wide.at, proportion, axis.vector, axis.altura};
-  return scene::TruncatedCone{wide.at, narrow.radius, proportion, axis.vector, axis.altura};
 }
 
 PovShape PovShapes::disc() {
@@ -123,8 +107,11 @@ std::optional<PovShape> PovShapes::placed(std::size_t at, std::string_view word,
     auto ends = *shape.ends;
     if (!by.scale) return std::nullopt;
     if (!by.is_identity())
-      for (PovEnd& end : ends) end = {moved(end.at), end.radius * *by.scale};
-    made.surface = along_axis(at, word, ends[0], ends[1]);
+      for (RoundEnd& end : ends) end = {moved(end.at), end.radius * *by.scale};
+    const auto surface = surface_between(ends[0], ends[1], rounded_);
+    if (!surface)
+      in_.fail(at, fmt::format("the ends of {} give no axis", word), "expected two points, a finite distance apart");
+    made.surface = *surface;
   } else if (shape.distance) {
     made.surface = plane_at(at, std::get<scene::Plane>(shape.surface).vector, *shape.distance, by);
   } else if (by.is_identity()) {
@@ -181,9 +168,7 @@ glm::dvec3 PovShapes::direction(std::string_view what) {
 }
 
 void PovShapes::name_losses(std::vector<std::string>& lost) const {
-  add_loss(lost, axes_, "axis", "axes", "rounded: a scene holds a direction and a length");
-  add_loss(lost, proportions_, "proportion", "proportions",
-           "rounded: a scene holds how much a cone narrows by its height");
+  rounded_.name_losses(lost);
   add_loss(lost, directions_, "direction", "directions", "rounded: those of a scene have length 1");
   add_loss(lost, planes_, "plane", "planes", "rounded: a scene holds a point of it");
   add_loss(lost, moved_, "point", "points", "moved by a transformation: rounded");

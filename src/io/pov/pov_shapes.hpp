@@ -15,19 +15,13 @@
 
 namespace durero::io {
 
-/// An end of a cylinder or a cone.
-struct PovEnd {
-  glm::dvec3 at;
-  double radius;
-};
-
 /// A shape describes a surface, whether it has caps where its axis ends, and the normals of its vertices.
 struct PovShape {
   scene::AnyShape surface;
   bool is_closed = false;
   std::optional<scene::VertexNormals> normals{};  ///< of a smooth triangle
   /// @{ What the surface is made of when it is placed: two ends, the wide one first, or how far a plane is.
-  std::optional<std::array<PovEnd, 2>> ends{};
+  std::optional<std::array<RoundEnd, 2>> ends{};
   std::optional<double> distance{};
   /// @}
   bool has_hole = false;  ///< a disc, which no scene has then
@@ -55,16 +49,15 @@ class PovShapes {
   PovShape plane();
   PovShape triangle();
   PovShape smooth_triangle();
-  PovShape between(const PovEnd& one, const PovEnd& other);
-  scene::AnyShape along_axis(std::size_t at, std::string_view word, const PovEnd& wide, const PovEnd& narrow);
-  scene::AnyShape narrowing(const Axis& axis, const PovEnd& wide, const PovEnd& narrow);
+  PovShape between(const RoundEnd& one, const RoundEnd& other);
   scene::Plane plane_at(std::size_t at, glm::dvec3 vector, double distance, const PovTransform& by);
   glm::dvec3 turned(std::size_t at, std::string_view word, const glm::dvec3& normal, const PovTransform& by);
   glm::dvec3 vertex(std::string_view what);
   glm::dvec3 direction(std::string_view what);
 
   PovWords& in_;
-  std::size_t axes_ = 0, proportions_ = 0, directions_ = 0, planes_ = 0, flat_ = 0, moved_ = 0;
+  EndRoundings rounded_;
+  std::size_t directions_ = 0, planes_ = 0, flat_ = 0, moved_ = 0;
 };
 
 }  // namespace durero::io

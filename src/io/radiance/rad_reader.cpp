@@ -83,8 +83,8 @@ class RadReader {
   void add_cone(const RadPrimitive& surface) { add_between(surface, surface.numbers[6], surface.numbers[7]); }
 
   void add_between(const RadPrimitive& surface, double first, double last) {
-    const auto made =
-        surface_between({point(surface, 0), length(surface, first)}, {point(surface, 3), length(surface, last)});
+    const auto made = surface_between({point(surface, 0), length(surface, first)},
+                                      {point(surface, 3), length(surface, last)}, rounded_);
     if (made)
       std::visit([&](const auto& shape) { put(surface, shape); }, *made);
     else
@@ -167,6 +167,7 @@ class RadReader {
   std::vector<std::string> losses() const {
     std::vector<std::string> lost;
     polygons_.name_losses(lost);
+    rounded_.name_losses(lost);
     add_loss(lost, counts_.refused, "surface", "surfaces",
              "left out: it breaks a rule of a scene, such as a radius of 0");
     add_loss(lost, counts_.holes, "ring", "rings", "left out: a scene's disc has no hole");
@@ -188,6 +189,7 @@ class RadReader {
   std::map<std::string, scene::Names, std::less<>> members_;
   std::map<std::string, std::size_t, std::less<>> others_;
   Counts counts_;
+  EndRoundings rounded_;
   std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
 };
 

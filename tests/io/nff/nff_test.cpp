@@ -111,6 +111,9 @@ TEST_CASE("What a scene cannot hold is counted and named") {
         std::vector<std::string>{"1 surface seen from inside only: kept, seen from both sides",
                                  "1 near plane (hither) left out: a scene's camera has none"});
   CHECK(import_text("s 0 0 0 1\n").lost.empty());
+  CHECK(import_text("c 4.66 1.8 6.14 1.74 -2.87 -3.76 6.61 0.64\n").lost ==
+        std::vector<std::string>{"1 axis rounded: a scene holds a direction and a length",
+                                 "1 proportion rounded: a scene holds how much a cone narrows by its height"});
   CHECK(import_text("Q 2\nZ 200\ns 0 0 0 1\n").lost ==
         std::vector<std::string>{"2 settings of another tracer (Q, Z) left out"});
 }
@@ -363,11 +366,18 @@ TEST_CASE("Real scenes: the standard procedural databases") {
     std::vector<std::string> lost;  // of what is no element
   };
   const std::string near_plane = "1 near plane (hither) left out: a scene's camera has none";
-  const Expected all[] = {{"balls", 7381, 0, 0, 2, {near_plane}},
-                          {"rings", 4200, 4200, 0, 2, {near_plane}},
-                          {"lattice", 1331, 3630, 0, 0, {}},
-                          {"jacks", 3510, 1755, 0, 0, {near_plane}},
-                          {"tree", 4095, 0, 4095, 2, {near_plane}}};
+  const auto axes = [](int n) { return fmt::format("{} axes rounded: a scene holds a direction and a length", n); };
+  const Expected all[] = {
+      {"balls", 7381, 0, 0, 2, {near_plane}},
+      {"rings", 4200, 4200, 0, 2, {axes(675), near_plane}},
+      {"lattice", 1331, 3630, 0, 0, {}},
+      {"jacks", 3510, 1755, 0, 0, {axes(361), near_plane}},
+      {"tree",
+       4095,
+       0,
+       4095,
+       2,
+       {axes(77), "8 proportions rounded: a scene holds how much a cone narrows by its height", near_plane}}};
   for (const Expected& e : all) {
     const auto path = test::spd_path(e.name);
     if (!path) continue;
