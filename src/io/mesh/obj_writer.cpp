@@ -31,7 +31,7 @@ Exported obj_text(const scene::Scene& scene, const scene::Groups& groups) {
   Numbering<Triple> vertices, normals;
   Numbering<Pair> textures;
   std::string_view group;
-  for (const WrittenTriangle& triangle : written_triangles(scene, groups)) {
+  for (const GroupedElement& triangle : triangles_by_group(scene, groups)) {
     if (triangle.group != group) faces += fmt::format("g {}\n", group = triangle.group);
     faces += 'f';
     const auto corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;

@@ -22,13 +22,13 @@ struct WrittenMesh {
 };
 
 WrittenMesh written_mesh(const scene::Scene& scene) {
-  const std::vector<WrittenTriangle> triangles = written_triangles(scene, {});
+  const std::vector<GroupedElement> triangles = triangles_by_group(scene, {});
   WrittenMesh mesh;
   mesh.smooth = static_cast<std::size_t>(std::ranges::count_if(
-      triangles, [&](const WrittenTriangle& triangle) { return scene.vertex_normals(triangle.element).has_value(); }));
+      triangles, [&](const GroupedElement& triangle) { return scene.vertex_normals(triangle.element).has_value(); }));
   mesh.has_normals = mesh.smooth == triangles.size() && mesh.smooth > 0;
   Numbering<std::array<double, 6>> numbers;
-  for (const WrittenTriangle& triangle : triangles) {
+  for (const GroupedElement& triangle : triangles) {
     const auto corners = scene.shapes<scene::Triangle>()[triangle.element.index].vertices;
     const auto normals = scene.vertex_normals(triangle.element);
     std::array<std::size_t, 3>& face = mesh.faces.emplace_back();

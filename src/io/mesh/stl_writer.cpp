@@ -42,18 +42,11 @@ std::size_t append_triple(std::string& out, const glm::dvec3& x) {
   return rounded;
 }
 
-void add_smoothness_loss(std::vector<std::string>& lost, const scene::Scene& scene) {
-  std::size_t smooth = 0;
-  for (std::uint32_t i = 0; i < scene.shapes<scene::Triangle>().size(); ++i)
-    smooth += scene.vertex_normals({model::Tipo::soy_triangulo, i}).has_value();
-  add_loss(lost, smooth, "smooth triangle", "smooth triangles", "written flat: STL has no normals of vertices");
-}
-
 }  // namespace
 
 Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
   Exported out;
-  const std::vector<WrittenTriangle> triangles = written_triangles(scene, groups);
+  const std::vector<GroupedElement> triangles = triangles_by_group(scene, groups);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& [element, group, name] = triangles[i];
     if (i == 0 || triangles[i - 1].group != group) out.text += solid_line("solid", group);
@@ -65,7 +58,7 @@ Exported stl_text(const scene::Scene& scene, const scene::Groups& groups) {
   }
   if (triangles.empty()) out.text = "solid\nendsolid\n";
   add_nesting_loss(out.lost, groups, "a solid of STL");
-  add_smoothness_loss(out.lost, scene);
+  add_smoothness_loss(out.lost, scene, "STL has no normals of vertices");
   add_mesh_losses(out.lost, scene, "STL");
   return out;
 }
@@ -74,7 +67,7 @@ Exported stl_bytes(const scene::Scene& scene, const scene::Groups& groups) {
   Exported out;
   std::string facets;
   std::size_t count = 0, rounded = 0, beyond = 0;
-  for (const WrittenTriangle& triangle : written_triangles(scene, {})) {
+  for (const GroupedElement& triangle : triangles_by_group(scene, {})) {
     const scene::Triangle& shape = scene.shapes<scene::Triangle>()[triangle.element.index];
     if (!std::ranges::all_of(shape.vertices, is_within_binary32)) {
       ++beyond;
@@ -91,7 +84,7 @@ Exported stl_bytes(const scene::Scene& scene, const scene::Groups& groups) {
   add_loss(out.lost, beyond, "triangle", "triangles", "left out: a coordinate is beyond binary32");
   add_loss(out.lost, rounded, "coordinate", "coordinates", "rounded: binary STL has binary32");
   add_loss(out.lost, groups.table().size(), "group", "groups", "left out: binary STL has none");
-  add_smoothness_loss(out.lost, scene);
+  add_smoothness_loss(out.lost, scene, "STL has no normals of vertices");
   add_mesh_losses(out.lost, scene, "STL");
   return out;
 }
