@@ -40,7 +40,7 @@ constexpr Format all[] = {
     {.ending = ".pbrt", .read = read_pbrt, .is_mesh = true},
     {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
     {.ending = ".pov", .read = read_pov, .write = pov_text},
-    {.ending = ".rad", .read = read_radiance},
+    {.ending = ".rad", .read = read_radiance, .write = radiance_text},
     {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes},
     {.ending = ".xml", .read = read_mitsuba, .is_mesh = true}};
 

@@ -32,7 +32,7 @@ TEST_CASE("A file's name tells its format") {
   CHECK(io::format_to_write("a.pov").ending == ".pov");
   CHECK_THROWS_WITH(io::format_to_write("a.npy"),
                     "a.npy: a format that is not known by this name; expected one that ends in .json or .nff or .obj "
-                    "or .ply or .pov or .stl");
+                    "or .ply or .pov or .rad or .stl");
 }
 
 TEST_CASE("A file is read with the files below its folder, or below a root") {
@@ -72,5 +72,5 @@ TEST_CASE("Each format has an ending of its own, and where it is written reads t
     CHECK(test::described(back.scene) == test::described(some));
     CHECK(back.lost.empty() == (format.ending != ".stl"));  // the normals that an STL must have
   }
-  CHECK(written == 6);
+  CHECK(written == 7);
 }

@@ -154,4 +154,5 @@ def main():
     sys.exit(1 if wrong or hits < len(rays) // 10 else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()

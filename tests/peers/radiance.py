@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """radiance.py DURERO [SEED]: Radiance, which shares no line with this program, meets the surface of the same name at the
-same distance on a text of its own that `durero import` has read.
+same distance on a text of its own that `durero import` has read, and on a scene that `durero export` has written.
 
 The text has each surface, placed by xform, repeated, and boxes by genbox. Radiance prints seven digits, and binary64
 without care decides its answers: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
@@ -14,6 +14,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+
+from povray import scene
 
 RAYS, PARTS = 10000, 12
 MOST_BESIDE_EDGES = RAYS // 100
@@ -69,14 +71,15 @@ def by_radiance(folder, rays):
 
 
 def by_durero(durero, folder, rays):
+    """Of each ray the names of the groups that are met, or else of the elements, and the parameter."""
     (folder / "rays.txt").write_text("".join(" ".join(map(repr, ray)) + "\n" for ray in rays))
     said = subprocess.run([durero, "trace", "scene.json", "rays.txt"], cwd=folder, check=True, text=True, capture_output=True)
-    groups = json.loads((folder / "scene.json").read_text())["groups"]
+    groups = json.loads((folder / "scene.json").read_text()).get("groups", {})
     names = {element: name for name, group in groups.items() for element in group.get("elementos", [])}
     answers = []
     for line in said.stdout.splitlines():
         hit = json.loads(line)
-        met = {names[element] for element in hit.get("elementos", [])}
+        met = {names.get(element, element) for element in hit.get("elementos", [])}
         answers.append((met, hit["t"]) if hit["outcome"] == "hit" else None)
     return answers
 
@@ -87,6 +90,43 @@ def agree(ours, theirs):
     return theirs[0] in ours[0] and abs(ours[1] - theirs[1]) <= 1e-5 * max(1, theirs[1])
 
 
+def imported(durero, rng, folder):
+    """A text that is read, and rays."""
+    (folder / "scene.rad").write_text(text(rng, folder))
+    subprocess.run([durero, "import", "scene.rad", "-o", "scene.json"], cwd=folder, check=True, capture_output=True)
+    return [between(rng, 6, 4, 0) for _ in range(RAYS)]
+
+
+def exported(durero, rng, folder):
+    """A scene that is written, of all that Radiance has, and rays."""
+    elements = [element for element in scene(rng) if element["tipo"] != "plano"]
+    elements.append({"id": "box", "tipo": "caja", "esquinas": [[0.25, 0.5, 0.25], [0.5, 0.625, 0.75]]})
+    (folder / "scene.json").write_text(json.dumps({"format": "durero-scene", "version": 1, "elementos": elements}))
+    subprocess.run([durero, "export", "scene.json", "-o", "scene.rad"], cwd=folder, check=True, capture_output=True)
+    return [between(rng, 1, 0.5, 0.5) for _ in range(RAYS)]
+
+
+def between(rng, far, near, middle):
+    eye, there = ([middle + rng.uniform(-size, size) for _ in range(3)] for size in (far, near))
+    length = sum((b - a) ** 2 for a, b in zip(eye, there)) ** 0.5
+    return eye + [(b - a) / length for a, b in zip(eye, there)]
+
+
+def compare(durero, folder, rng, rays, what):
+    """Whether both answer the same but beside edges."""
+    theirs, ours = by_radiance(folder, rays), by_durero(durero, folder, rays)
+    assert len(theirs) == len(ours) == RAYS
+    hits = sum(answer is not None for answer in ours)
+    unlike = [i for i in range(RAYS) if not agree(ours[i], theirs[i])]
+    shaken = [[x + rng.choice((-1e-6, 1e-6)) for x in rays[i]] for i in unlike for _ in range(8)]
+    again = by_durero(durero, folder, shaken) if shaken else []
+    wrong = [i for k, i in enumerate(unlike) if not any(agree(answer, theirs[i]) for answer in again[8 * k:8 * k + 8])]
+    for i in wrong[:10]:
+        print("ray", rays[i], "here", ours[i], "Radiance", theirs[i])
+    print(f"radiance, {what}: {RAYS} rays, {hits} hits, {len(unlike)} answered otherwise beside edges, {len(wrong)} elsewhere")
+    return not wrong and hits > RAYS // 5 and len(unlike) <= MOST_BESIDE_EDGES
+
+
 def main():
     durero = str(pathlib.Path(sys.argv[1]).resolve())
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
@@ -95,27 +135,13 @@ def main():
         print(f"skipped: {' and '.join(missing)} of Radiance absent")
         return 77
     rng = random.Random(seed)
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        (folder / "scene.rad").write_text(text(rng, folder))
-        subprocess.run([durero, "import", "scene.rad", "-o", "scene.json"], cwd=folder, check=True, capture_output=True)
-        rays = []
-        for _ in range(RAYS):
-            eye, there = [rng.uniform(-6, 6) for _ in range(3)], [rng.uniform(-4, 4) for _ in range(3)]
-            length = sum((b - a) ** 2 for a, b in zip(eye, there)) ** 0.5
-            rays.append(eye + [(b - a) / length for a, b in zip(eye, there)])
-        theirs, ours = by_radiance(folder, rays), by_durero(durero, folder, rays)
-        assert len(theirs) == len(ours) == RAYS
-        hits = sum(answer is not None for answer in ours)
-        unlike = [i for i in range(RAYS) if not agree(ours[i], theirs[i])]
-        shaken = [[x + rng.choice((-1e-6, 1e-6)) for x in rays[i]] for i in unlike for _ in range(8)]
-        again = by_durero(durero, folder, shaken) if shaken else []
-        wrong = [i for k, i in enumerate(unlike) if not any(agree(answer, theirs[i]) for answer in again[8 * k:8 * k + 8])]
-        for i in wrong[:10]:
-            print("ray", rays[i], "here", ours[i], "Radiance", theirs[i])
-        print(f"radiance: {RAYS} rays, {hits} hits, {len(unlike)} answered otherwise beside edges, {len(wrong)} elsewhere"
-              f"; again by: radiance.py DURERO {seed}")
-        return 0 if not wrong and hits > RAYS // 5 and len(unlike) <= MOST_BESIDE_EDGES else 1
+    passed = []
+    for make in (imported, exported):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            passed.append(compare(durero, folder, rng, make(durero, rng, folder), make.__name__))
+    print(f"again by: radiance.py DURERO {seed}")
+    return 0 if all(passed) else 1
 
 
 if __name__ == "__main__":

@@ -3,9 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "durero/io/radiance/radiance.hpp"
 #include "durero/scene/stage.hpp"
@@ -15,6 +13,7 @@
 #include "io/losses.hpp"
 #include "io/mesh/polygons.hpp"
 #include "rad_looks.hpp"
+#include "rad_sun.hpp"
 #include "rad_text.hpp"
 
 namespace durero::io {
@@ -119,8 +118,7 @@ class RadReader {
       if (std::string triangle = polygons_.name(i); scene_.find(triangle)) keep_name(surface, std::move(triangle));
   }
 
-  /// The light of the whole sky is a background, and a narrow one a sun: of what it sends to a surface across it
-  /// Lambert's law sends on a share of 1/π.
+  /// The light of the whole sky is a background, and a narrow one a sun.
   void add_source(const RadPrimitive& surface) {
     const auto light = looks_.light_of(surface);
     const double angle = surface.numbers[3];
@@ -128,8 +126,7 @@ class RadReader {
     if (light && angle >= 360 && !scene_.stage().background) {
       scene_.stage().background = *light;
     } else if (light && angle > 0 && angle <= widest_sun && towards != glm::dvec3(0)) {
-      const double solid_angle = 4 * std::numbers::pi * std::pow(std::sin(glm::radians(angle) / 4), 2);
-      scene_.stage().directional_lights.push_back({-towards, *light * (solid_angle / std::numbers::pi)});
+      scene_.stage().directional_lights.push_back({-towards, *light * share_of_sun(angle)});
     } else {
       ++counts_.skies;
     }

@@ -13,4 +13,9 @@ namespace durero::io {
 /// folder of the text. Throws InputError, in the file and at the place where it is wrong.
 Imported read_radiance(const Source& source);
 
+/// Writes a scene and groups of its elements. The identifier of an element is the name of the group that it is directly
+/// in, else of its mesh, else its own. Planes, copies and other solids than boxes are left out and counted, and so is
+/// what else Radiance has no place for.
+Exported radiance_text(const scene::Scene& scene, const scene::Groups& groups);
+
 }  // namespace durero::io
