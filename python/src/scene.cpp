@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "durero/composed/engine.hpp"
+#include "durero/io/exported_files.hpp"
 #include "durero/io/formats.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/output_file.hpp"
@@ -341,9 +342,9 @@ std::vector<std::string> export_file(const Scene& scene, const std::string& path
   const auto state = scene.state();
   require_own_shapes(*state, "export_file");
   const py::gil_scoped_release released;
-  const io::Format& format = binary ? io::format_to_write_bytes(path) : io::format_to_write(path);
-  const io::Exported exported = (binary ? format.write_bytes : format.write)(state->scene(), state->grouped().groups);
-  io::write_file(path, exported.text);
+  io::ExportedFiles out(path, "");
+  const io::Exported exported = io::exported_scene(path, state->scene(), state->grouped().groups, binary);
+  out.write(exported);
   return exported.lost;
 }
 

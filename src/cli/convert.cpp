@@ -6,11 +6,11 @@
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/io/exported_files.hpp"
 #include "durero/io/file_name.hpp"
 #include "durero/io/formats.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
-#include "durero/io/output_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/scene/stage.hpp"
@@ -39,26 +39,28 @@ io::Imported read_scene_file(const ConvertOptions& options) {
   return {std::move(read.scene), {}, std::move(read.groups)};
 }
 
-using Writer = io::Exported (*)(const scene::Scene&, const scene::Groups&);
-
-Writer writer_of(const ConvertOptions& options) {
-  return options.binary ? io::format_to_write_bytes(options.to).write_bytes : io::format_to_write(options.to).write;
+/// Checks that a format has the name of the file that is to be written, before it is made.
+void require_format(const ConvertOptions& options) {
+  options.binary ? io::format_to_write_bytes(options.to) : io::format_to_write(options.to);
 }
 
-io::Exported write_scene_file(const scene::Scene& scene, const scene::Groups& groups) {
-  return {io::scene_text(scene, groups), {}};
+io::Exported write_any(const ConvertOptions& options, const io::Imported& read) {
+  return io::exported_scene(options.to, read.scene, read.groups, options.binary);
+}
+
+io::Exported write_scene_file(const ConvertOptions&, const io::Imported& read) {
+  return {io::scene_text(read.scene, read.groups), {}};
 }
 
 /// Reads a scene, and writes it to the other file.
-int convert(const ConvertOptions& options, io::Imported (*read)(const ConvertOptions&), Writer write,
-            const std::string& work) {
-  io::OutputFile out(options.to);
+int convert(const ConvertOptions& options, io::Imported (*read)(const ConvertOptions&),
+            io::Exported (*write)(const ConvertOptions&, const io::Imported&), const std::string& work) {
+  io::ExportedFiles out(options.to, options.from);
   std::optional<Progress> progress(std::in_place, options.quiet, work);
   io::Imported scene = read(options);
   io::rename_pictures(scene.scene.stage(), options.from, options.to);
-  const io::Exported exported = write(scene.scene, scene.groups);
-  out.write(exported.text);
-  out.commit();
+  const io::Exported exported = write(options, scene);
+  out.write(exported);
   progress.reset();
   name_losses(options.from, scene.lost);
   name_losses(options.to, exported.lost);
@@ -127,7 +129,10 @@ void add_export(CLI::App& app, int& status) {
   command->footer(
       exit_status("it is written; what is left out is named on the standard error", "the call or the scene is bad") +
       examples({"export demo/still-life.json -o still-life.nff", "export bunny.json -o bunny.ply --binary"}));
-  command->callback([options, &status] { status = convert(*options, read_scene_file, writer_of(*options), "export"); });
+  command->callback([options, &status] {
+    require_format(*options);
+    status = convert(*options, read_scene_file, write_any, "export");
+  });
 }
 
 void add_convert(CLI::App& app, int& status) {
@@ -150,7 +155,8 @@ void add_convert(CLI::App& app, int& status) {
                 "convert bunny.obj bunny.ply --binary"}));
   command->callback([options, &status] {
     io::format_to_read(options->from);  // its name is asked before the other file is made
-    status = convert(*options, read_any, writer_of(*options), "convert");
+    require_format(*options);
+    status = convert(*options, read_any, write_any, "convert");
   });
 }
 

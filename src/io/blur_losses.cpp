@@ -39,12 +39,17 @@ void add_motion_losses(std::vector<std::string>& lost, const scene::Scene& scene
           "gloss", "glosses");
 }
 
+void add_extent_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format) {
+  left_out(lost, format)
+      .add(std::ranges::count_if(scene.stage().lights, [](const auto& light) { return !light.extent.is_point(); }),
+           "shape of a light", "shapes of lights");
+}
+
 void add_blur_losses(std::vector<std::string>& lost, const scene::Scene& scene, std::string_view format) {
   const scene::Stage& stage = scene.stage();
   const LeftOut out = left_out(lost, format);
   out.add(stage.camera && stage.camera->aperture > 0, "lens", "lenses");
-  out.add(std::ranges::count_if(stage.lights, [](const auto& light) { return !light.extent.is_point(); }),
-          "shape of a light", "shapes of lights");
+  add_extent_losses(lost, scene, format);
   out.add(std::ranges::count_if(stage.lights, [](const auto& light) { return light.cone.has_value(); }),
           "cone of a light", "cones of lights");
   add_motion_losses(lost, scene, format);

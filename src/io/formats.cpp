@@ -42,10 +42,10 @@ constexpr Format all[] = {
     {.ending = ".pov", .read = read_pov, .write = pov_text},
     {.ending = ".rad", .read = read_radiance, .write = radiance_text},
     {.ending = ".stl", .read = read_stl, .write = stl_text, .is_mesh = true, .write_bytes = stl_bytes},
-    {.ending = ".xml", .read = read_mitsuba, .is_mesh = true}};
+    {.ending = ".xml", .read = read_mitsuba, .is_mesh = true, .write_with_files = mitsuba_text}};
 
 bool is_read(const Format& format) { return format.read != nullptr; }
-bool is_written(const Format& format) { return format.write != nullptr; }
+bool is_written(const Format& format) { return format.write != nullptr || format.write_with_files != nullptr; }
 bool has_bytes(const Format& format) { return format.write_bytes != nullptr; }
 
 std::string endings(bool (*is_meant)(const Format&)) {
@@ -70,6 +70,13 @@ const Format& format_to_read(const std::string& path) { return format_of(path, i
 const Format& format_to_write(const std::string& path) { return format_of(path, is_written); }
 const Format& format_to_write_bytes(const std::string& path) {
   return format_of(path, has_bytes, "no format with a binary form by this name");
+}
+
+Exported exported_scene(const std::string& path, const scene::Scene& scene, const scene::Groups& groups, bool as_bytes) {
+  if (as_bytes) return format_to_write_bytes(path).write_bytes(scene, groups);
+  const Format& format = format_to_write(path);
+  if (format.write_with_files == nullptr) return format.write(scene, groups);
+  return format.write_with_files(scene, groups, std::filesystem::path(path).stem().string());
 }
 
 Imported read_any_format(const std::string& path, const std::string& root) {

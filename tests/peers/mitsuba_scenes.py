@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""mitsuba_scenes.py DURERO [SCENE.xml ...]: what `durero import` reads of a scene of Mitsuba is what Mitsuba sees in it.
+"""mitsuba_scenes.py DURERO [SCENE.xml ...]: what `durero import` reads of a scene of Mitsuba is what Mitsuba sees in it, and
+what `durero export` writes of a scene, too.
 
 Rays through the scene's box meet something in both or in neither, at the same parameter to a thousandth, which is of Mitsuba's
 numbers of 24 bits; the pixels of the camera have the same rays. Rays along outlines may differ: 3 of 1000. Where import names
@@ -19,6 +20,8 @@ try:
 except ImportError:
     print("no Mitsuba here: skipped")
     sys.exit(77)
+
+from povray import scene as random_elements
 
 RAYS, SEED, OUTLINES, RELATIVE = 10000, 1, 0.003, 1e-3
 OWN = """<scene version="3.0.0">
@@ -98,10 +101,15 @@ def compare(durero, path, folder):
         return None
     if not scene.bbox().valid():
         return None
+    is_whole = not re.search(r"^\S+ \S+ \d+ shapes? .*left out", read.stderr, re.M)
+    return judge(durero, path, out, scene, is_whole)
+
+
+def judge(durero, path, out, scene, is_whole):
+    """Whether a scene of a file is Mitsuba's."""
     rays = list(rays_of(scene.bbox(), random.Random(SEED)))
     text = "".join(" ".join(map(repr, p + v)) + "\n" for p, v in rays)
     hits = subprocess.run([durero, "trace", str(out), "-", "--quiet"], input=text, capture_output=True, text=True, check=True)
-    is_whole = not re.search(r"^\S+ \S+ \d+ shapes? .*left out", read.stderr, re.M)
     differ = found = 0
     for (p, v), line in zip(rays, hits.stdout.splitlines(), strict=True):
         own = json.loads(line).get("t")
@@ -115,6 +123,21 @@ def compare(durero, path, folder):
     return differ <= OUTLINES * RAYS and (camera is None or camera < 1e-5)
 
 
+def exported(durero, folder):
+    """Whether Mitsuba sees what a scene has that it is written from: one with all shapes that Mitsuba has, boxes and copies."""
+    elements = [e for e in random_elements(random.Random(SEED)) if e["tipo"] not in ("plano", "cono", "tronco")]
+    elements.append({"id": "box", "tipo": "caja", "esquinas": [[0.25, 0.5, 0.25], [0.5, 0.625, 0.75]]})
+    for name, of, way in (("a", "e00", 0.3), ("b", "e01", -0.2), ("c", "e04", 0.25), ("d", "box", -0.3)):
+        rows = [[1, 0.25, 0, way], [0, 2, 0, -0.7], ["1/3", 0, 1, way]]
+        elements.append({"id": name, "tipo": "instancia", "de": of, "mapa": rows})
+    camera = {"eye": [2, 1, 3], "look_at": [0.5, 0.25, 0.5], "up": [0, 1, 0], "fov_y": 40, "mirrored": True}
+    scene = {"format": "durero-scene", "version": 1, "camera": camera, "resolution": [80, 45], "elementos": elements}
+    (folder / "written.json").write_text(json.dumps(scene))
+    path = folder / "written.xml"
+    subprocess.run([durero, "export", str(folder / "written.json"), "-o", str(path)], check=True, capture_output=True)
+    return judge(durero, path, folder / "written.json", mitsuba.load_file(str(path)), True)
+
+
 def main():
     durero = str(pathlib.Path(sys.argv[1]).resolve())
     mitsuba.set_variant("scalar_rgb")
@@ -125,6 +148,8 @@ def main():
         (folder / "own.xml").write_text(OWN)
         scenes = [pathlib.Path(path) for path in sys.argv[2:]] or [folder / "own.xml"]
         agree = [answer for path in scenes if (answer := compare(durero, path, folder)) is not None]
+        if not sys.argv[2:]:
+            agree.append(exported(durero, folder))
         print(f"{sum(agree)} of {len(agree)} agree")
         sys.exit(0 if all(agree) else 1)
 

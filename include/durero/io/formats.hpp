@@ -20,10 +20,17 @@ struct Imported {
   scene::Groups groups = {};      ///< of its elements; JSON, glTF, OBJ, STL and POV-Ray have some
 };
 
+/// A file that a text names, to stand in the same folder.
+struct FileBeside {
+  std::string name;   ///< in that folder
+  std::string bytes;  ///< of the whole file
+};
+
 /// A text in a format, or its bytes, and one line for each kind of thing of the scene that it does not keep.
 struct Exported {
-  std::string text;               ///< of the whole file
-  std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
+  std::string text;                  ///< of the whole file
+  std::vector<std::string> lost;     ///< to be shown to the user; empty where all was kept
+  std::vector<FileBeside> beside{};  ///< what the text names
 };
 
 /// A row of the table: how a scene format is known by a name, read and written.
@@ -39,6 +46,8 @@ struct Format {
   bool is_mesh = false;
   /// Writes them as bytes and not as a text. Null where the format has no such form.
   Exported (*write_bytes)(const scene::Scene&, const scene::Groups&){};
+  /// Writes them, in the place of `write`, where the text names files beside it: their names begin with `stem`.
+  Exported (*write_with_files)(const scene::Scene&, const scene::Groups&, const std::string& stem){};
 };
 
 /// The table, which lives as long as the program.
@@ -50,6 +59,11 @@ const Format& format_to_write(const std::string& path);
 /// @}
 /// The format of a file that is to be written as bytes. Throws FileError where none has that ending and such a form.
 const Format& format_to_write_bytes(const std::string& path);
+
+/// The scene and its groups in the format that a path tells, as a text or as bytes, for a file that is not written yet.
+/// Throws FileError where none has that ending and such a form.
+Exported exported_scene(const std::string& path, const scene::Scene& scene, const scene::Groups& groups,
+                        bool as_bytes = false);
 
 /// Reads a file in the format that its name tells. The files that it names lie in the root or beneath it; without one,
 /// in its own folder or beneath that. Throws InputError, and FileError, also where the root is no folder or does not

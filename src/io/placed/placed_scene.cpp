@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "durero/scene/attributes.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/scene/solids.hpp"
 #include "io/axis.hpp"

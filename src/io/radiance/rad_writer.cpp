@@ -142,7 +142,7 @@ class RadWriter {
   }
 
   void write_body(const scene::Body& body) {
-    const auto box = box_of(body);
+    const auto box = written_box(body);
     if (!box || !model::identidad(box->by)) return left_out_.add(body);
     ++boxes_;
     const glm::dvec3 ends[2]{box->low, box->high};

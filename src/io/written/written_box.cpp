@@ -13,7 +13,7 @@ const scene::Plane* plane_by(const scene::Body& part, const model::Mapa& by) {
 
 }  // namespace
 
-std::optional<WrittenBox> box_of(const scene::Body& body) {
+std::optional<WrittenBox> written_box(const scene::Body& body) {
   const auto* const solid = std::get_if<scene::Compound>(&body.form);
   if (solid == nullptr || solid->operation != scene::Compound::Operation::intersected || solid->parts.size() != 6)
     return std::nullopt;

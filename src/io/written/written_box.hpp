@@ -16,6 +16,6 @@ struct WrittenBox {
 
 /// The box that a body is, made as scene::box_between makes it and perhaps copied by a map; nothing where it is another
 /// body.
-std::optional<WrittenBox> box_of(const scene::Body& body);
+std::optional<WrittenBox> written_box(const scene::Body& body);
 
 }  // namespace durero::io

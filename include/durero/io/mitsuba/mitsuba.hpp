@@ -13,4 +13,9 @@ namespace durero::io {
 /// file and at the element or the attribute.
 Imported read_mitsuba(const Source& source);
 
+/// Writes a scene. Its triangles are PLY files beside the text, `STEM.mesh1.ply`, …; a copy is an instance of a group
+/// of one shape. Planes, cones and other solids than boxes are left out and counted, and so is what else Mitsuba has no
+/// place for.
+Exported mitsuba_text(const scene::Scene& scene, const scene::Groups& groups, const std::string& stem);
+
 }  // namespace durero::io
