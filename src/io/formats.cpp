@@ -37,7 +37,7 @@ constexpr Format all[] = {
     {.ending = ".json", .read = import_json, .write = write_json},
     {.ending = ".nff", .read = read_nff, .write = nff_text, .has_lines = true},
     {.ending = ".obj", .read = read_obj, .write = obj_text, .has_lines = true, .is_mesh = true},
-    {.ending = ".pbrt", .read = read_pbrt, .is_mesh = true},
+    {.ending = ".pbrt", .read = read_pbrt, .write = pbrt_text, .is_mesh = true},
     {.ending = ".ply", .read = read_ply, .write = ply_text, .is_mesh = true, .write_bytes = ply_bytes},
     {.ending = ".pov", .read = read_pov, .write = pov_text},
     {.ending = ".rad", .read = read_radiance, .write = radiance_text},

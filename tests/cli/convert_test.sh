@@ -128,6 +128,21 @@ for to in obj ply stl; do
   run 0 export back.json -o again.obj
   same again.obj written.obj
 done
+# Scenes of other programs keep them as well, in groups of their own, some in files beside the text.
+for to in pbrt rad xml; do
+  run 0 export solid.json -o "room.$to"
+  has err "durero: room.$to: no camera in the scene: no view was written"
+  run 0 import "room.$to" -o back.json --triangles single
+  run 0 export back.json -o again.obj
+  sed '/^g/d' again.obj >ungrouped.obj
+  same ungrouped.obj written.obj
+done
+[ -f room.mesh1.ply ] || fail 'room.mesh1.ply is absent, expected the triangles of room.xml'
+cp solid.json guard.mesh1.ply
+refused 'guard.mesh1.ply: the scene itself is in the place of a file that goes with its export; expected another name' \
+  export guard.mesh1.ply -o guard.xml
+same guard.mesh1.ply solid.json
+absent guard.xml
 run 0 export solid.json -o bytes.ply --binary
 is err 'durero: bytes.ply: 4 names of elements left out: PLY has none'
 run 0 import bytes.ply -o back.json --triangles single

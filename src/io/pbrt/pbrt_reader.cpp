@@ -30,7 +30,8 @@ struct PbrtState {
   std::optional<std::uint32_t> material{};  ///< nothing: the usual one
   scene::Material look{};
   glm::dvec3 emission{0};
-  bool at_start = true;  ///< whether transformations are of the time at which the shutter opens
+  bool has_bright_back = false;  ///< whether the emission is on both sides, as in a scene
+  bool at_start = true;          ///< whether transformations are of the time at which the shutter opens
 };
 
 class PbrtReader {
@@ -223,6 +224,7 @@ class PbrtReader {
   void area_light_source() {
     const auto [type, parameters] = typed("a type of light");
     state_.emission = looks_.light(parameters, "L", 1);
+    state_.has_bright_back = parameters.word("twosided", "false") == "true";
     state_.material.reset();
     count_unknown(parameters);
   }
@@ -268,7 +270,7 @@ class PbrtReader {
       look.emission = state_.emission;
       state_.material = made_.material(std::move(look));
     }
-    if (state_.emission != glm::dvec3(0)) ++emitters_;
+    if (state_.emission != glm::dvec3(0) && !state_.has_bright_back) ++emitters_;
     return *state_.material;
   }
 

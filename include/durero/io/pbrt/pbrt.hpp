@@ -13,4 +13,8 @@ namespace durero::io {
 /// scene or beneath it. Throws InputError, in the file and at the word.
 Imported read_pbrt(const Source& source);
 
+/// Writes a scene for pbrt 4. Triangles and boxes are meshes in the text, and a copy is a shape under its own map.
+/// Planes, cones and other solids than boxes are left out and counted, and so is what else pbrt has no place for.
+Exported pbrt_text(const scene::Scene& scene, const scene::Groups& groups);
+
 }  // namespace durero::io
