@@ -85,7 +85,7 @@ void add_ways_to_read(CLI::App& command, ConvertOptions& options) {
 }
 void add_binary(CLI::App& command, bool& binary) {
   command.add_flag("--binary", binary,
-                   "Write bytes and not a text: a .ply of binary64, without rounding, or a .stl of binary32");
+                   "Write bytes and not a text: a .ply of binary64, without rounding, or a .stl or .glb of binary32");
 }
 /// @}
 

@@ -32,8 +32,13 @@ Imported import_json(const Source& source) {
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
 constexpr Format all[] = {
-    {.ending = ".glb", .read = read_gltf, .is_mesh = true},
-    {.ending = ".gltf", .read = read_gltf, .is_mesh = true},
+    {.ending = ".glb",
+     .read = read_gltf,
+     .write = gltf_bytes,
+     .has_bodies = true,
+     .is_mesh = true,
+     .write_bytes = gltf_bytes},
+    {.ending = ".gltf", .read = read_gltf, .write = gltf_text, .is_mesh = true},
     {.ending = ".json", .read = import_json, .write = write_json},
     {.ending = ".nff", .read = read_nff, .write = nff_text, .has_lines = true},
     {.ending = ".obj", .read = read_obj, .write = obj_text, .has_lines = true, .is_mesh = true},
@@ -72,7 +77,8 @@ const Format& format_to_write_bytes(const std::string& path) {
   return format_of(path, has_bytes, "no format with a binary form by this name");
 }
 
-Exported exported_scene(const std::string& path, const scene::Scene& scene, const scene::Groups& groups, bool as_bytes) {
+Exported exported_scene(const std::string& path, const scene::Scene& scene, const scene::Groups& groups,
+                        bool as_bytes) {
   if (as_bytes) return format_to_write_bytes(path).write_bytes(scene, groups);
   const Format& format = format_to_write(path);
   if (format.write_with_files == nullptr) return format.write(scene, groups);

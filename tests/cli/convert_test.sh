@@ -96,7 +96,7 @@ has out '4 elementos: 0 esfera, 0 cilindro, 0 cono, 0 tronco, 0 plano, 0 disco, 
 printf '0.02 0.02 0.02 -1 -1 -1\n' >rays.txt
 run 0 trace solid.json rays.txt
 has out '"elementos":["solid.obj:1","solid.obj:3","solid.obj:5"],"t":0.02,"point":[0,0,0]'
-refused 'solid.step: a format that is not known by this name; expected one that ends in .json or .nff' \
+refused 'solid.step: a format that is not known by this name; expected one that ends in .glb or .gltf or .json or .nff' \
   export solid.json -o solid.step
 absent solid.step
 
@@ -143,6 +143,11 @@ refused 'guard.mesh1.ply: the scene itself is in the place of a file that goes w
   export guard.mesh1.ply -o guard.xml
 same guard.mesh1.ply solid.json
 absent guard.xml
+run 0 export solid.json -o room.glb
+has err 'durero: room.glb: 3 coordinates rounded: glTF has binary32'
+run 0 import room.glb -o back.json --triangles single
+run 0 check back.json
+has out '4 elementos: 0 esfera, 0 cilindro, 0 cono, 0 tronco, 0 plano, 0 disco, 4 triangulo'
 run 0 export solid.json -o bytes.ply --binary
 is err 'durero: bytes.ply: 4 names of elements left out: PLY has none'
 run 0 import bytes.ply -o back.json --triangles single
@@ -154,7 +159,7 @@ has err 'durero: bytes.stl: 9 coordinates rounded: binary STL has binary32'
 run 0 import bytes.stl -o back.json --triangles single
 run 0 export back.json -o again.stl --binary
 same again.stl bytes.stl
-refused 'bytes.obj: no format with a binary form by this name; expected one that ends in .ply or .stl' \
+refused 'bytes.obj: no format with a binary form by this name; expected one that ends in .glb or .ply or .stl' \
   export solid.json -o bytes.obj --binary
 absent bytes.obj
 printf 'v 0 0 0\nv 1 0 0\nf 1 2 3\n' >bad.obj

@@ -10,6 +10,7 @@
 
 #include "durero/text/file.hpp"
 #include "durero/text/shown.hpp"
+#include "io/byte_order.hpp"
 #include "io/scene_folder.hpp"
 
 namespace durero::io {
@@ -83,6 +84,17 @@ std::string buffer_bytes(const Source& source, std::string_view uri, std::size_t
   } catch (const std::system_error& error) {
     source.fail(at, fmt::format("uri is {}: {}", text::shown(uri), error.code().message()), "expected a readable file");
   }
+}
+
+std::string base64_text(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t here = std::min<std::size_t>(3, bytes.size() - i);
+    const std::uint64_t three = big_endian(bytes.substr(i, here)) << 8 * (3 - here);
+    for (std::size_t k = 0; k < 4; ++k) text += k <= here ? base64_digits[three >> (18 - 6 * k) & 63U] : '=';
+  }
+  return text;
 }
 
 }  // namespace durero::io

@@ -14,4 +14,7 @@ namespace durero::io {
 /// URI stands.
 std::string buffer_bytes(const Source& source, std::string_view uri, std::size_t at, std::size_t most);
 
+/// The digits of bytes in base64.
+std::string base64_text(std::string_view bytes);
+
 }  // namespace durero::io

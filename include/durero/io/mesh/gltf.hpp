@@ -15,4 +15,11 @@ namespace durero::io {
 /// of its accessor, and what is wrong in the chunks of a GLB file the beginning.
 Imported read_gltf(const Source& source);
 
+/// @{ Writes the triangles of a scene, with materials, camera and lights: as a text with its buffer in base64, or as
+/// the bytes of a GLB file. Groups are nodes. Numbers of triangles are rounded to binary32, and other elements left
+/// out; both are counted.
+Exported gltf_text(const scene::Scene& scene, const scene::Groups& groups);
+Exported gltf_bytes(const scene::Scene& scene, const scene::Groups& groups);
+/// @}
+
 }  // namespace durero::io
