@@ -38,7 +38,7 @@ struct Format {
   std::string_view ending;  ///< of the file's name: ".nff"
   /// Throws InputError. Null where the format is only written.
   Imported (*read)(const Source& source);
-  /// Writes a scene and groups of its elements. Null where the format is only read.
+  /// Writes a scene and groups of its elements. Null where the format is only read, and where write_with_files is not.
   Exported (*write)(const scene::Scene&, const scene::Groups&){};
   /// Whether its texts are lines, none of which is longer than longest_line.
   bool has_lines = false;

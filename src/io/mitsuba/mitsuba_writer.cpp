@@ -86,7 +86,7 @@ class MitsubaWriter {
     write_emitters();
     for (const scene::Material& material : scene_.stage().materials) write_material(material);
     write_triangles();
-    for (const GroupedElement& element : elements_by_group(scene_, groups_)) write_element(element);
+    for (const GroupedElement& element : others_by_group(scene_, groups_)) write_element(element);
     out_.text += "</scene>\n";
     name_losses();
     return std::move(out_);
@@ -181,7 +181,6 @@ class MitsubaWriter {
   }
 
   void write_element(const GroupedElement& element) {
-    if (element.element.tipo == scene::Triangle::tipo) return;
     const scene::Body* const body = scene_.body(element.element);
     if (body != nullptr) return write_body(*body, element);
     const std::string shape = scene_.visit(element.element, [&](const auto& geometry) { return shape_text(geometry); });

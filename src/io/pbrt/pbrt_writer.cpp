@@ -89,7 +89,7 @@ class PbrtWriter {
       make_material(materials_.back(), look);
     }
     write_triangles();
-    for (const GroupedElement& element : elements_by_group(scene_, groups_)) write_element(element);
+    for (const GroupedElement& element : others_by_group(scene_, groups_)) write_element(element);
     name_losses();
     return std::move(out_);
   }
@@ -181,7 +181,6 @@ class PbrtWriter {
   }
 
   void write_element(const GroupedElement& element) {
-    if (element.element.tipo == scene::Triangle::tipo) return;
     const scene::Body* const body = scene_.body(element.element);
     const std::string statements =
         body != nullptr ? body_text(*body)

@@ -41,4 +41,12 @@ std::vector<GroupedElement> triangles_by_group(const scene::Scene& scene, const 
   return in_order(std::move(triangles));
 }
 
+std::vector<GroupedElement> others_by_group(const scene::Scene& scene, const scene::Groups& groups) {
+  std::vector<GroupedElement> others;
+  scene.for_each_single([&](scene::ElementRef e, const auto&) {
+    if (e.tipo != scene::Triangle::tipo) others.push_back(with_group(scene, groups, e));
+  });
+  return in_order(std::move(others));
+}
+
 }  // namespace durero::io

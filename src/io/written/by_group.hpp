@@ -21,7 +21,9 @@ struct GroupedElement {
 /// `m:10` and a file that was read and is written again has its order. They refer to the scene and its groups.
 std::vector<GroupedElement> elements_by_group(const scene::Scene& scene, const scene::Groups& groups);
 
-/// The triangles alone, in the same order.
+/// @{ The triangles alone, and all others, in the same order.
 std::vector<GroupedElement> triangles_by_group(const scene::Scene& scene, const scene::Groups& groups);
+std::vector<GroupedElement> others_by_group(const scene::Scene& scene, const scene::Groups& groups);
+/// @}
 
 }  // namespace durero::io

@@ -1,4 +1,6 @@
 // Scenes as texts of Mitsuba: what each thing becomes, what comes back the same, and what is counted.
+#include <glm/geometric.hpp>
+
 #include "durero/io/exported_files.hpp"
 #include "durero/io/mitsuba/mitsuba.hpp"
 #include "durero/scene/body.hpp"

@@ -1,4 +1,7 @@
 // Scenes as texts of pbrt: what each thing becomes, what comes back the same, and what is counted.
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include "durero/io/pbrt/pbrt.hpp"
 #include "durero/scene/body.hpp"
 #include "durero/scene/camera.hpp"

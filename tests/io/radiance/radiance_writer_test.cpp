@@ -1,4 +1,6 @@
 // Scenes as texts of Radiance: what each thing becomes, what comes back the same, and what is counted.
+#include <glm/common.hpp>
+
 #include "durero/io/radiance/radiance.hpp"
 #include "durero/scene/body.hpp"
 #include "io/written.hpp"
