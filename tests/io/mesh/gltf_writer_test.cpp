@@ -106,6 +106,14 @@ TEST_CASE(
                        "1 coordinate of uv rounded"));
 }
 
+TEST_CASE("The chunks of a GLB file are of whole words") {
+  for (const std::string name : {"a", "ab", "abc", "abcd"}) {
+    const scene::GroupedScene of =
+        test::scene_of(R"("materials":{")" + name + R"(":{"color":[1,1,1]}},"elementos":[])");
+    CHECK(io::gltf_bytes(of.scene, of.groups).text.size() % 4 == 0);
+  }
+}
+
 TEST_CASE("A mirror, glass and what shines are materials of glTF's extensions") {
   const auto of = [](const std::string& fields) {
     return to_gltf(R"("materials":{"m":{)" + fields + R"(}},"elementos":[])");

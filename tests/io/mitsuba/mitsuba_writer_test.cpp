@@ -108,6 +108,7 @@ TEST_CASE("A copy is an instance of one shape by the same map, and a box a cube"
   CHECK(out.lost == Lines{"1 solid left out: not written to Mitsuba", "1 map rounded: an entry is no binary64",
                           "1 element left out: an entry of its map is beyond binary64", no_view});
   CHECK(says(out, R"(<matrix value="2 0 0.25 -1  0 1 0 -1  0 0 1 0  0 0 0 1"/>)"));
+  CHECK(says(out, R"(<matrix value="0.25 0 0 -1.75  0 0.5 0 0.5  0 0 0.5 -0.5  0 0 0 1"/>)"));
   const scene::Scene again = from_mitsuba(out).scene;
   std::vector<scene::Instance> copies;
   std::size_t boxes = 0;
