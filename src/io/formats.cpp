@@ -32,12 +32,7 @@ Imported import_json(const Source& source) {
 Exported write_json(const scene::Scene& scene, const scene::Groups& groups) { return {scene_text(scene, groups), {}}; }
 
 constexpr Format all[] = {
-    {.ending = ".glb",
-     .read = read_gltf,
-     .write = gltf_bytes,
-     .has_bodies = true,
-     .is_mesh = true,
-     .write_bytes = gltf_bytes},
+    {.ending = ".glb", .read = read_gltf, .write = gltf_bytes, .is_mesh = true, .write_bytes = gltf_bytes},
     {.ending = ".gltf", .read = read_gltf, .write = gltf_text, .is_mesh = true},
     {.ending = ".json", .read = import_json, .write = write_json},
     {.ending = ".nff", .read = read_nff, .write = nff_text, .has_lines = true},
