@@ -80,8 +80,11 @@ py::tuple mesh(const Scene& scene, const std::string& m) {
   const auto place = scene.value().meshes().find(m);
   if (!place) throw py::key_error(m);
   const scene::Mesh& found = scene.value().meshes()[*place];
+  std::vector<glm::dvec3> points;
+  points.reserve(found.puntos.size());
+  for (const glm::dvec3 p : found.puntos) points.push_back(p);
   const auto optional = [](bool is_there, auto&& make) { return is_there ? py::object(make()) : py::none(); };
-  return py::make_tuple(table_of<double>(found.puntos, 3), table_of<std::uint32_t>(found.caras, 3),
+  return py::make_tuple(table_of<double>(points, 3), table_of<std::uint32_t>(found.caras, 3),
                         optional(!found.normals.empty(), [&] { return table_of<double>(found.normals, 3); }),
                         optional(!found.uv.empty(), [&] { return table_of<double>(found.uv, 2); }),
                         optional(found.material != scene::no_material,

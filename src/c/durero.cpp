@@ -72,7 +72,7 @@ scene::Mesh mesh_of(std::string_view m, const durero_mesh& from) {
     const double* const at = from.vertices + 3 * i;
     if (!std::isfinite(at[0]) || !std::isfinite(at[1]) || !std::isfinite(at[2]))
       throw std::invalid_argument("vertex " + std::to_string(i) + ": no point; expected finite numbers");
-    mesh.puntos.emplace_back(at[0], at[1], at[2]);
+    mesh.puntos.push_back({at[0], at[1], at[2]});
   }
   mesh.caras.reserve(from.face_count);
   for (std::size_t i = 0; i < from.face_count; ++i) {

@@ -124,10 +124,10 @@ class MeshEditor {
     if (in.n >= meshes()[*at].puntos.size()) return {Respuesta::vertice_no_existe, &model::Mover_Vertice_pre_2};
     if (!can_move(meshes()[*at], in)) return {Respuesta::vertices_alineados, &model::Mover_Vertice_pre_3};
     const std::size_t size_before = scene_.size();
-    glm::dvec3& point = meshes().edited(*at).puntos[in.n];
-    const glm::dvec3 before = point;
+    MeshPoints& points = meshes().edited(*at).puntos;
+    const glm::dvec3 before = points[in.n];
     return edited(
-        in, Respuesta::vertice_movido, [&] { point = in.punto.xyz(); }, [&] { point = before; },
+        in, Respuesta::vertice_movido, [&] { points.set(in.n, in.punto.xyz()); }, [&] { points.set(in.n, before); },
         [&](auto&& check) {
           check(model::Mover_Vertice_post_1, [&] { return scene_.size() == size_before; });
           check(model::Mover_Vertice_post_4, [&] { return meshes()[*at].puntos[in.n] == in.punto.xyz(); });
@@ -140,7 +140,7 @@ class MeshEditor {
 
   /// The first of what Agregar_Malla and Reemplazar_Malla ask of a mesh that does not hold.
   std::optional<model::Answer> refusal(const Mesh& mesh, const std::array<const clause*, 4>& what) const {
-    for (const glm::dvec3& p : mesh.puntos) static_cast<void>(model::Punto(p));  // throws where it is none
+    for (const glm::dvec3 p : mesh.puntos) static_cast<void>(model::Punto(p));  // throws where it is none
     if (!is_complete(mesh)) return model::Answer{Respuesta::cara_incompleta, what[0]};
     if (!has_triangles(mesh)) return model::Answer{Respuesta::vertices_alineados, what[1]};
     if (!has_names(mesh)) return model::Answer{Respuesta::cara_sin_nombre, what[2]};

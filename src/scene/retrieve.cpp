@@ -37,7 +37,7 @@ model::Escena retrieve(const Scene& scene) {
 model::Red red_of(const Mesh& mesh) {
   std::vector<model::Punto> puntos;
   puntos.reserve(mesh.puntos.size());
-  for (const glm::dvec3& p : mesh.puntos) puntos.emplace_back(p);
+  for (const glm::dvec3 p : mesh.puntos) puntos.emplace_back(p);
   return model::Red::of(puntos, mesh.caras);
 }
 

@@ -168,9 +168,9 @@ TEST_CASE("a mesh whose looks do not fit, or whose points are none, is no mesh: 
   CHECK_THROWS_AS(scene.apply_total(wrong([](auto& mesh) { mesh.normals = {{0, 0, 1}}; })), std::domain_error);
   CHECK_THROWS_AS(scene.apply_total(wrong([](auto& mesh) { mesh.normals.resize(4); })), std::domain_error);
   CHECK_THROWS_AS(scene.apply_total(wrong([](auto& mesh) { mesh.uv.resize(3); })), std::domain_error);
-  CHECK_THROWS_AS(
-      scene.apply_total(wrong([](auto& mesh) { mesh.puntos[1].y = std::numeric_limits<double>::infinity(); })),
-      std::domain_error);
+  CHECK_THROWS_AS(scene.apply_total(wrong(
+                      [](auto& mesh) { mesh.puntos.set(1, glm::dvec3(std::numeric_limits<double>::infinity())); })),
+                  std::domain_error);
   CHECK(scene::retrieve_mallas(scene) == before);
 }
 

@@ -15,6 +15,7 @@
 
 #include "durero/model/cara.hpp"
 #include "durero/model/tipos.hpp"
+#include "durero/scene/mesh_points.hpp"
 #include "durero/scene/shape/triangle.hpp"
 #include "durero/scene/vertex_normals.hpp"
 #include "durero/scene/wrap.hpp"
@@ -27,7 +28,7 @@ inline constexpr std::uint32_t no_material = std::numeric_limits<std::uint32_t>:
 /// Points and faces under one name (an entry of `mallas`, and its Red). Its faces are triangles of the scene.
 struct Mesh {
   model::Elemento m;                     ///< its name
-  std::vector<glm::dvec3> puntos{};      ///< by number
+  MeshPoints puntos{};                   ///< by number
   std::vector<model::Cara> caras{};      ///< by number
   std::uint32_t material = no_material;  ///< an index into the materials of the stage, or no_material
   std::vector<glm::dvec3> normals{};     ///< of the points; none, or one for each, of any finite length but 0
@@ -100,28 +101,9 @@ class Triangles {
     return face.mesh.triangle(face.number);
   }
 
-  /// A place among them, for a loop over all.
-  class Iterator {
-   public:
-    /// The triangles must outlive it.
-    Iterator(const Triangles& of, std::size_t row) noexcept : of_(&of), row_(row) {}
-    /// Precondition: it is not at the end.
-    Triangle operator*() const noexcept { return (*of_)[row_]; }
-    /// Precondition: it is not at the end.
-    Iterator& operator++() noexcept {
-      ++row_;
-      return *this;
-    }
-    /// Precondition: they are of the same triangles.
-    bool operator==(const Iterator& other) const noexcept { return row_ == other.row_; }
-
-   private:
-    const Triangles* of_;
-    std::size_t row_;
-  };
   /// @{ The first, and behind the last.
-  Iterator begin() const noexcept { return {*this, 0}; }
-  Iterator end() const noexcept { return {*this, size()}; }
+  RowIterator<Triangles> begin() const noexcept { return {*this, 0}; }
+  RowIterator<Triangles> end() const noexcept { return {*this, size()}; }
   /// @}
 
  private:

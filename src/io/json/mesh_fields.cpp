@@ -53,7 +53,7 @@ void fail_incomplete(const json::Reader& at, std::size_t points) {
 }
 
 /// Fails at the first face that is a line.
-void fail_aligned(const json::Reader& at, const std::vector<glm::dvec3>& points) {
+void fail_aligned(const json::Reader& at, const scene::MeshPoints& points) {
   for_each_face(at, [&](std::size_t offset, const model::Cara& face) {
     if (!model::Vertices::contains(
             scene::input_of<model::Terna>(scene::Corners{points[face.i], points[face.j], points[face.k]})))
@@ -123,7 +123,7 @@ void write_mesh(json::Writer& out, const scene::Mesh& mesh, const scene::Stage& 
   out.begin_object().member("id", mesh.m.name());
   if (mesh.material != scene::no_material) out.member("material", stage.materials[mesh.material].name);
   out.key("puntos").begin_array();
-  for (const glm::dvec3& p : mesh.puntos) out.new_line().value(p);
+  for (const glm::dvec3 p : mesh.puntos) out.new_line().value(p);
   out.end_array().key("caras").begin_array();
   for (const auto [i, j, k] : mesh.caras)
     out.new_line().begin_array().value(std::uint64_t{i}).value(std::uint64_t{j}).value(std::uint64_t{k}).end_array();

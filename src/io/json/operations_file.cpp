@@ -140,7 +140,9 @@ AnyEdit read_solid_removal(const Inputs& in, const scene::Stage&) { return scene
 
 scene::Mesh read_whole_mesh(const Inputs& in, const scene::Stage& stage) {
   scene::Mesh mesh{model::Elemento(in.name("m"))};
-  in.read("puntos", mesh.puntos);
+  std::vector<glm::dvec3> points;
+  in.read("puntos", points);
+  mesh.puntos = points;
   in.read("caras", mesh.caras);
   mesh.material = read_material(in, stage).value_or(scene::no_material);
   return mesh;
