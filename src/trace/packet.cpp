@@ -87,14 +87,13 @@ void triage_block(const Ray& ray, const TriangleBlock& block, Findings& findings
   constexpr model::Tipo tipo = model::Tipo::soy_triangulo;
   const LaneRay everywhere{in_every_lane(ray.p), in_every_lane(ray.v), Lanes(ray.speed)};
   findings.hit = findings.undecided = 0;
-  unsigned used = 0;
+  TriangleBlock::Columns vertices;
+  unpack(block, vertices);
   for (std::size_t at = 0; at < TriangleBlock::size; at += lanes()) {
-    const LaneElement<tipo> element = widened_triangles(block.vertices, at);
-    const BoundedQuadratic<Lanes> f = quadratic<Lanes>(element, everywhere);
+    const BoundedQuadratic<Lanes> f = quadratic<Lanes>(widened_triangles(vertices, at), everywhere);
     keep(f, found_in_lanes<tipo>(f), at, findings);
-    used |= bits(element.vertices[0].x == element.vertices[0].x) << at;
   }
-  findings.hit &= used, findings.undecided &= used;
+  findings.hit &= block.lanes(), findings.undecided &= block.lanes();
 }
 
 std::uint64_t starting_in_columns(const RayColumns& rays, std::uint64_t which, std::uint64_t start) {

@@ -48,15 +48,13 @@
 #include <cstdint>
 
 #include "durero/trace/single_rays.hpp"
+#include "trace/block_lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace durero::trace {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using SingleTag = hn::CappedTag<float, SingleRays::eight>;
-using Singles = hn::Vec<SingleTag>;
-using SingleMask = hn::Mask<SingleTag>;
 
 constexpr float u = 0x1p-24F, tiny = 0x1p-100F;  // of the derivation above
 
@@ -68,9 +66,6 @@ HWY_INLINE unsigned bits_of(SingleMask mask) {
   return stored[0];
 }
 
-struct Triple {
-  Singles x, y, z;
-};
 HWY_INLINE Triple minus(const Triple& a, const Triple& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
@@ -94,14 +89,12 @@ struct LaneRays {
   Singles rate, slack, limit;
 };
 
-/// The triangles of a block from lane `at` on.
+/// The triangles of a block from lane `at` on. A lane without a triangle has no extent: NaN, which makes it a miss.
 HWY_INLINE LaneTriangles triangles_of(const TriangleBlock& block, std::size_t at) {
-  const auto vertex = [&](std::size_t i) HWY_ATTR {
-    const auto of = [&](std::size_t axis) HWY_ATTR { return hn::Load(SingleTag(), &block.vertices[i][axis][at]); };
-    return Triple{of(0), of(1), of(2)};
-  };
-  const Triple a = vertex(0), e1 = minus(vertex(1), a), e2 = minus(vertex(2), a);
-  const Singles L1 = extent_of(e1), L2 = extent_of(e2);
+  const auto [a, b, c] = corners_of(block, at);
+  const Triple e1 = minus(b, a), e2 = minus(c, a);
+  const Singles nothing = all(std::numeric_limits<float>::quiet_NaN());
+  const Singles L1 = hn::IfThenElse(used_from(block, at), extent_of(e1), nothing), L2 = extent_of(e2);
   return {a, e1, e2, hn::Add(L1, L2), hn::Mul(L1, L2)};
 }
 

@@ -260,6 +260,13 @@ std::unique_ptr<const engine::Engine> built(RTCDevice device, const BenchScene& 
   const auto a_ray = [&](std::uint64_t all) { return static_cast<double>(all) / static_cast<double>(work.rays); };
   std::printf("%8zu  size        %.1f bytes an element, %zu nodes, depth %zu\n", n,
               static_cast<double>(figures.size.bytes) / static_cast<double>(n), figures.size.nodes, figures.size.depth);
+  std::size_t of_mesh = 0;
+  const scene::Meshes& meshes = scenes.durero.meshes();
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    of_mesh += meshes[i].puntos.bytes() + meshes[i].caras.capacity() * sizeof(model::Cara);
+  if (of_mesh > 0)
+    std::printf("%8zu  size        %.1f bytes an element with the mesh\n", n,
+                static_cast<double>(figures.size.bytes + of_mesh) / static_cast<double>(n));
   std::printf("%8zu  incoherent  a ray alone: %.1f nodes, %.1f boxes, of which %.1f met, %.1f candidates\n", n,
               a_ray(work.nodes), a_ray(work.volumes), a_ray(work.volumes - work.by_miss), a_ray(work.candidates));
   return fast;

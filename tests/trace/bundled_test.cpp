@@ -27,8 +27,7 @@ struct ByParity {
     for (std::size_t i = 0; i < rays.count; ++i)
       rays.left |= std::uint64_t{static_cast<int>(rays.stored_p[0][i]) % 2 != 0} << i;
   }
-  const trace::TriangleBlock& block(std::uint32_t) const { return none; }
-  trace::TriangleBlock none{};
+  trace::TriangleBlock block(std::uint32_t) const { return trace::TriangleBlock(nullptr); }
   static scene::ElementRef own(scene::ElementRef e) { return {e.tipo, e.index + 100}; }
 };
 

@@ -7,6 +7,7 @@
 
 #include "durero/surface/exact.hpp"
 #include "support/catch.hpp"
+#include "support/held_block.hpp"
 #include "support/scenes.hpp"
 #include "support/shapes.hpp"
 
@@ -27,15 +28,15 @@ glm::dvec3 single(const glm::dvec3& x) {
 /// Triangles in blocks, and a query for each.
 struct Aimed {
   scene::Scene scene{};
-  std::vector<trace::TriangleBlock> blocks{};
+  std::vector<HeldBlock> blocks{};
   std::vector<scene::Query> queries{};
 
-  const trace::TriangleBlock& block(std::uint32_t name) const { return blocks[(name - first_name) / 8]; }
+  trace::TriangleBlock block(std::uint32_t name) const { return blocks[(name - first_name) / 8].view(); }
 
   void put(const std::array<glm::dvec3, 3>& vertices, const glm::dvec3& p, const glm::dvec3& v) {
     const auto number = static_cast<std::uint32_t>(queries.size());
     if (number % 8 == 0) blocks.emplace_back();
-    blocks.back().set(number % 8, {vertices}, number);
+    blocks.back().push_back({vertices}, number);
     add(scene, scene::Triangle{vertices});
     queries.push_back({ray(p, v)});
   }
@@ -126,7 +127,7 @@ TEST_CASE("most hits of ordinary rays are certain in lanes") {
   std::uint64_t inner = 0;
   for (std::size_t place = 0; place < SingleRays::size; ++place) {
     rays.push(aimed.queries[place].rayo.p().xyz(), aimed.queries[place].rayo.v().xyz(), SingleRays::none);
-    triangles.set(place, aimed.blocks[place / 8], place % 8);
+    triangles.set(place, aimed.blocks[place / 8].view(), place % 8);
     if (place % 5 != 0) inner |= SingleRays::bit(place);
   }
   REQUIRE(round_to_single(rays));
@@ -139,10 +140,10 @@ TEST_CASE("a hit from an origin that is not ordinary is not certain in lanes") {
   SingleRays rays;
   trace::HitTriangles triangles;
   trace::RoundedRays rounded;
-  trace::TriangleBlock block;
-  block.set(0, {{glm::dvec3(-1, -1, 0), {1, -1, 0}, {0, 1, 0}}}, 0);
+  HeldBlock block;
+  block.push_back({{glm::dvec3(-1, -1, 0), {1, -1, 0}, {0, 1, 0}}}, 0);
   for (const double x : {0.0, 0x1p-100, 0x1p-101, -0x1p-900}) {
-    triangles.set(rays.count, block, 0);
+    triangles.set(rays.count, block.view(), 0);
     rays.push({x, 0, 0.25}, {0, 0, -1}, SingleRays::none);
   }
   REQUIRE(round_to_single(rays));

@@ -23,7 +23,7 @@ namespace durero::trace {
 template <class Source>
 concept BundleSource = requires(const Source& source, SingleRays& rays) {
   { source.bundles() } -> std::same_as<bool>;
-  { source.block(SingleRays::none) } -> std::same_as<const TriangleBlock&>;
+  { source.block(SingleRays::none) } -> std::same_as<TriangleBlock>;
   source.search(SingleSearch::nearest, rays);
 };
 

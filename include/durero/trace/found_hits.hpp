@@ -24,9 +24,11 @@ struct HitTriangles {
 
   /// Sets a place to a triangle of a block.
   void set(std::size_t place, const TriangleBlock& block, std::size_t lane) {
+    const std::array numbers{block.number(0, lane), block.number(1, lane), block.number(2, lane)};
+    const std::array columns{block.column(0), block.column(1), block.column(2)};
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      for (std::size_t axis = 0; axis < 3; ++axis) vertices[i][axis][place] = block.vertices[i][axis][lane];
-    elements[place] = block.elements[lane];
+      for (std::size_t axis = 0; axis < 3; ++axis) vertices[i][axis][place] = columns[axis][numbers[i]];
+    elements[place] = block.element(lane);
   }
 };
 

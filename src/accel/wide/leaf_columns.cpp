@@ -20,13 +20,15 @@ Lanes greatest(Lanes a, Lanes b) { return a > b ? a : b; }
 
 }  // namespace
 
-void unpack(std::span<const trace::TriangleBlock> blocks, std::uint32_t index, WideNode& node) {
-  const trace::TriangleBlock& block = blocks[index];
+void unpack(trace::TriangleBlocks blocks, std::uint32_t index, WideNode& node) {
+  const trace::TriangleBlock block = blocks[index];
+  trace::TriangleBlock::Columns vertices;
+  trace::unpack(block, vertices);
   const scene::ElementRef first = LeafColumns::first_of(index);
   static_assert(WideNode::width == trace::TriangleBlock::size);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t at = 0; at < WideNode::width; at += lanes) {
-      const auto of = [&](std::size_t vertex) { return load(&block.vertices[vertex][axis][at]); };
+      const auto of = [&](std::size_t vertex) { return load(&vertices[vertex][axis][at]); };
       const Lanes a = of(0), b = of(1), c = of(2);
       const auto has = a == a;
       const Lanes low = has ? least(least(a, b), c) : Lanes{} + HUGE_VALF;

@@ -213,20 +213,22 @@ HWY_INLINE unsigned met_children(const WideNode& node, const MeshBundle& bundle,
   return met;
 }
 
-/// met_boxes of a block's triangles. An empty lane has NaN, which no comparison passes.
+/// met_boxes of a block's triangles.
 HWY_INLINE unsigned met_triangles(const trace::TriangleBlock& block, const MeshBundle& bundle, float limit) {
   const BoxTag tag;
+  trace::TriangleBlock::Columns corners;
+  trace::unpack(block, corners);
   unsigned met = 0;
   for (std::size_t at = 0; at < trace::TriangleBlock::size; at += hn::Lanes(tag)) {
     const auto planes = [&](std::size_t axis) HWY_ATTR {
-      const auto of = [&](std::size_t i) HWY_ATTR { return hn::Load(tag, &block.vertices[i][axis][at]); };
+      const auto of = [&](std::size_t i) HWY_ATTR { return hn::LoadU(tag, &corners[i][axis][at]); };
       const BoxLanes a = of(0), b = of(1), c = of(2);
       return LanePlanePair{hn::Min(hn::Min(a, b), c), hn::Max(hn::Max(a, b), c)};
     };
     BoxLanes entry;
     met |= met_boxes(planes, bundle, limit, entry) << at;
   }
-  return met;
+  return met & block.lanes();
 }
 
 /// The near and the far plane of a child's box along an axis, in every lane.
@@ -273,7 +275,7 @@ class BundleBoxes {
   }
   /// The triangles of a block that some ray may meet up to a limit, of those in `which`.
   HWY_INLINE unsigned met(const trace::TriangleBlock& block, std::uint64_t which, float limit) const {
-    return std::popcount(which) < few ? 0xff : met_triangles(block, bundle_, limit);
+    return std::popcount(which) < few ? block.lanes() : met_triangles(block, bundle_, limit);
   }
   /// The greatest limit of the rays.
   HWY_INLINE float farthest() const {
@@ -323,7 +325,7 @@ class LoneBoxes {
     return met;
   }
   HWY_INLINE std::uint64_t met_by(const WideNode&, std::size_t) const { return trace::SingleRays::bit(place_); }
-  HWY_INLINE unsigned met(const trace::TriangleBlock&, std::uint64_t, float) const { return 0xff; }
+  HWY_INLINE unsigned met(const trace::TriangleBlock& block, std::uint64_t, float) const { return block.lanes(); }
   HWY_INLINE float farthest() const { return rays_.limit[place_]; }
 
  private:

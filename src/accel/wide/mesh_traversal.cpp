@@ -72,7 +72,7 @@ class MeshWalk {
           rays_.close(which, rays_.left);
           continue;
         }
-        trace::ask_for(tree_.blocks[child.index]);
+        tree_.blocks[child.index].ask();
       }
       std::size_t at = size_++;
       if constexpr (search == SingleSearch::nearest)
@@ -84,7 +84,7 @@ class MeshWalk {
   HWY_INLINE void test(const WaitingChild& child) {
     const std::uint64_t which = child.which & rays_.open;
     if (which == 0) return;
-    const trace::TriangleBlock& block = tree_.blocks[child.index];
+    const trace::TriangleBlock block = tree_.blocks[child.index];
     const unsigned triangles = boxes_.met(block, which, limit_);
     if (triangles == 0) return;
     trace::screen(block, LeafColumns::first_of(child.index).index, triangles, which, search, rays_);

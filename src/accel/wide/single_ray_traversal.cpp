@@ -76,8 +76,7 @@ HWY_INLINE void meet(SingleRayTraversal& walker, const WideNode& node, const Lan
   walker.met += walker.size - walker.sorted;
 }
 
-Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, std::span<const trace::TriangleBlock> blocks,
-                    double limit) {
+Next advance_walker(SingleRayTraversal& walker, const WideNode* nodes, trace::TriangleBlocks blocks, double limit) {
   WideNode unpacked;
   const LaneBeam beam(walker.beam);
   Next next = walker.next(limit);
@@ -113,7 +112,7 @@ void SingleRayTraversal::restart(const trace::Ray& ray) {
   children[0] = std::bit_cast<std::uint64_t>(WideChild{0, {}, WideChild::Kind::node});
 }
 
-SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, std::span<const trace::TriangleBlock> blocks,
+SingleRayTraversal::Next SingleRayTraversal::advance(const WideNode* all, trace::TriangleBlocks blocks,
                                                      double greatest) {
   return HWY_DYNAMIC_DISPATCH(advance_walker)(*this, all, blocks, greatest);
 }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -45,41 +44,45 @@ Box32 outwards(const surface::Box& box) {
 
 /// The last level that splits by surface area. Deeper nodes split evenly, so that 2³² items take eleven levels more.
 constexpr std::size_t last_level_by_area = most_levels - 12;
+/// The most triangles of a scene for which blocks have names enough. A triangle takes three units at most, of one in a
+/// block of two that share no point; a name has 28 bits for the index of a block.
+constexpr std::size_t most_in_blocks = (std::size_t{1} << 28) / 3;
 /// The greatest part that one thread builds alone.
 constexpr std::size_t alone = 4096;
 
-/// The triangles of a block, as rows of the scene.
-struct TriangleRows {
-  std::array<std::uint32_t, trace::TriangleBlock::size> rows;
-  std::size_t size = 0;
-
-  std::span<const std::uint32_t> span() const { return {rows.data(), size}; }
-};
+using Units = std::vector<LeafColumns::BlockUnit>;
 
 /// A tree in one of two forms: all nodes, each before its children, whose indices count from the tree's first node; or,
 /// of a large tree, the root alone and the trees below it, in the order of its children.
 struct Tree {
   std::vector<WideNode> nodes;
-  std::vector<TriangleRows> blocks;  // those of the nodes, in the order of the nodes
+  Units units;  // the blocks of the nodes, in the order of the nodes
   std::vector<Tree> below;
 
-  std::size_t size() const {
-    return std::accumulate(below.begin(), below.end(), nodes.size(),
-                           [](std::size_t sum, const Tree& tree) { return sum + tree.size(); });
+  /// The nodes and the units of all.
+  std::pair<std::size_t, std::size_t> size() const {
+    std::pair sum(nodes.size(), units.size());
+    for (const Tree& tree : below) {
+      const auto [more_nodes, more_units] = tree.size();
+      sum.first += more_nodes, sum.second += more_units;
+    }
+    return sum;
   }
 };
 
-/// The child that a part becomes. The index of a node is set later. A block goes to `blocks`.
-WideChild child_of(const ItemRange& part, std::vector<TriangleRows>& blocks) {
+/// The child that a part becomes. The index of a node is set later. A block is written to `units`.
+WideChild child_of(const ItemRange& part, const scene::Triangles& triangles, Units& units) {
   if (part.is_item()) return {part.items[0].index, part.items[0].tipo, ChildKind::element};
   if (!part.is_block()) return {0, {}, ChildKind::node};
-  TriangleRows& block = blocks.emplace_back();
-  for (const Item& item : part.items) block.rows[block.size++] = item.index;
-  return {static_cast<std::uint32_t>(blocks.size() - 1), {}, ChildKind::block};
+  const auto index = static_cast<std::uint32_t>(units.size());
+  trace::BlockBuilder block;
+  for (const Item& item : part.items) block.push_back(triangles[item.index], item.index);
+  block.append_to(units);
+  return {index, {}, ChildKind::block};
 }
 
 /// The node of some parts.
-WideNode node_of(const wide::Parts& parts, std::vector<TriangleRows>& blocks) {
+WideNode node_of(const wide::Parts& parts, const scene::Triangles& triangles, Units& units) {
   WideNode node;
   for (std::size_t plane = 0; plane < 6; ++plane) node.planes[plane].fill(plane < 3 ? HUGE_VALF : -HUGE_VALF);
   for (std::size_t at = 0; at < parts.size(); ++at) {
@@ -88,60 +91,59 @@ WideNode node_of(const wide::Parts& parts, std::vector<TriangleRows>& blocks) {
       node.planes[i][at] = part.box.low[i];
       node.planes[i + 3][at] = part.box.high[i];
     }
-    node.children[at] = child_of(part, blocks);
+    node.children[at] = child_of(part, triangles, units);
   }
   return node;
 }
 
 /// Appends the nodes of the tree over a part: its root, then all below.
-void build(Tree& tree, const ItemRange& whole, std::size_t level) {
+void build(Tree& tree, const ItemRange& whole, const scene::Triangles& triangles, std::size_t level) {
   const wide::Parts parts = parts_of(whole, level > last_level_by_area);
   std::vector<WideNode>& nodes = tree.nodes;
   const std::size_t own = nodes.size();
-  nodes.push_back(node_of(parts, tree.blocks));
+  nodes.push_back(node_of(parts, triangles, tree.units));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (nodes[own].children[i].kind != ChildKind::node) continue;
     nodes[own].children[i].index = static_cast<std::uint32_t>(nodes.size());
-    build(tree, parts[i], level + 1);
+    build(tree, parts[i], triangles, level + 1);
   }
 }
 
 /// The tree over a part. The parts of a large node are built in parallel.
-Tree built(const ItemRange& whole, std::size_t level) {
+Tree built(const ItemRange& whole, const scene::Triangles& triangles, std::size_t level) {
   Tree tree;
   if (whole.size() <= alone) {
     tree.nodes.reserve(whole.size() / 4);
-    build(tree, whole, level);
+    build(tree, whole, triangles, level);
     return tree;
   }
   wide::Parts parts = parts_of(whole, level > last_level_by_area);
-  tree.nodes.push_back(node_of(parts, tree.blocks));
+  tree.nodes.push_back(node_of(parts, triangles, tree.units));
   const auto is_leaf = [](const ItemRange& part) { return part.is_item() || part.is_block(); };
   parts.erase(std::remove_if(parts.begin(), parts.end(), is_leaf), parts.end());
   tree.below.resize(parts.size());
   oneapi::tbb::parallel_for(std::size_t{0}, parts.size(),
-                            [&](std::size_t i) { tree.below[i] = built(parts[i], level + 1); });
+                            [&](std::size_t i) { tree.below[i] = built(parts[i], triangles, level + 1); });
   return tree;
 }
 
-void append(LargeVector<WideNode>& nodes, std::vector<TriangleRows>& blocks, const Tree& tree) {
-  const auto before = static_cast<std::uint32_t>(nodes.size()),
-             blocks_before = static_cast<std::uint32_t>(blocks.size());
-  blocks.insert(blocks.end(), tree.blocks.begin(), tree.blocks.end());
+void append(LargeVector<WideNode>& nodes, LargeVector<LeafColumns::BlockUnit>& units, const Tree& tree) {
+  const auto before = static_cast<std::uint32_t>(nodes.size()), units_before = static_cast<std::uint32_t>(units.size());
+  units.insert(units.end(), tree.units.begin(), tree.units.end());
   nodes.insert(nodes.end(), tree.nodes.begin(), tree.nodes.end());
   for (WideNode& node : std::span(nodes).subspan(before))
     for (WideChild& child : node.children)
       if (child.kind == ChildKind::node) {
         child.index += before;
       } else if (child.kind == ChildKind::block) {
-        child.index += blocks_before;
+        child.index += units_before;
       }
   auto below = tree.below.begin();
   for (std::size_t at = 0; below != tree.below.end(); ++at) {
     WideChild& child = nodes[before].children[at];
     if (child.kind != ChildKind::node) continue;
     child.index = static_cast<std::uint32_t>(nodes.size());
-    append(nodes, blocks, *below++);
+    append(nodes, units, *below++);
   }
 }
 
@@ -171,14 +173,16 @@ std::size_t depth(std::span<const WideNode> nodes, std::size_t at) {
 }  // namespace
 
 WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
-  std::vector<TriangleRows> blocks;
+  const scene::Triangles triangles = scene.shapes<scene::Triangle>();
+  const bool fit = triangles.size() <= most_in_blocks;
+  LargeVector<LeafColumns::BlockUnit> units;
   LargeVector<Item> items;
   items.reserve(scene.size());
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (!trace::ordinary(shape)) return extraordinary_.push_back(e);
     const Box32 box = outwards(surface::box(shape));
     if (!box.finite()) return unbounded_.push_back(e);
-    items.push_back({box, e.index, e.tipo, fits_block(shape)});
+    items.push_back({box, e.index, e.tipo, fit && fits_block(shape)});
   });
   if (!items.empty()) {
     LargeVector<Item> room(items.size());
@@ -186,15 +190,14 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     const double extent = std::max({all.box.width(0), all.box.width(1), all.box.width(2)});
     spacing_ = extent / std::cbrt(static_cast<double>(items.size()));
     for (std::size_t axis = 0; axis < 3; ++axis) all_[axis] = {all.box.low[axis], all.box.high[axis]};
-    const Tree tree = built(all, 0);
-    nodes_.reserve(tree.size());
-    append(nodes_, blocks, tree);
+    const Tree tree = built(all, triangles, 0);
+    const auto [node_count, unit_count] = tree.size();
+    nodes_.reserve(node_count);
+    if (unit_count > 0) units.reserve(unit_count + trace::TriangleBlock::room);
+    append(nodes_, units, tree);
+    if (unit_count > 0) units.resize(unit_count + trace::TriangleBlock::room);
   }
-  const std::size_t in_blocks =
-      std::accumulate(blocks.begin(), blocks.end(), std::size_t{0},
-                      [](std::size_t sum, const TriangleRows& block) { return sum + block.size; });
-  leaves_.reserve(scene, in_blocks, blocks.size());
-  for (const TriangleRows& block : blocks) leaves_.push_back(scene, block.span());
+  leaves_.reserve(scene, std::move(units));
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (i + nodes_ahead < nodes_.size()) ask_for_elements(scene, nodes_[i + nodes_ahead]);
     for (WideChild& child : nodes_[i].children)
@@ -206,7 +209,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
       if (child.kind == ChildKind::element) every_rays_leaves_.push_back(child.element());
       if (child.kind != ChildKind::block) continue;
       const scene::ElementRef first = LeafColumns::first_of(child.index);
-      for (std::uint32_t lane = 0; lane < blocks[child.index].size; ++lane)
+      for (std::uint32_t lane = 0; lane < leaves_.blocks()[child.index].count(); ++lane)
         every_rays_leaves_.push_back({first.tipo, first.index + lane});
     }
   const auto fits = [](const Range32& planes) { return double{planes.size()} <= trace::SingleRays::range; };
@@ -215,17 +218,19 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
 }
 
 bool WideBvh::mostly_in_blocks() const {
-  std::size_t alone = 0;
-  for (const WideNode& node : nodes_)
+  std::size_t alone = 0, blocks = 0;
+  for (const WideNode& node : nodes_) {
     alone += static_cast<std::size_t>(std::ranges::count(node.children, ChildKind::element, &WideChild::kind));
-  return 16 * alone <= leaves_.blocks().size() && unbounded_.empty() && extraordinary_.empty();
+    blocks += static_cast<std::size_t>(std::ranges::count(node.children, ChildKind::block, &WideChild::kind));
+  }
+  return 16 * alone <= blocks && unbounded_.empty() && extraordinary_.empty();
 }
 
 Size WideBvh::size() const {
   Size size;
   for (const WideNode& node : nodes_)
     for (const WideChild& child : node.children) size.cells += child.kind == ChildKind::element;
-  for (const trace::TriangleBlock& block : leaves_.blocks()) size.cells += block.count();
+  leaves_.blocks().for_each([&](std::uint32_t, const trace::TriangleBlock& block) { size.cells += block.count(); });
   size.elements = size.references = size.cells;
   size.apart = unbounded_.size() + extraordinary_.size();
   size.nodes = nodes_.size();

@@ -43,12 +43,20 @@ TEST_CASE("a triangle of a block has a name, its row and its geometry; an unpack
   for (int i = 0; i < 5; ++i)
     add(scene, scene::Triangle{std::array{glm::dvec3(i, 0, -i), glm::dvec3(i + 0.5, 1, 0.25), glm::dvec3(i, 2, 3)}});
   accel::LeafColumns leaves;
-  leaves.reserve(scene, 3, 1);
-  const std::size_t bytes = leaves.bytes();
   const std::array<std::uint32_t, 3> rows{4, 0, 2};
-  const std::uint32_t block = leaves.push_back(scene, rows);
+  accel::LargeVector<accel::LeafColumns::BlockUnit> units;
+  trace::BlockBuilder builder;
+  builder.push_back(scene.shapes<scene::Triangle>()[1], 1);
+  builder.append_to(units);
+  const auto block = static_cast<std::uint32_t>(units.size());
+  builder = {};
+  for (const std::uint32_t row : rows) builder.push_back(scene.shapes<scene::Triangle>()[row], row);
+  builder.append_to(units);
+  units.resize(units.size() + trace::TriangleBlock::room);
+  leaves.reserve(scene, std::move(units));
+  const std::size_t bytes = leaves.bytes();
   const ElementRef first = accel::LeafColumns::first_of(block);
-  for (const std::uint32_t alone : {1, 3}) leaves.push_back(scene, ElementRef{model::Tipo::soy_triangulo, alone});
+  leaves.push_back(scene, ElementRef{model::Tipo::soy_triangulo, 3});
   CHECK(leaves.bytes() == bytes);
   scene.for_each([&](ElementRef e, const auto&) { CHECK(leaves.element(leaves.leaf(e)) == e); });
   accel::WideNode node;

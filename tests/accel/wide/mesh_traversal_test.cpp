@@ -220,7 +220,7 @@ TEST_CASE("rays that go anywhere are answered one by one in a small mesh, but fo
   std::vector<scene::Query> queries;
   for (int i = 0; i < 1000; ++i)
     queries.push_back({ray(random.in_cube(1) + glm::dvec3(0.5, 0.5, 0), random.direction())});
-  const scene::Scene small = sheet(10, 1, {0, 0, 0}), large = sheet(100, 1, {0, 0, 0});
+  const scene::Scene small = sheet(10, 1, {0, 0, 0}), large = sheet(150, 1, {0, 0, 0});
   const WideBvh in_cache(small), beyond(large);
   check_each_alone(in_cache, queries);
   check_each_alone(beyond, queries);

@@ -42,7 +42,8 @@ std::vector<std::uint32_t> walked(const glm::dvec3& v, double limit, const glm::
   const std::vector<WideNode> nodes = two_nodes();
   SingleRayTraversal walker{trace::Ray(ray(p, v))};
   std::vector<std::uint32_t> elements;
-  while (walker.advance(nodes.data(), {}, limit) != Next::end) elements.push_back(walker.element.index);
+  while (walker.advance(nodes.data(), trace::TriangleBlocks({}), limit) != Next::end)
+    elements.push_back(walker.element.index);
   return elements;
 }
 
@@ -119,7 +120,8 @@ TEST_CASE("a walker comes to the children whose boxes the test of one box passes
       for (std::uint32_t place = 0; place < WideNode::width; ++place)
         if (stretch(boxes[place], accel::Beam(traced), limit).meets()) one_by_one.push_back(place);
       SingleRayTraversal walker(traced);
-      while (walker.advance(nodes.data(), {}, limit) != Next::end) walked.push_back(walker.element.index);
+      while (walker.advance(nodes.data(), trace::TriangleBlocks({}), limit) != Next::end)
+        walked.push_back(walker.element.index);
       std::ranges::sort(walked);
       INFO("turn " << turn << ", up to " << limit);
       CHECK(walked == one_by_one);
@@ -130,12 +132,12 @@ TEST_CASE("a walker comes to the children whose boxes the test of one box passes
 TEST_CASE("a walker counts, and starts again") {
   const std::vector<WideNode> nodes = two_nodes();
   SingleRayTraversal walker{trace::Ray(ray({0, 0, 0}, {1, 0, 0}))};
-  while (walker.advance(nodes.data(), {}, trace::no_limit) != Next::end) continue;
+  while (walker.advance(nodes.data(), trace::TriangleBlocks({}), trace::no_limit) != Next::end) continue;
   CHECK(walker.nodes == 2);
   CHECK(walker.met == 4);
   walker.restart(trace::Ray(ray({20, 0, 0}, {-1, 0, 0})));
-  CHECK(walker.advance(nodes.data(), {}, trace::no_limit) == Next::element);
+  CHECK(walker.advance(nodes.data(), trace::TriangleBlocks({}), trace::no_limit) == Next::element);
   CHECK(walker.element.index == 0);
-  CHECK(walker.advance(nodes.data(), {}, 12) == Next::end);
+  CHECK(walker.advance(nodes.data(), trace::TriangleBlocks({}), 12) == Next::end);
   CHECK(walker.late == 1);
 }

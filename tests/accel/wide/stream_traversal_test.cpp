@@ -57,7 +57,7 @@ Pairs alone(std::span<const WideNode> nodes, std::span<const StreamRay> rays, st
   Pairs pairs;
   for (const StreamRay& ray : rays) {
     accel::SingleRayTraversal walker(whole[ray.number]);
-    while (walker.advance(nodes.data(), {}, ray.limit) != accel::SingleRayTraversal::Next::end)
+    while (walker.advance(nodes.data(), trace::TriangleBlocks({}), ray.limit) != accel::SingleRayTraversal::Next::end)
       pairs.emplace(ray.number, walker.element);
   }
   return pairs;

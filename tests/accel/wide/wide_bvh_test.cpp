@@ -249,8 +249,8 @@ TEST_CASE("each triangle lies in its box, in a block of several or alone") {
   CHECK(WideBvh(triangles(200, 5, 1)).leaves().blocks().empty());
 }
 
-TEST_CASE("a triangle of binary32 takes 80 bytes at most, in a tree of many") {
-  CHECK(WideBvh(triangles(10000, 4)).size().bytes <= 800'000);
+TEST_CASE("a triangle of binary32 takes 60 bytes at most, in a tree of many") {
+  CHECK(WideBvh(triangles(10000, 4)).size().bytes <= 600'000);
 }
 
 TEST_CASE("no ray loses a triangle that it meets, alone or in bundles, up to any limit") {

@@ -11,7 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/hit.hpp"
+#include "durero/scene/mesh_edit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "support/scenes.hpp"
@@ -66,9 +68,10 @@ inline void put(BenchScene& scenes, const std::array<glm::dvec3, 3>& vertices) {
   scenes.triangles.push_back(vertices);
 }
 
-/// A wavy sheet of some n triangles over the unit square.
+/// A wavy sheet of some n triangles over the unit square, as a mesh.
 inline BenchScene mesh_scene(std::size_t n) {
   BenchScene scenes;
+  scene::Mesh mesh{model::Elemento("sheet")};
   const auto k = static_cast<std::size_t>(std::sqrt(static_cast<double>(n) / 2));
   std::vector<glm::dvec3> at;
   for (std::size_t i = 0; i <= k; ++i)
@@ -78,12 +81,16 @@ inline BenchScene mesh_scene(std::size_t n) {
       const double z = 0.5 + 0.2 * std::sin(12 * x) * std::cos(9 * y) + 0.05 * std::sin(50 * x * y);
       at.push_back(single(glm::dvec3(x, y, z)));
     }
+  mesh.puntos = at;
+  mesh.caras.reserve(2 * k * k);
   for (std::size_t i = 0; i < k; ++i)
     for (std::size_t j = 0; j < k; ++j) {
-      const std::size_t o = i * (k + 1) + j;
-      put(scenes, {at[o], at[o + 1], at[o + k + 1]});
-      put(scenes, {at[o + 1], at[o + k + 2], at[o + k + 1]});
+      const auto o = static_cast<model::Ordinal>(i * (k + 1) + j), below = static_cast<model::Ordinal>(o + k + 1);
+      mesh.caras.push_back({o, o + 1, below});
+      mesh.caras.push_back({o + 1, below + 1, below});
     }
+  for (const auto [a, b, c] : mesh.caras) scenes.triangles.push_back({at[a], at[b], at[c]});
+  scenes.durero.apply_total(scene::MeshEdit(scene::MeshAddition{std::move(mesh)}));
   return scenes;
 }
 

@@ -79,7 +79,7 @@ class InterleavedTraversal {
           rows_.ask_for(one.walker.element);
           return true;
         case SingleRayTraversal::Next::block:
-          trace::ask_for(blocks_[one.walker.node]);
+          blocks_[one.walker.node].ask();
           return true;
         case SingleRayTraversal::Next::node:
           trace::ask_for(nodes_[one.walker.node]);
@@ -93,7 +93,7 @@ class InterleavedTraversal {
   }
 
   std::span<const WideNode> nodes_;
-  std::span<const trace::TriangleBlock> blocks_;
+  trace::TriangleBlocks blocks_;
   LeafColumns::Rows rows_;
   std::span<const trace::Ray> rays_;
   Limit& limit_;

@@ -23,9 +23,11 @@ namespace durero::accel {
 /// whose index is the row; or a triangle of a block, whose index has `in_block` set.
 class LeafColumns {
  public:
+  using BlockUnit = trace::TriangleBlock::Unit;   ///< of the memory of blocks
   static constexpr std::size_t nearby = 1 << 18;  ///< bytes of nodes that stay in the cache: no prefetch of leaves
 
-  /// The bit of an index that names a triangle of a block; the other bits are eight times the block, and the lane.
+  /// The bit of an index that names a triangle of a block; the other bits are eight times the block's index, and the
+  /// lane.
   static constexpr std::uint32_t in_block = std::uint32_t{1} << 31;
 
   /// The name of the first triangle of a block. Those of the others count up.
@@ -33,21 +35,27 @@ class LeafColumns {
     return {model::Tipo::soy_triangulo, in_block | block * static_cast<std::uint32_t>(trace::TriangleBlock::size)};
   }
 
-  /// Reserves room for every element of the scene, so many triangles of which stand in so many blocks. Precondition:
-  /// what is added are elements of this scene alone.
-  void reserve(const scene::Scene& scene, std::size_t triangles_in_blocks = 0, std::size_t blocks = 0) {
+  /// Takes the blocks of triangles of the scene, behind which is `room`, and reserves room for its other elements.
+  /// Precondition: what is added are elements of this scene alone.
+  void reserve(const scene::Scene& scene, LargeVector<BlockUnit> units = {}) {
     rows_.resize(scene.size());
+    blocks_ = std::move(units);
+    std::size_t in_blocks = 0;
+    blocks().for_each([&](std::uint32_t, const trace::TriangleBlock& block) { in_blocks += block.count(); });
     std::size_t first = 0;
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
       first_[static_cast<std::size_t>(Shape::tipo)] = first;
       first += scene.shapes<Shape>().size();
       Column<Shape>& column = std::get<Column<Shape>>(columns_);
       std::size_t apart = scene.shapes<Shape>().size();
-      if constexpr (Shape::tipo == model::Tipo::soy_triangulo) apart -= triangles_in_blocks;
+      if constexpr (Shape::tipo == model::Tipo::soy_triangulo) apart -= in_blocks;
       column.shapes.reserve(apart);
       column.elements.reserve(apart);
     });
-    blocks_.reserve(blocks);
+    blocks().for_each([&](std::uint32_t index, const trace::TriangleBlock& block) {
+      for (std::uint32_t lane = 0; lane < block.count(); ++lane)
+        rows_[place({model::Tipo::soy_triangulo, block.element(lane)})] = first_of(index).index + lane;
+    });
   }
   /// Adds an element of the scene, and answers its leaf.
   scene::ElementRef push_back(const scene::Scene& scene, scene::ElementRef e) {
@@ -60,23 +68,12 @@ class LeafColumns {
     });
   }
 
-  /// Adds a block of triangles of the scene, whose rows are these, and answers its index. Precondition: up to eight
-  /// triangles, each is_single.
-  std::uint32_t push_back(const scene::Scene& scene, std::span<const std::uint32_t> triangles) {
-    const auto index = static_cast<std::uint32_t>(blocks_.size());
-    trace::TriangleBlock& block = blocks_.emplace_back();
-    for (std::uint32_t lane = 0; lane < triangles.size(); ++lane) {
-      block.set(lane, scene.shapes<scene::Triangle>()[triangles[lane]], triangles[lane]);
-      rows_[place({model::Tipo::soy_triangulo, triangles[lane]})] = first_of(index).index + lane;
-    }
-    return index;
-  }
   /// The block of a triangle by the index of its leaf. Precondition: `in_block` is set.
-  const trace::TriangleBlock& block_of(std::uint32_t leaf) const {
-    return blocks_[(leaf & ~in_block) / trace::TriangleBlock::size];
+  trace::TriangleBlock block_of(std::uint32_t leaf) const {
+    return blocks()[(leaf & ~in_block) / trace::TriangleBlock::size];
   }
   /// The blocks, by index.
-  std::span<const trace::TriangleBlock> blocks() const noexcept { return blocks_; }
+  trace::TriangleBlocks blocks() const noexcept { return trace::TriangleBlocks(blocks_); }
 
   /// visit(shape) with the geometry of a leaf.
   template <class Visit>
@@ -91,7 +88,7 @@ class LeafColumns {
   }
   /// Prefetches the geometry of a leaf.
   void ask_for_shape(scene::ElementRef leaf) const {
-    if (is_in_block(leaf)) return trace::ask_for(block_of(leaf.index));
+    if (is_in_block(leaf)) return block_of(leaf.index).ask();
     visit(leaf, [](const auto& shape) { trace::ask_for(shape); });
   }
   /// The addresses of the rows, for prefetching them without a branch. The traversal prefetches nearly every leaf that
@@ -132,7 +129,7 @@ class LeafColumns {
   }
   /// The element of the scene that the leaf is a copy of.
   scene::ElementRef element(scene::ElementRef leaf) const {
-    if (is_in_block(leaf)) return {leaf.tipo, block_of(leaf.index).elements[lane_in_block(leaf)]};
+    if (is_in_block(leaf)) return {leaf.tipo, block_of(leaf.index).element(lane_in_block(leaf))};
     return scene::with_shape(leaf.tipo, [&]<class Shape>(std::type_identity<Shape>) {
       return scene::ElementRef{leaf.tipo, std::get<Column<Shape>>(columns_).elements[leaf.index]};
     });
@@ -143,7 +140,7 @@ class LeafColumns {
   void ask_for_leaf(scene::ElementRef e) const { trace::ask_for(rows_[place(e)]); }
   /// The bytes that the columns and the table hold.
   std::size_t bytes() const {
-    std::size_t sum = rows_.capacity() * sizeof(std::uint32_t) + blocks_.capacity() * sizeof(trace::TriangleBlock);
+    std::size_t sum = rows_.capacity() * sizeof(std::uint32_t) + blocks_.capacity() * sizeof(BlockUnit);
     scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
       const Column<Shape>& column = std::get<Column<Shape>>(columns_);
       sum += column.shapes.capacity() * sizeof(Shape) + column.elements.capacity() * sizeof(std::uint32_t);
@@ -173,16 +170,15 @@ class LeafColumns {
   std::size_t place(scene::ElementRef e) const { return first_[static_cast<std::size_t>(e.tipo)] + e.index; }
 
   typename ColumnsOf<scene::Shapes>::type columns_;
-  LargeVector<trace::TriangleBlock> blocks_;
+  LargeVector<BlockUnit> blocks_;                        // the blocks, and room for lanes
   LargeVector<std::uint32_t> rows_;                      // the leaf of each element, in the scene's order
   std::array<std::size_t, scene::shape_count> first_{};  // the place in rows_ where each type begins
 };
 
 /// Gives `take` a ray's number with a block of triangles: the block, where it takes blocks, or each of the triangles.
 template <class Visitor>
-void take_block(Visitor& take, std::uint32_t number, std::span<const trace::TriangleBlock> blocks,
-                std::uint32_t index) {
-  const trace::TriangleBlock& block = blocks[index];
+void take_block(Visitor& take, std::uint32_t number, trace::TriangleBlocks blocks, std::uint32_t index) {
+  const trace::TriangleBlock block = blocks[index];
   const scene::ElementRef first = LeafColumns::first_of(index);
   if constexpr (requires { take(number, block, first); }) {
     take(number, block, first);
@@ -194,6 +190,6 @@ void take_block(Visitor& take, std::uint32_t number, std::span<const trace::Tria
 
 /// Makes the node that the block of this index stands for: its children are the triangles by their names, and their
 /// boxes are exact in binary32. Unused lanes become empty children, which may not come last.
-void unpack(std::span<const trace::TriangleBlock> blocks, std::uint32_t index, WideNode& node);
+void unpack(trace::TriangleBlocks blocks, std::uint32_t index, WideNode& node);
 
 }  // namespace durero::accel

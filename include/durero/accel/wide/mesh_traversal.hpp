@@ -23,10 +23,10 @@ struct Range32 {
 
 /// A tree whose leaves are all blocks of triangles, within the range of the test in binary32.
 struct MeshTree {
-  std::span<const WideNode> nodes;               ///< each before its children and the root first
-  std::span<const trace::TriangleBlock> blocks;  ///< the leaves
-  std::array<Range32, 3> all;                    ///< the box of the root
-  float narrow;                                  ///< the greatest width of a bundle
+  std::span<const WideNode> nodes;  ///< each before its children and the root first
+  trace::TriangleBlocks blocks;     ///< the leaves
+  std::array<Range32, 3> all;       ///< the box of the root
+  float narrow;                     ///< the greatest width of a bundle
 };
 
 /// Answers the rays of a bundle that it can answer, and adds the others to rays.left. Precondition: rays were pushed.

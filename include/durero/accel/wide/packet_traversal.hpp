@@ -278,7 +278,7 @@ class PacketTraversal {
       if (child.kind == WideChild::Kind::node) {
         trace::ask_for(nodes_[child.index]);
       } else if (child.kind == WideChild::Kind::block) {
-        trace::ask_for(blocks_[child.index]);
+        blocks_[child.index].ask();
       } else {
         rows_.ask_for(child.element());
       }
@@ -364,7 +364,7 @@ class PacketTraversal {
   }
 
   std::span<const WideNode> nodes_;
-  std::span<const trace::TriangleBlock> blocks_;
+  trace::TriangleBlocks blocks_;
   WideNode unpacked_;  // the block that is visited
   LeafColumns::Rows rows_;
   bool starts_ = false;  // whether some ray starts on an element, so that the columns must say which

@@ -44,7 +44,7 @@ struct SingleRayTraversal {
     return Next::end;
   }
   /// Goes on to the next element or the end, and opens the nodes and blocks on the way. Precondition: that of next.
-  Next advance(const WideNode* nodes, std::span<const trace::TriangleBlock> blocks, double greatest);
+  Next advance(const WideNode* nodes, trace::TriangleBlocks blocks, double greatest);
 
   Beam beam;                    ///< the ray
   double limit = 0;             ///< the limit (tmax)

@@ -47,8 +47,7 @@ template <class Limit, class Visitor>
 class StreamTraversal {
  public:
   /// The traversal keeps references to its arguments, which must outlive it.
-  StreamTraversal(std::span<const WideNode> nodes, std::span<const trace::TriangleBlock> blocks, Limit& limit,
-                  Visitor& take)
+  StreamTraversal(std::span<const WideNode> nodes, trace::TriangleBlocks blocks, Limit& limit, Visitor& take)
       : nodes_(nodes), blocks_(blocks), limit_(limit), take_(take) {}
 
   /// Traverses the tree from the root with every ray. Preconditions: the directions lie in one octant; limits are not
@@ -121,7 +120,7 @@ class StreamTraversal {
   }
 
   std::span<const WideNode> nodes_;
-  std::span<const trace::TriangleBlock> blocks_;
+  trace::TriangleBlocks blocks_;
   Limit& limit_;
   Visitor& take_;
   std::span<StreamRay> rays_;

@@ -66,7 +66,7 @@ class WideBvh {
   /// where nearly all elements are triangles in blocks, within the range of binary32.
   bool bundles() const noexcept { return is_mesh_; }
   bool single_blocks() const noexcept { return in_range_; }
-  const trace::TriangleBlock& block(std::uint32_t name) const { return leaves_.block_of(name); }
+  trace::TriangleBlock block(std::uint32_t name) const { return leaves_.block_of(name); }
   void search(trace::SingleSearch search, trace::SingleRays& rays) const {
     accel::search({nodes(), leaves_.blocks(), all_, static_cast<float>(bundle_width * spacing_)}, search, rays);
   }
