@@ -42,8 +42,9 @@ Box32 outwards(const surface::Box& box) {
           {above(box.high.x), above(box.high.y), above(box.high.z)}};
 }
 
-/// The last level that splits by surface area. Deeper nodes split evenly, so that 2³² items take eleven levels more.
-constexpr std::size_t last_level_by_area = most_levels - 12;
+/// The last level that splits by surface area. Deeper nodes split evenly, so that 2³² items take eight levels more down
+/// to few, and these four.
+constexpr std::size_t last_level_by_area = most_levels - 13;
 /// The most triangles of a scene for which blocks have names enough. A triangle takes three units at most, of one in a
 /// block of two that share no point; a name has 28 bits for the index of a block.
 constexpr std::size_t most_in_blocks = (std::size_t{1} << 28) / 3;
@@ -96,8 +97,27 @@ WideNode node_of(const wide::Parts& parts, const scene::Triangles& triangles, Un
   return node;
 }
 
+/// Appends the nodes of the tree over a part of few items: its root, then all below.
+void build_few(Tree& tree, const wide::SplitTree& splits, wide::SplitTree::Number whole,
+               const scene::Triangles& triangles) {
+  const auto numbers = splits.children(whole);
+  wide::Parts parts;
+  for (const auto number : numbers) parts.push_back(splits.part(number));
+  const std::size_t own = tree.nodes.size();
+  tree.nodes.push_back(node_of(parts, triangles, tree.units));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (tree.nodes[own].children[i].kind != ChildKind::node) continue;
+    tree.nodes[own].children[i].index = static_cast<std::uint32_t>(tree.nodes.size());
+    build_few(tree, splits, numbers[i], triangles);
+  }
+}
+
 /// Appends the nodes of the tree over a part: its root, then all below.
 void build(Tree& tree, const ItemRange& whole, const scene::Triangles& triangles, std::size_t level) {
+  if (whole.size() <= wide::SplitTree::few) {
+    const wide::SplitTree splits(whole, last_level_by_area - std::min(level, last_level_by_area));
+    return build_few(tree, splits, 0, triangles);
+  }
   const wide::Parts parts = parts_of(whole, level > last_level_by_area);
   std::vector<WideNode>& nodes = tree.nodes;
   const std::size_t own = nodes.size();

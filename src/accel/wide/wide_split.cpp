@@ -163,13 +163,6 @@ std::pair<ItemRange, ItemRange> split(const ItemRange& part, bool evenly) {
   return best.bin == 0 ? in_the_middle(part) : parted(part, bins, rows[best.axis], best);
 }
 
-/// The part of the greatest rank; null where no rank is above 0.
-template <class Rank>
-ItemRange* greatest(Parts& parts, Rank rank) {
-  const auto found = std::ranges::max_element(parts, {}, rank);
-  return rank(*found) > 0 ? &*found : nullptr;
-}
-
 }  // namespace
 
 ItemRange part_of(Items items, Items room) {
@@ -183,30 +176,71 @@ ItemRange part_of(Items items, Items room) {
 }
 
 Parts parts_of(const ItemRange& whole, bool evenly) {
-  constexpr std::size_t width = WideNode::width;
+  constexpr std::size_t enough = WideNode::width * WideNode::width;  // items for a node below
   Parts parts;
   parts.push_back(whole);
-  const auto too_large = [&](const ItemRange& part) {
-    if (part.size() <= width) return 0.0;
+  const auto rank = [&](const ItemRange& part) {
+    if (part.size() <= enough) return 0.0;
     return evenly ? static_cast<double>(part.size()) : part.area + 0x1p-1000;
   };
-  while (parts.size() < width) {
-    ItemRange* const largest = greatest(parts, too_large);
-    if (largest == nullptr) break;
+  while (parts.size() < WideNode::width) {
+    const auto largest = std::ranges::max_element(parts, {}, rank);
+    if (!(rank(*largest) > 0)) break;
     const auto [first, second] = split(*largest, evenly);
     *largest = first;
     parts.push_back(second);
   }
-  const auto fits = [&](const ItemRange& part) {
-    const std::size_t n = part.size();
-    return n > 1 && !part.is_block() && parts.size() + n - 1 <= width ? part.area + 0x1p-1000 : 0.0;
-  };
-  while (ItemRange* const fitting = greatest(parts, fits)) {
-    const Items items = fitting->items;
-    *fitting = part_of(items.first(1), {});
-    for (std::size_t i = 1; i < items.size(); ++i) parts.push_back(part_of(items.subspan(i, 1), {}));
-  }
   return parts;
+}
+
+SplitTree::SplitTree(const ItemRange& whole, std::size_t levels_by_area) {
+  branches_.reserve(whole.size() / 2);
+  branches_.push_back({whole});
+  open(0, levels_by_area);
+}
+
+void SplitTree::open(Number number, std::size_t levels_by_area) {
+  const ItemRange part = branches_[number].part;
+  if (part.is_item() || part.is_block()) return;
+  const auto first = static_cast<Number>(branches_.size());
+  if (part.size() <= WideNode::width) {
+    for (std::size_t i = 0; i < part.size(); ++i) branches_.push_back({part_of(part.items.subspan(i, 1), {})});
+    branches_[number] = {part, part.size(), first, static_cast<Number>(part.size())};
+    return;
+  }
+  const auto [one, other] = split(part, levels_by_area == 0);
+  branches_.push_back({one});
+  branches_.push_back({other});
+  const std::size_t below = levels_by_area == 0 ? 0 : levels_by_area - 1;
+  open(first, below);
+  open(first + 1, below);
+  branches_[number] = {part, branches_[first].leaves + branches_[first + 1].leaves, first, 2};
+}
+
+boost::container::static_vector<SplitTree::Number, WideNode::width> SplitTree::children(Number number) const {
+  constexpr std::size_t width = WideNode::width;
+  boost::container::static_vector<Number, width> children;
+  const auto open = [&](const Branch& branch) {
+    for (Number i = 0; i < branch.count; ++i) children.push_back(branch.first + i);
+  };
+  if (branches_[number].count == 0) {
+    children.push_back(number);
+    return children;
+  }
+  open(branches_[number]);
+  const auto rank = [&](Number child) {
+    const Branch& branch = branches_[child];
+    if (branch.count == 0) return 0.0;
+    if (branch.leaves > width) return children.size() < width ? 0x1p600 + branch.part.area * 0x1p600 : 0.0;
+    return children.size() + branch.leaves <= width + 1 ? branch.part.area + 0x1p-1000 : 0.0;
+  };
+  for (;;) {
+    const auto largest = std::ranges::max_element(children, {}, rank);
+    if (!(rank(*largest) > 0)) return children;
+    const Branch& opened = branches_[*largest];
+    children.erase(largest);
+    open(opened);
+  }
 }
 
 }  // namespace durero::accel::wide

@@ -5,7 +5,9 @@
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <cmath>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "durero/accel/wide/wide_node.hpp"
 #include "durero/trace/triangle_block.hpp"
@@ -67,9 +69,38 @@ ItemRange part_of(Items items, Items room);
 /// The children of a node, as parts.
 using Parts = boost::container::static_vector<ItemRange, WideNode::width>;
 
-/// Splits a part into at most eight parts, none empty, for the children of a node. The part of greatest surface is
-/// split again and again, or of most items where `evenly`, until no part has more items than a node holds; then parts
-/// are dissolved into single items where these fit, but for blocks of triangles.
+/// Splits a part of more than `few` items into at most eight parts, none empty, for the children of a node. The part of
+/// greatest surface is split again and again, or of most items where `evenly`, until there are eight.
 Parts parts_of(const ItemRange& whole, bool evenly);
+
+/// The splits of a part of few items, down to the leaves of the tree. Nodes over them are full where they can be, as
+/// the number of leaves below each part is known before its node is made: few bytes, and few nodes for a ray.
+class SplitTree {
+ public:
+  static constexpr std::size_t few = 512;  ///< items at most
+
+  /// Splits by surface area on so many levels, and evenly below. Precondition: few items at most, and one at least.
+  SplitTree(const ItemRange& whole, std::size_t levels_by_area);
+
+  /// A number of a part; the whole has 0.
+  using Number = std::uint32_t;
+  /// The part of a number.
+  const ItemRange& part(Number number) const { return branches_[number].part; }
+  /// The children of the node over a part: its halves, one of which is opened again and again. Parts of more leaves
+  /// than a node holds come first, the one of greatest surface first, and then parts whose leaves all fit.
+  boost::container::static_vector<Number, WideNode::width> children(Number number) const;
+
+ private:
+  /// A part, its leaves, and what it is opened into: halves, or the items of a part that fits a node.
+  struct Branch {
+    ItemRange part;
+    std::size_t leaves = 1;
+    Number first = 0, count = 0;
+  };
+
+  void open(Number number, std::size_t levels_by_area);
+
+  std::vector<Branch> branches_;
+};
 
 }  // namespace durero::accel::wide
