@@ -42,7 +42,7 @@ class TriangleBlock {
   explicit TriangleBlock(const Unit* first) : bytes_(first->bytes.data()) {}
 
   /// The number of triangles. They stand in the first lanes.
-  std::size_t count() const { return std::to_integer<std::size_t>(bytes_[0]); }
+  std::uint32_t count() const { return std::to_integer<std::uint32_t>(bytes_[0]); }
   /// The number of points.
   std::size_t points() const { return std::to_integer<std::size_t>(bytes_[1]); }
   /// Whether triangles share points.
