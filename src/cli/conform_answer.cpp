@@ -9,7 +9,9 @@
 #include "commands.hpp"
 #include "conform.hpp"
 #include "description.hpp"
+#include "durero/composed/engine.hpp"
 #include "durero/conform/ask/question.hpp"
+#include "durero/conform/judge/truth.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/surface/exact.hpp"
 #include "engines.hpp"
@@ -65,7 +67,7 @@ std::optional<Parameter> first_within(const surface::exact::Segment& segment, co
 scene::Hit hit_within(const scene::Scene& scene, const scene::Query& ray, const conform::AskedRange& range) {
   std::optional<Parameter> first;
   scene::ElementSet elements, without_minimum;
-  for (const auto& [element, segment] : surface::exact::all_hits(scene, ray.rayo)) {
+  for (const auto& [element, segment] : conform::all_crossings(scene, ray)) {
     if (!is_within(segment, range)) continue;
     const std::optional<Parameter> at = first_within(segment, range);
     if (!at) without_minimum.push_back(element);
@@ -98,11 +100,12 @@ int answer(const std::string& engine_name, bool says_more) {
   io::print(fmt::format("system durero {} {}\n", DURERO_VERSION, engine_name));
   conform::QuestionReader questions(*stdin);
   while (const auto question = questions.next()) {
-    const auto engine = engine::find(engine_name)->prepare(question->scene);
+    const auto engine = composed::prepared(*engine::find(engine_name), question->scene);
     std::string answers;
     std::vector<conform::Claim> claims = claims_of(*question, *engine);
     for (std::size_t i = 0; i < claims.size(); ++i) {
-      if (says_more && claims[i].punto) add_besides(claims[i], question->scene, question->rays[i]);
+      const bool is_body = claims[i].element && question->scene.body(*claims[i].element) != nullptr;
+      if (says_more && claims[i].punto && !is_body) add_besides(claims[i], question->scene, question->rays[i]);
       answers += answer_line(claims[i], question->scene) + "\n";
     }
     io::print(answers);

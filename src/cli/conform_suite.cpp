@@ -17,16 +17,17 @@ using namespace conform;
 std::vector<std::string> type_words() {
   std::vector<std::string> words;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { words.emplace_back(Shape::word); });
+  words.insert(words.end(), body_words.begin(), body_words.end());
   return words;
 }
 
-/// The type of that word. Precondition: the word is one of type_words().
-model::Tipo type_of(const std::string& word) {
-  std::optional<model::Tipo> tipo;
+/// Adds the type, or the kind of bodies, of that word. Precondition: the word is one of type_words().
+void add_type(SuiteOptions& options, const std::string& word) {
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    if (word == Shape::word) tipo = Shape::tipo;
+    if (word == Shape::word) options.tipos.push_back(Shape::tipo);
   });
-  return tipo.value();
+  const auto* const body = std::ranges::find(body_words, word);
+  if (body != body_words.end()) options.bodies.push_back(static_cast<BodyKind>(body - body_words.begin()));
 }
 
 std::vector<std::string> family_names() {
@@ -118,7 +119,7 @@ void add_sources(CLI::App& command, SuiteCall& call) {
 SuiteOptions suite_of(const SuiteCall& call) {
   SuiteOptions options{.seed = call.seed, .rays = call.rays, .faces = call.faces};
   for (const std::string& name : call.families) options.families.push_back(&family_of(name));
-  for (const std::string& word : call.types) options.tipos.push_back(type_of(word));
+  for (const std::string& word : call.types) add_type(options, word);
   options.caps = call.solids ? Caps::solid : Caps::open;
   const auto* const question = std::ranges::find(question_words, call.question);
   options.question = static_cast<QuestionKind>(question - question_words.begin());
@@ -129,6 +130,7 @@ SuiteOptions suite_of(const SuiteCall& call) {
 SuiteOptions suite_of(const SuiteCall& call, const Profile& profile) {
   SuiteOptions options = suite_of(call);
   options.tipos = profile.tipos;
+  options.bodies = profile.bodies;
   options.caps = profile.caps;
   if (std::ranges::find(profile.questions, options.question) == profile.questions.end())
     throw std::runtime_error(fmt::format("{} does not claim the question {}; expected one of its profile's questions",

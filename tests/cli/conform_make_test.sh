@@ -10,9 +10,9 @@ for family in scale rotation parked vertex edge inside; do
   grep -q "^$family  " listed || fail "conform list: $family is not there"
 done
 run 0 conform list --json
-lines out 49
+lines out 58
 has out '"family":"tiny","kind":"sizes from 10⁻³ to 10⁻³⁰","reason":"celeritas#1897: absolute epsilons","parameter":{"name":"log2 of the scale","least":-106,"greatest":-17,"binary32":{"least":-106,"greatest":-17}}}'
-[ "$(grep -c '"family"' out)" = 47 ] || fail "conform list --json: not 47 families"
+[ "$(grep -c '"family"' out)" = 56 ] || fail "conform list --json: not 56 families"
 
 # The same bytes from the same options on any number of threads.
 run 0 conform make one --family rim --family tie --rays 25 --seed 5 --threads 1

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <string_view>
 
 #include "durero/conform/ask/profile.hpp"
+#include "durero/conform/families/asked_body.hpp"
 #include "durero/conform/random.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/attributes.hpp"
@@ -31,11 +33,17 @@ double longest(const Shape& shape) {
   return most;
 }
 
+inline double longest(const conform::AskedBody& body) {
+  const auto& [x, y, z] = body.sides;
+  return std::max({longest(body.centro), longest(x), longest(y), longest(z)});
+}
+
 /// Whether the model has such a shape, its unit vector aside.
 inline bool is_shape(const scene::Triangle& e) {
   return model::Vertices::contains(
       {model::Punto(e.vertices[0]), model::Punto(e.vertices[1]), model::Punto(e.vertices[2])});
 }
+inline bool is_shape(const conform::AskedBody& body) { return conform::is_body(body); }
 template <class Shape>
 bool is_shape(const Shape& shape) {
   bool is = std::isfinite(longest(shape.centro));
@@ -64,6 +72,20 @@ class Mover {
     scene::for_each_attribute<Shape>([&](const auto& attribute) { move(attribute.word, result.*attribute.field, M); });
     return result;
   }
+  /// A side is moved as a point is, or its axis and its length apart. A capsule stays round.
+  conform::AskedBody moved(conform::AskedBody body, double M) {
+    move(body.centro, u_ * M + thickness_);
+    const bool by_length = random_->chance(1, 2);
+    for (glm::dvec3& side : body.sides) move_side(side, by_length, M);
+    if (body.kind == conform::BodyKind::capsula) {
+      const double radio = conform::length_of(body.sides[0]);
+      const glm::dvec3 along = body.sides[1] / conform::length_of(body.sides[1]);
+      const glm::dvec3 x = body.sides[0] - glm::dot(body.sides[0], along) * along;
+      body.sides[0] = radio / conform::length_of(x) * x;
+      body.sides[2] = glm::cross(body.sides[0], along);
+    }
+    return body;
+  }
   glm::dvec3 moved_point(glm::dvec3 p, double M) {
     move(p, u_ * M + thickness_);
     return p;
@@ -74,6 +96,14 @@ class Mover {
   }
 
  private:
+  void move_side(glm::dvec3& side, bool by_length, double M) {
+    if (!by_length) return move(side, u_ * M + thickness_);
+    double length = conform::length_of(side);
+    glm::dvec3 axis = side / length;
+    move(axis, u_);
+    move(length, u_ * M + thickness_);
+    side = length * axis;
+  }
   double part() {
     switch (draw_) {
       case Draw::anywhere:

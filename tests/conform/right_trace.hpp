@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "durero/composed/figure.hpp"
 #include "durero/number/quotient.hpp"
 #include "right_tracers.hpp"
 
@@ -23,7 +24,12 @@ class RightTrace {
   std::optional<std::vector<Met>> all_met() {
     if (moves_meshes()) move_mesh();
     of_->the_case.scene.for_each([&](scene::ElementRef e, const auto& shape) {
-      if (is_whole_ && !is_left_out(e)) meet(e, shape);
+      if (!is_whole_ || is_left_out(e)) return;
+      const conform::AskedBody* const body = conform::find_body(of_->bodies, e);
+      if (body)
+        meet_body(e, *body);
+      else
+        meet(e, shape);
     });
     return is_whole_ ? std::optional(std::move(all_)) : std::nullopt;
   }
@@ -45,13 +51,23 @@ class RightTrace {
            });
   }
 
+  void meet_body(scene::ElementRef e, const conform::AskedBody& body) {
+    const auto given = composed::figure(conform::exact_body(body))->first(rayo_, false).t;
+    meet_near(e, body, given ? 0.99 * number::round_to_binary64(*given) : 0);
+  }
+
   template <class Shape>
   void meet(scene::ElementRef e, const Shape& shape) {
     if constexpr (std::is_same_v<Shape, scene::Triangle>) {
       if (moves_meshes()) return take(e, Computed<Shape>{triangle_of_mesh(shape), rayo_of_mesh_.value()});
     }
     const surface::exact::Reach given = surface::exact::reach(shape, rayo_);
-    const double t = given.empty() || given.no_minimum() ? 0 : 0.99 * number::round_to_binary64(given.first());
+    meet_near(e, shape, given.empty() || given.no_minimum() ? 0 : 0.99 * number::round_to_binary64(given.first()));
+  }
+
+  /// Where the ray of the data given meets it a little behind t.
+  template <class Shape>
+  void meet_near(scene::ElementRef e, const Shape& shape, double t) {
     const std::size_t before = all_.size();
     take(e, computed(shape, std::isfinite(t) ? t : 0));
     // M was of that distance: an answer before it may be off by less.
@@ -96,6 +112,11 @@ class RightTrace {
   double rounded(double x) const { return narrowed(x, tracer_->profile.format); }
   glm::dvec3 rounded(const glm::dvec3& v) const { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
   scene::Corners rounded(const scene::Corners& c) const { return {rounded(c[0]), rounded(c[1]), rounded(c[2])}; }
+  conform::AskedBody rounded(conform::AskedBody body) const {
+    body.centro = rounded(body.centro);
+    for (glm::dvec3& side : body.sides) side = rounded(side);
+    return body;
+  }
   template <class Shape>
     requires requires { Shape::word; }
   Shape rounded(Shape shape) const {
@@ -171,6 +192,24 @@ class RightTrace {
     add(e, of.shape, of.rayo);
     if constexpr (requires { of.shape.altura; }) {
       if (is_closed(*tracer_, *of_, e)) add_discs(e, of);
+    }
+  }
+
+  /// A body is met where its surface is, which is closed.
+  void take(scene::ElementRef e, const Computed<conform::AskedBody>& of) {
+    if (!is_whole_) return;
+    const auto figure = composed::figure(conform::exact_body(of.shape));
+    const auto whole = surface::exact::RayStretch::whole;
+    const auto ahead = figure->parameters(of.rayo, false, whole);
+    const auto behind = figure->parameters({of.rayo.p(), model::Vector(-of.rayo.v().xyz())}, false, whole);
+    const bool is_inside = ahead && behind && ahead->size() == 1 && behind->size() == 1;
+    const conform::Inside inside = tracer_->profile.inside;
+    if (is_inside && inside == conform::Inside::nothing) return;
+    if (is_inside && inside == conform::Inside::origin) all_.push_back({e, of.rayo, {}});
+    if (ahead) {
+      for (const Parameter& t : *ahead) all_.push_back({e, of.rayo, t});
+    } else {
+      all_.push_back({e, of.rayo, figure->first(of.rayo, false).t});
     }
   }
 

@@ -44,12 +44,13 @@ struct RightTracer {
 
 /// What a tracer claims, clause by clause. A new clause of a profile does not compile here until it is one of these.
 inline std::map<std::string, std::string> clauses(const conform::Profile& profile) {
-  const auto& [system, format, tipos, caps, measure, directions, inside, thickness, least_t, greatest_t, least_size,
-               greatest_size, greatest_coordinate, names_elements, watertight, normal, normal_length, faces, uv,
-               questions, sources] = profile;
+  const auto& [system, format, tipos, bodies, caps, measure, directions, inside, thickness, least_t, greatest_t,
+               least_size, greatest_size, greatest_coordinate, names_elements, watertight, normal, normal_length, faces,
+               uv, questions, sources] = profile;
   const auto claimed = [](bool is) { return std::string(is ? "claimed" : "none"); };
   return {{"format", std::string(word(format))},
           {"tipos", claimed(tipos.size() < model::tipo_count)},
+          {"bodies", claimed(bodies.size() == conform::body_count)},
           {"caps", std::string(word(caps))},
           {"measure", std::string(word(measure))},
           {"directions", std::string(word(directions))},

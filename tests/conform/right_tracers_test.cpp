@@ -37,9 +37,11 @@ double near(Random& random, double x) {
 }
 
 /// The sizes and coordinates of the elements.
-std::vector<double> sizes(const scene::Scene& scene) {
+std::vector<double> sizes(const SuiteCase& of) {
   std::vector<double> all;
-  scene.for_each([&](scene::ElementRef, const auto& shape) {
+  for (const NamedBody& body : of.bodies) all.insert(all.end(), {longest(body.body), length_of(body.body.sides[0])});
+  if (!all.empty()) return all;
+  of.the_case.scene.for_each([&](scene::ElementRef, const auto& shape) {
     all.push_back(longest(shape));
     if constexpr (requires { shape.radio; }) all.push_back(shape.radio);
   });
@@ -53,13 +55,21 @@ std::vector<model::Tipo> tipos_of(const scene::Scene& scene, bool all) {
   return {tipos.begin(), tipos.end()};
 }
 
+std::vector<BodyKind> bodies_of(const SuiteCase& of, bool all) {
+  std::set<BodyKind> kinds;
+  for (std::size_t i = 0; i < body_count && all; ++i) kinds.insert(static_cast<BodyKind>(i));
+  for (const NamedBody& body : of.bodies) kinds.insert(body.body.kind);
+  return {kinds.begin(), kinds.end()};
+}
+
 /// Each clause of a profile is drawn, but for the limits on the distance.
 Profile drawn_profile(Random& random, const SuiteCase& of) {
   const scene::Scene& scene = of.the_case.scene;
-  const std::vector<double> lengths = sizes(scene);
+  const std::vector<double> lengths = sizes(of);
   Profile profile{.system = "right"};
   profile.format = static_cast<NumberFormat>(random.below(2));
   profile.tipos = tipos_of(scene, random.chance(1, 2));
+  profile.bodies = bodies_of(of, random.chance(1, 2));
   profile.caps = random.chance(7, 8) == !of.solids.empty() ? Caps::solid : Caps::open;
   profile.measure = static_cast<Measure>(random.below(3));
   profile.directions = static_cast<Directions>(random.below(3));
@@ -135,6 +145,7 @@ struct Judged {
 
 /// A lower bound of the size of an element, beside which the judge calls an error small.
 double size_of(const SuiteCase& of, scene::ElementRef element, double way) {
+  if (const AskedBody* const body = find_body(of.bodies, element)) return length_of(body->sides[0]);
   return of.the_case.scene.visit(element, [&]<class Shape>(const Shape& shape) {
     if constexpr (requires { shape.altura; })
       return shape.altura;
@@ -290,7 +301,8 @@ Judged judge_population(std::uint64_t suite_seed, std::uint64_t cases_of_each, s
     for (const Caps caps : {Caps::open, Caps::solid}) {
       const SuiteOptions options{
           .seed = suite_seed, .rays = cases_of_each * rays_of_a_case, .caps = caps, .numbers = numbers};
-      for (const Family& family : families_of_few()) {
+      for (const Family& family : families()) {
+        if (is_of_meshes(family) || (is_of_bodies(family) && caps == Caps::solid)) continue;
         for (std::uint64_t number = 0; number < cases(options, family); ++number) {
           INFO("suite seed " << suite_seed << ", " << word(numbers) << ", " << word(caps));
           SuiteCase of = suite_case(options, family, number);

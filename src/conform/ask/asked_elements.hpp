@@ -1,6 +1,6 @@
 #pragma once
-/// The elements of a scene as questions to a system see them. A disc that closes a solid is no element of its own for a
-/// system with solids: it follows from its wall, and is off by the errors of the wall.
+/// The elements of a scene as questions to a system see them: shapes and bodies. A disc that closes a solid is no
+/// element of its own for a system with solids: it follows from its wall, and is off by the errors of the wall.
 
 #include <span>
 
@@ -27,17 +27,32 @@ inline Dyadic magnitude(const DiscOfSolid& e, const model::Rayo& rayo, const Dya
 /// The elements of a scene, some of them discs of solids. Precondition of each visit: the element is in the scene.
 class AskedElements {
  public:
-  /// Without solids every disc is an element of its own. Scene and solids must outlive this object.
-  AskedElements(const scene::Scene& scene, std::span<const Solid> solids = {}) : scene_(&scene), solids_(solids) {}
+  /// Without solids every disc is an element of its own. Scene, solids and bodies must outlive this object.
+  AskedElements(const scene::Scene& scene, std::span<const Solid> solids = {}, std::span<const NamedBody> bodies = {})
+      : scene_(&scene), solids_(solids), bodies_(bodies) {}
 
   const scene::Scene& scene() const { return *scene_; }
 
   template <class Visit>
   decltype(auto) visit(scene::ElementRef element, Visit&& visit) const {
+    const AskedBody* const of_body = body(element);
+    return of_body == nullptr ? visit_shape(element, visit) : visit(*of_body);
+  }
+  /// visit() of an element that is no body.
+  template <class Visit>
+  decltype(auto) visit_shape(scene::ElementRef element, Visit&& visit) const {
     const Solid* solid = solid_closed_by(solids_, element);
     if (solid == nullptr) return scene_->visit(element, visit);
     return visit(disc_of(*solid, element));
   }
+  /// visit() where a disc that closes a solid is a disc like any other.
+  template <class Visit>
+  decltype(auto) visit_plain(scene::ElementRef element, Visit&& visit) const {
+    const AskedBody* const of_body = body(element);
+    return of_body == nullptr ? scene_->visit(element, visit) : visit(*of_body);
+  }
+  /// The body that the element is; null of a shape.
+  const AskedBody* body(scene::ElementRef element) const { return find_body(bodies_, element); }
 
  private:
   DiscOfSolid disc_of(const Solid& solid, scene::ElementRef element) const {
@@ -52,6 +67,7 @@ class AskedElements {
 
   const scene::Scene* scene_;
   std::span<const Solid> solids_;
+  std::span<const NamedBody> bodies_;
 };
 
 }  // namespace durero::conform

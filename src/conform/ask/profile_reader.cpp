@@ -1,5 +1,7 @@
 #include "conform/ask/profile_reader.hpp"
 
+#include <algorithm>
+
 #include "durero/io/json/whole_number.hpp"
 #include "durero/scene/shapes.hpp"
 
@@ -50,9 +52,11 @@ constexpr std::string_view profile_keys[] = {"format",
                                              "questions"};
 constexpr std::size_t required_keys = 7;
 
-constexpr auto shape_words = [] {
-  std::array<std::string_view, model::tipo_count> words{};
+/// The words of the types, and then those of the kinds of bodies.
+constexpr auto type_names = [] {
+  std::array<std::string_view, model::tipo_count + body_count> words{};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { words[scene::place_of<Shape>] = Shape::word; });
+  std::copy(body_words.begin(), body_words.end(), words.begin() + model::tipo_count);
   return words;
 }();
 
@@ -77,7 +81,7 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
       profile.format = read_word<NumberFormat>(in, what, format_words);
       return;
     case tipos:
-      return read_tipos(in, what, profile.tipos);
+      return read_tipos(in, what, profile.tipos, profile.bodies);
     case caps:
       profile.caps = read_word<Caps>(in, what, caps_words);
       return;
@@ -153,10 +157,17 @@ std::vector<Citation> read_sources(Reader& in) {
   return sources;
 }
 
-void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& read) {
+void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& tipos, std::vector<BodyKind>& bodies) {
   const std::size_t at = in.offset();
-  in.array(what, [&] { read.push_back(read_word<model::Tipo>(in, "a tipo", shape_words)); });
-  if (read.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
+  in.array(what, [&] {
+    const std::size_t number = read_word<std::size_t>(in, "a tipo", type_names);
+    if (number < model::tipo_count)
+      tipos.push_back(static_cast<model::Tipo>(number));
+    else
+      bodies.push_back(static_cast<BodyKind>(number - model::tipo_count));
+  });
+  if (tipos.empty() && bodies.empty())
+    in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
 }
 
 void read_exactly(Reader& in, std::string_view what, std::string_view expected) {

@@ -19,8 +19,9 @@ void read_profile_members(io::json::Reader& in, Profile& profile);
 /// Reads the array of a key "sources". Each claim must be a key of a profile.
 std::vector<Citation> read_sources(io::json::Reader& in);
 
-/// Reads the words of types of elements, at least one.
-void read_tipos(io::json::Reader& in, std::string_view what, std::vector<model::Tipo>& read);
+/// Reads the words of types of elements and of kinds of bodies, at least one.
+void read_tipos(io::json::Reader& in, std::string_view what, std::vector<model::Tipo>& tipos,
+                std::vector<BodyKind>& bodies);
 
 /// Reads a word of a closed set, which lists them in the order of the enumerators.
 template <class Enumeration, std::size_t count>

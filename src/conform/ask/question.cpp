@@ -40,13 +40,22 @@ std::string element_line(const model::Elemento& name, const Shape& shape) {
   return line + '\n';
 }
 
+std::string body_line(const model::Elemento& name, const AskedBody& body) {
+  std::string line = fmt::format("{} {}", word(body.kind), name.name());
+  append(line, body.centro);
+  for (const glm::dvec3& side : body.sides) append(line, side);
+  return line + '\n';
+}
+
 }  // namespace
 
 std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::size_t> rays) {
   std::string text = fmt::format("scene {}\n", of.name());
   const scene::Scene& scene = of.the_case.scene;
   scene.for_each([&](scene::ElementRef element, const auto& shape) {
-    if (!is_left_out(of, caps, element)) text += element_line(scene.name(element), shape);
+    if (is_left_out(of, caps, element)) return;
+    const AskedBody* const body = find_body(of.bodies, element);
+    text += body ? body_line(scene.name(element), *body) : element_line(scene.name(element), shape);
   });
   text += fmt::format("{} {}\n", rays_words[static_cast<std::size_t>(of.question)], rays.size());
   for (const std::size_t ray : rays) {

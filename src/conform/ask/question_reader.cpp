@@ -1,6 +1,7 @@
 // Reads questions, as a system does.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 
@@ -66,9 +67,25 @@ class NumberReader {
   std::size_t next_;
 };
 
+model::Elemento name_of(const QuestionLine& line) {
+  if (line.words.size() < 2 || !model::Elemento::is_name(line.words[1])) line.fail(1, "no name", "expected a name");
+  return model::Elemento(std::string(line.words[1]));
+}
+
+void read_body(const QuestionLine& line, BodyKind kind, scene::Scene& scene) {
+  const model::Elemento name = name_of(line);
+  AskedBody body{.kind = kind};
+  NumberReader numbers(line, 2);
+  numbers.read(body.centro);
+  for (glm::dvec3& side : body.sides) numbers.read(side);
+  numbers.end();
+  if (!is_body(body)) line.fail(5, "the sides lie in a plane", "expected three that span space");
+  if (!add_body(scene, name, body)) line.fail(1, text::shown(name.name()), "expected a name that is no element's");
+}
+
 template <class Shape>
 model::Answer add(const QuestionLine& line, scene::Scene& scene) {
-  if (line.words.size() < 2 || !model::Elemento::is_name(line.words[1])) line.fail(1, "no name", "expected a name");
+  const model::Elemento name = name_of(line);
   Shape shape{};
   NumberReader numbers(line, 2);
   for (const bool are_lengths : {false, true}) {
@@ -77,10 +94,12 @@ model::Answer add(const QuestionLine& line, scene::Scene& scene) {
     });
   }
   numbers.end();
-  return scene.add(model::Elemento(std::string(line.words[1])), shape);
+  return scene.add(name, shape);
 }
 
 void read_element(const QuestionLine& line, scene::Scene& scene) {
+  const auto* const body = std::ranges::find(body_words, line.words.front());
+  if (body != body_words.end()) return read_body(line, static_cast<BodyKind>(body - body_words.begin()), scene);
   std::optional<model::Answer> answer;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     if (line.words.front() == Shape::word) answer = add<Shape>(line, scene);

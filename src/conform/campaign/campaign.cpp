@@ -107,7 +107,7 @@ void read_member(Reader& in, CampaignKey key, Campaign& read, CampaignPlaces& pl
     case families_key:
       return read_families(in, read.families);
     case types:
-      return read_tipos(in, what, read.tipos.emplace());
+      return read_tipos(in, what, read.tipos.emplace(), read.bodies.emplace());
     case solids:
       read.caps = in.boolean(what) ? Caps::solid : Caps::open;
       return;
@@ -164,7 +164,7 @@ std::string identity(const Campaign& campaign, const Profile& profile) {
   out.begin_object().member("suite", suite_version).member("system", campaign.system);
   out.member("profile", campaign.profile).member("seed", campaign.seed);
   out.member("rays_of_a_shard", campaign.rays_of_a_shard);
-  out.member("types", type_words(options.tipos)).member("caps", word(options.caps));
+  out.member("types", type_words(options.tipos, options.bodies)).member("caps", word(options.caps));
   out.member("numbers", word(campaign.numbers)).member("time", campaign.time);
   if (campaign.faces != usual_faces) out.member("faces", campaign.faces);
   out.key("families").begin_array();
@@ -181,6 +181,7 @@ SuiteOptions suite_options(const Campaign& campaign, const Profile& profile) {
   return {.families = campaign.families,
           .seed = campaign.seed,
           .tipos = campaign.tipos.value_or(profile.tipos),
+          .bodies = campaign.bodies.value_or(profile.bodies),
           .caps = campaign.caps.value_or(profile.caps),
           .numbers = campaign.numbers,
           .faces = campaign.faces};

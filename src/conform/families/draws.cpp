@@ -17,7 +17,8 @@ double rounded_to_binary32(double x) {
 
 bool Draws::allows(model::Tipo tipo) const {
   const std::vector<model::Tipo>& asked = options_.tipos;
-  return asked.empty() || std::find(asked.begin(), asked.end(), tipo) != asked.end();
+  const bool are_all = asked.empty() && options_.bodies.empty();
+  return are_all || std::find(asked.begin(), asked.end(), tipo) != asked.end();
 }
 
 model::Tipo Draws::any_type_of(const std::vector<model::Tipo>& types) {

@@ -4,7 +4,6 @@
 
 #include "conform/families/family_table.hpp"
 #include "durero/conform/judge/truth.hpp"
-#include "durero/surface/exact.hpp"
 
 namespace durero::conform {
 
@@ -19,17 +18,21 @@ std::span<const Family> families() {
 
 namespace {
 
-std::size_t count_of_few() {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(family_table(), [](const FamilyRow& row) { return !row.is_of_meshes(); }));
+/// The number of families with a recipe of that kind.
+template <class OfRecipe>
+std::size_t count_of() {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      family_table(), [](const FamilyRow& row) { return std::holds_alternative<OfRecipe>(row.recipe); }));
 }
 
 }  // namespace
 
 const Family& ordinary_family() { return families().front(); }
-std::span<const Family> families_of_few() { return families().first(count_of_few()); }
-std::span<const Family> families_of_meshes() { return families().subspan(count_of_few()); }
+std::span<const Family> families_of_few() { return families().first(count_of<Recipe>()); }
+std::span<const Family> families_of_meshes() { return families().subspan(count_of<Recipe>(), count_of<MeshRecipe>()); }
+std::span<const Family> families_of_bodies() { return families().last(count_of<BodyRecipe>()); }
 bool is_of_meshes(const Family& family) { return row_of(family).is_of_meshes(); }
+bool is_of_bodies(const Family& family) { return row_of(family).is_of_bodies(); }
 
 const Family* find_family(std::string_view name) {
   const std::span<const Family> all = families();
@@ -45,7 +48,7 @@ Range parameter(const Family& family, NumberFormat numbers) {
 
 Membership membership(const Family& family, const Case& the_case, const scene::Query& ray) {
   const Questions& questions = row_of(family).questions;
-  const AnsweredQuery answered{the_case.scene, ray, surface::exact::first_hit(the_case.scene, ray.rayo, ray.en)};
+  const AnsweredQuery answered{the_case.scene, ray, truth(the_case.scene, ray).hit};
   return {questions.is_member(answered), questions.is_exact(answered)};
 }
 

@@ -7,6 +7,7 @@
 
 #include "conform/families/members.hpp"
 #include "conform/families/recipes.hpp"
+#include "conform/families/recipes_body.hpp"
 #include "conform/families/recipes_mesh.hpp"
 #include "durero/conform/families/families.hpp"
 
@@ -30,6 +31,12 @@ struct MeshRecipe {
   DrawnRay (*ray)(Draws&, int parameter, const DrawnMesh& mesh);
 };
 
+/// The functions that make the bodies of a scene, and then each ray for them.
+struct BodyRecipe {
+  std::vector<AskedBody> (*scene)(Draws&, int parameter);
+  DrawnRay (*ray)(Draws&, int parameter, recipes::BodySpan bodies);
+};
+
 /// The conditions that make a ray a member, and an exact one.
 struct Questions {
   bool (*is_member)(const AnsweredQuery&);
@@ -49,14 +56,16 @@ struct OfBinary32 {
 struct FamilyRow {
   Family family;
   Floors floors;
-  std::variant<Recipe, MeshRecipe> recipe;
+  std::variant<Recipe, MeshRecipe, BodyRecipe> recipe;
   Questions questions;
   OfBinary32 of_binary32{};
 
   bool is_of_meshes() const { return std::holds_alternative<MeshRecipe>(recipe); }
+  bool is_of_bodies() const { return std::holds_alternative<BodyRecipe>(recipe); }
 };
 
-/// Every family, in the order in which they are published: the families of meshes are the last.
+/// Every family, in the order in which they are published: those of meshes, and then those of bodies,
+/// are the last.
 std::span<const FamilyRow> family_table();
 
 /// The row of a family. Throws std::invalid_argument where the family is none of families().

@@ -175,6 +175,21 @@ std::optional<DrawnCase> generate_mesh(const MeshRecipe& recipe, Draws& random, 
   return drawn;
 }
 
+/// Names of bodies of one digit are in ascending order, as a scene file lists them.
+std::optional<DrawnCase> generate_bodies(const BodyRecipe& recipe, Draws& random, DrawnCase drawn, std::size_t rays) {
+  if (!random.allows_bodies()) return std::nullopt;
+  const std::vector<AskedBody> bodies = recipe.scene(random, drawn.parameter);
+  scene::Scene& scene = drawn.the_case.scene;
+  for (const AskedBody& body : bodies) {
+    const model::Elemento name("e" + std::to_string(drawn.bodies.size()));
+    if (!add_body(scene, name, body)) contract::unreachable();
+    drawn.bodies.push_back({scene.find(name.name()).value(), body});
+  }
+  const auto draw = [&] { return recipe.ray(random, drawn.parameter, bodies); };
+  draw_rays(random, drawn.the_case.rays, rays, draw, [](std::size_t) -> scene::ElementRef { contract::unreachable(); });
+  return drawn;
+}
+
 }  // namespace
 
 std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std::size_t rays,
@@ -184,6 +199,8 @@ std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std:
   Draws random(seed_of(family, seed), options);
   DrawnCase drawn{{}, random.integer(range.least, range.greatest)};
   if (const auto* of_mesh = std::get_if<MeshRecipe>(&row.recipe)) return generate_mesh(*of_mesh, random, drawn, rays);
+  if (const auto* of_bodies = std::get_if<BodyRecipe>(&row.recipe))
+    return generate_bodies(*of_bodies, random, drawn, rays);
   const Recipe& recipe = std::get<Recipe>(row.recipe);
   const std::optional<FramedScene> framed = drawn_scene(random, recipe, drawn.parameter);
   if (!framed) return std::nullopt;

@@ -63,6 +63,10 @@ bool coplanar(const AnsweredQuery& q);         ///< hits several at one point, o
 bool at_edges(const AnsweredQuery& q);       ///< meets an edge or a vertex, or several elements at one point
 bool starts_beside(const AnsweredQuery& q);  ///< starts in the box of a triangle, or by 1/8 of its edges beside it
 
+// These are the families of bodies (members_body.cpp).
+bool starts_in_body(const AnsweredQuery& q);       ///< has points of a body before and behind its origin
+bool coincides_with_body(const AnsweredQuery& q);  ///< touches a body, hits several, or v has a coordinate 0
+
 // The family of margins (members_margin.cpp) asks for the distance from a bound: from the limb of a sphere or the rim
 // of a disc in radii, from an end along the axis in alturas, from an edge of a triangle by barycentric coordinate;
 // where the ray meets nothing before.

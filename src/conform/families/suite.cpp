@@ -16,7 +16,11 @@ namespace {
 std::uint64_t seed_of_case(std::uint64_t seed, std::uint64_t number) { return scattered(scattered(seed) + number); }
 
 CaseOptions of_cases(const SuiteOptions& options) {
-  return {.numbers = options.numbers, .tipos = options.tipos, .caps = options.caps, .faces = options.faces};
+  return {.numbers = options.numbers,
+          .tipos = options.tipos,
+          .bodies = options.bodies,
+          .caps = options.caps,
+          .faces = options.faces};
 }
 
 }  // namespace
@@ -43,7 +47,8 @@ SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uin
   const std::size_t rays = std::min(rays_of(family), options.rays - number * rays_of(family));
   DrawnCase drawn = generate(family, seed_of_case(options.seed, number), rays, of_cases(options)).value();
   for (scene::Query& ray : drawn.the_case.rays) ray.en.clear();
-  return {&family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids)};
+  return {
+      &family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids), std::move(drawn.bodies)};
 }
 
 const Family own_family{"own", "rays that a user brings", "a scene and rays of one's own", {"none", 0, 0}};

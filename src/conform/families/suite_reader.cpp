@@ -63,7 +63,7 @@ SuiteOptions read_options(const io::Source& source) {
         options.caps = read_word<Caps>(in, "caps", caps_words);
         return;
       case tipos:
-        return read_tipos(in, "tipos", options.tipos);
+        return read_tipos(in, "tipos", options.tipos, options.bodies);
       case families:
         return in.array("families", [&] { options.families.push_back(read_family(in)); });
       case faces:
@@ -94,13 +94,38 @@ Solid read_solid(Reader& in, const scene::Scene& scene) {
   return solid;
 }
 
-/// Reads the parameter and the solids; the rest follows from the scene and the rays.
+/// Reads a body of the scene. The scene's file must hold the body that follows from its numbers.
+NamedBody read_body(Reader& in, const scene::Scene& scene) {
+  constexpr std::array<std::string_view, 6> keys{"id", "tipo", "centro", "x", "y", "z"};
+  NamedBody named{};
+  const std::size_t at = in.offset();
+  in.object("a body", keys, keys.size(), [&](std::size_t key) {
+    if (key == 0)
+      named.element = read_element(in, scene);
+    else if (key == 1)
+      named.body.kind = read_word<BodyKind>(in, "tipo", body_words);
+    else
+      (key == 2 ? named.body.centro : named.body.sides[key - 3]) = in.vec3(keys[key]);
+  });
+  if (scene.body(named.element) == nullptr || !is_body(named.body))
+    in.fail(at, "no body", "expected one of the scene, whose sides span space");
+  return named;
+}
+
+/// The scene with the bodies that follow from their numbers.
+scene::Scene with_bodies(scene::Scene scene, const std::vector<NamedBody>& bodies) {
+  for (const auto& [element, body] : bodies) scene.set_body(element, exact_body(body));
+  return scene;
+}
+
+/// Reads the parameter, the solids and the bodies; the rest follows from the scene and the rays.
 void read_sidecar(const io::Source& source, SuiteCase& of) {
   const io::json::Document document(source);
   Reader in(document);
   in.members("a case", [&](const io::json::Key& key) {
     if (key.name == "solids")
       return in.array("solids", [&] { of.solids.push_back(read_solid(in, of.the_case.scene)); });
+    if (key.name == "bodies") return in.array("bodies", [&] { of.bodies.push_back(read_body(in, of.the_case.scene)); });
     if (key.name != "parameter") return in.skip();
     in.members("parameter", [&](const io::json::Key& part) {
       if (part.name != "value") return in.skip();
@@ -128,7 +153,7 @@ SuiteCase read_case(const std::string& directory, const SuiteOptions& options, c
   of.number = number;
   const std::string path = fmt::format("{}/{}", directory, of.name());
   const auto source = [&](std::string_view ending) { return io::read_source(fmt::format("{}{}", path, ending)); };
-  of.the_case.scene = io::read_scene(source(scene_ending));
+  of.the_case.scene = io::read_scene(source(scene_ending), io::Bodies::read);
   const io::Source rays = source(rays_ending);
   of.the_case.rays = io::read_rays(rays, of.the_case.scene);
   const std::size_t expected = std::min(rays_of(family), options.rays - number * rays_of(family));
@@ -136,6 +161,7 @@ SuiteCase read_case(const std::string& directory, const SuiteOptions& options, c
     rays.fail(rays.text().size(), fmt::format("{} rays", of.the_case.rays.size()),
               fmt::format("expected {}", expected));
   read_sidecar(source(sidecar_ending), of);
+  of.the_case.scene = with_bodies(std::move(of.the_case.scene), of.bodies);
   answer(of);
   counted = summary(of);
   for (const File& file : case_files(of, counted.count)) require_text(source(file.ending), file.text);

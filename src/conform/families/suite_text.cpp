@@ -26,6 +26,18 @@ void write_solids(Writer& out, const SuiteCase& of) {
   out.end_array();
 }
 
+/// A case without bodies says nothing of them.
+void write_bodies(Writer& out, const SuiteCase& of) {
+  if (of.bodies.empty()) return;
+  out.new_line().key("bodies").begin_array();
+  for (const auto& [element, body] : of.bodies) {
+    out.begin_object().member("id", of.the_case.scene.name(element).name()).member("tipo", word(body.kind));
+    out.member("centro", body.centro).member("x", body.sides[0]).member("y", body.sides[1]);
+    out.member("z", body.sides[2]).end_object();
+  }
+  out.end_array();
+}
+
 void write_truths(Writer& out, const SuiteCase& of) {
   out.key("truths").begin_array();
   for (std::size_t i = 0; i < of.truths.size(); ++i) {
@@ -61,6 +73,7 @@ std::string sidecar_text(const SuiteCase& of, const Count& counted) {
   out.member("name", of.family->parameter.name).member("value", number(of.parameter)).end_object();
   write_count(out, counted);
   write_solids(out.new_line(), of);
+  write_bodies(out, of);
   write_truths(out.new_line(), of);
   out.end_object();
   return text + '\n';
@@ -103,10 +116,15 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
   write_version(out.begin_object(), suite_format);
   out.member("seed", options.seed).member("rays", std::uint64_t{options.rays});
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps)).key("tipos").begin_array();
+  const bool are_all = options.tipos.empty() && options.bodies.empty();
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     const auto& asked = options.tipos;
-    if (asked.empty() || std::find(asked.begin(), asked.end(), Shape::tipo) != asked.end()) out.value(Shape::word);
+    if (are_all || std::find(asked.begin(), asked.end(), Shape::tipo) != asked.end()) out.value(Shape::word);
   });
+  for (std::size_t i = 0; i < body_count; ++i) {
+    const auto kind = static_cast<BodyKind>(i);
+    if (are_all || std::ranges::find(options.bodies, kind) != options.bodies.end()) out.value(word(kind));
+  }
   out.end_array();
   if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});
   out.new_line().key("families").begin_array();

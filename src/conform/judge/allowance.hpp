@@ -35,6 +35,8 @@ struct Precision {
 
 inline double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+inline Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
+
 /// Whether the component of the specification holds positions or lengths; a unit vector and a ratio are neither.
 template <class Component>
 constexpr bool is_length(Component component) {

@@ -15,7 +15,7 @@ namespace {
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// Whether every number of the shape is one: a change may have left the range of binary64.
-bool is_finite(scene::AnyShape shape) {
+bool is_finite(AskedShape shape) {
   const Places of = places(shape);
   const auto is = [](const auto* number) {
     if constexpr (std::is_same_v<decltype(number), const double*>)
@@ -23,7 +23,7 @@ bool is_finite(scene::AnyShape shape) {
     else
       return is_finite(*number);
   };
-  return std::ranges::all_of(of.points, is) && std::ranges::all_of(of.axes, is) &&
+  return std::ranges::all_of(of.points, is) && std::ranges::all_of(of.axes, is) && std::ranges::all_of(of.sides, is) &&
          std::ranges::all_of(of.lengths, is) && std::ranges::all_of(of.ratios, is);
 }
 
@@ -58,13 +58,41 @@ bool close(SuiteCase& of, const Draft::Element& element) {
   return true;
 }
 
+/// Adds an element of a draft. Returns whether the model takes it.
+template <class Shape>
+bool add_to(SuiteCase& of, const model::Elemento& name, const Shape& shape) {
+  return of.the_case.scene.add(name, shape).ok();
+}
+bool add_to(SuiteCase& of, const model::Elemento& name, const AskedBody& body) {
+  if (!add_body(of.the_case.scene, name, body)) return false;
+  of.bodies.push_back({of.the_case.scene.find(name.name()).value(), body});
+  return true;
+}
+bool add(SuiteCase& of, const Draft::Element& element) {
+  const model::Elemento name(element.name);
+  return std::visit([&](const auto& shape) { return add_to(of, name, shape); }, element.shape);
+}
+
 }  // namespace
+
+std::string_view word_of(const AskedShape& any) {
+  return std::visit(
+      []<class Shape>(const Shape& shape) {
+        if constexpr (std::is_same_v<Shape, AskedBody>)
+          return word(shape.kind);
+        else
+          return Shape::word;
+      },
+      any);
+}
 
 Draft::Draft(const SuiteCase& of)
     : p(of.the_case.rays[0].rayo.p().xyz()), v(of.the_case.rays[0].rayo.v().xyz()), are_closed(!of.solids.empty()) {
   const scene::Scene& scene = of.the_case.scene;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    if (solid_closed_by(of.solids, e) == nullptr) elements.push_back({std::string(scene.name(e).name()), shape});
+    if (solid_closed_by(of.solids, e) != nullptr) return;
+    const AskedBody* const body = find_body(of.bodies, e);
+    elements.push_back({std::string(scene.name(e).name()), body ? AskedShape(*body) : AskedShape(shape)});
   });
   question = of.question;
   if (has_range(question)) range = of.ranges[0];
@@ -78,8 +106,7 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
       .family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}, .question = question};
   for (const Element& element : elements) {
     if (!is_finite(element.shape)) return std::nullopt;
-    const auto add = [&](const auto& shape) { return of.the_case.scene.add(model::Elemento(element.name), shape); };
-    if (!std::visit(add, element.shape).ok()) return std::nullopt;
+    if (!add(of, element)) return std::nullopt;
   }
   for (const Element& element : elements) {
     if (are_closed && !close(of, element)) return std::nullopt;
@@ -95,24 +122,35 @@ std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   return of;
 }
 
-Places places(scene::AnyShape& any) {
+namespace {
+
+template <class Shape>
+void add_places(Places& all, Shape& shape) {
+  scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
+    auto& stored = shape.*attribute.field;
+    if constexpr (std::is_same_v<typename Row::Stored, scene::Corners>) {
+      for (glm::dvec3& corner : stored) all.points.push_back(&corner);
+    } else if constexpr (std::is_same_v<typename Row::Input, model::Punto>) {
+      all.points.push_back(&stored);
+    } else if constexpr (std::is_same_v<typename Row::Input, model::Vector>) {
+      all.axes.push_back(&stored);
+    } else {
+      const bool is_ratio = attribute.component == &scene::AnyEscena::mi_proporcion;
+      (is_ratio ? all.ratios : all.lengths).push_back(&stored);
+    }
+  });
+}
+
+void add_places(Places& all, AskedBody& body) {
+  all.points.push_back(&body.centro);
+  for (glm::dvec3& side : body.sides) all.sides.push_back(&side);
+}
+
+}  // namespace
+
+Places places(AskedShape& any) {
   Places all;
-  const auto add = [&]<class Shape>(Shape& shape) {
-    scene::for_each_attribute<Shape>([&]<class Row>(const Row& attribute) {
-      auto& stored = shape.*attribute.field;
-      if constexpr (std::is_same_v<typename Row::Stored, scene::Corners>) {
-        for (glm::dvec3& corner : stored) all.points.push_back(&corner);
-      } else if constexpr (std::is_same_v<typename Row::Input, model::Punto>) {
-        all.points.push_back(&stored);
-      } else if constexpr (std::is_same_v<typename Row::Input, model::Vector>) {
-        all.axes.push_back(&stored);
-      } else {
-        const bool is_ratio = attribute.component == &scene::AnyEscena::mi_proporcion;
-        (is_ratio ? all.ratios : all.lengths).push_back(&stored);
-      }
-    });
-  };
-  std::visit(add, any);
+  std::visit([&](auto& shape) { add_places(all, shape); }, any);
   return all;
 }
 
@@ -149,6 +187,7 @@ void scale_with_t(Draft& draft, int k) {
   for (Draft::Element& element : draft.elements) {
     const Places of = places(element.shape);
     for (glm::dvec3* point : of.points) *point *= factor;
+    for (glm::dvec3* side : of.sides) *side *= factor;
     for (double* length : of.lengths) *length *= factor;
   }
 }
@@ -160,11 +199,11 @@ void translate(Draft& draft, const glm::dvec3& by) {
 }
 
 double size_of(const Draft& draft) {
-  scene::AnyShape first = draft.elements.front().shape;
+  AskedShape first = draft.elements.front().shape;
   const Places of = places(first);
   if (!of.lengths.empty()) return *of.lengths.front();
   double size = 0;
-  for (const glm::dvec3* point : of.points) size = std::max(size, largest(*point));
+  for (const glm::dvec3* point : of.sides.empty() ? of.points : of.sides) size = std::max(size, largest(*point));
   return size > 0 ? size : 1;
 }
 

@@ -10,10 +10,22 @@
 
 namespace durero::conform {
 
+/// Any shape, or a body.
+template <class Shapes>
+struct AskedShapeOf;
+template <class... Shape>
+struct AskedShapeOf<std::variant<Shape...>> {
+  using type = std::variant<Shape..., AskedBody>;
+};
+using AskedShape = AskedShapeOf<scene::AnyShape>::type;
+
+/// The word of its type or kind.
+std::string_view word_of(const AskedShape& shape);
+
 struct Draft {
   struct Element {
     std::string name;
-    scene::AnyShape shape;
+    AskedShape shape;
   };
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
@@ -30,14 +42,15 @@ struct Draft {
   std::optional<SuiteCase> built(const SuiteCase& like) const;
 };
 
-/// The numbers of a shape that a change may touch. Each attribute is of one of these kinds.
+/// The numbers of a shape or a body that a change may touch. Each is of one of these kinds.
 struct Places {
   std::vector<glm::dvec3*> points;  ///< the centre, or the vertices
   std::vector<glm::dvec3*> axes;    ///< the unit vector
+  std::vector<glm::dvec3*> sides;   ///< those of a body
   std::vector<double*> lengths;
   std::vector<double*> ratios;
 };
-Places places(scene::AnyShape& shape);
+Places places(AskedShape& shape);
 
 /// The numbers of the draft's range.
 std::vector<double*> ends(Draft& draft);
@@ -55,7 +68,7 @@ void scale_with_t(Draft& draft, int k);
 /// Moves the elements and the origin.
 void translate(Draft& draft, const glm::dvec3& by);
 /// The size of the draft: the first length of its first element; without one, the largest coordinate of the element's
-/// points, or 1 where that is 0. Precondition: there is an element.
+/// sides or points, or 1 where that is 0. Precondition: there is an element.
 double size_of(const Draft& draft);
 
 }  // namespace durero::conform

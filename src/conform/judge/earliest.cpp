@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "conform/judge/shell.hpp"
+#include "conform/judge/body_space.hpp"
 #include "conform/judge/zones.hpp"
 
 namespace durero::conform {
@@ -57,20 +57,37 @@ std::vector<Parameter> beginnings(const Along& shell, const Parameter& from) {
   return all;
 }
 
+/// The first t ≥ from at which the ray of some data may meet the shape. The conditions of a shell are closed: where all
+/// of them hold for some t ≥ from, the least such t is `from` or a root of one.
+template <class Shape>
+std::optional<Parameter> earliest_of(const Shape& shape, const model::Rayo& rayo, const Precision& precision,
+                                     const Parameter& from) {
+  const std::optional<Along> around = shell_along(shape, rayo, precision);
+  if (!around) return from;
+  const std::vector<Parameter> all = beginnings(*around, from);
+  const auto first = std::find_if(all.begin(), all.end(), [&](const Parameter& t) { return may_hold_at(*around, t); });
+  return first == all.end() ? std::nullopt : std::optional(*first);
+}
+
+/// The same of a body. With m its largest coordinate or the origin's, each coordinate of a point of it, moved, is at
+/// most 4m + 14δ. So t·v is at most 5m + 15δ there, and M at most 6m where 15δ ≤ m.
+std::optional<Parameter> earliest_of(const AskedBody& body, const model::Rayo& rayo, const Precision& precision,
+                                     const Parameter& from) {
+  const Dyadic m = magnitude(body, rayo, {});
+  const Allowance allowed(precision, Dyadic(6) * m, rayo);
+  if (allowed.times(15) > m) return from;
+  const Dyadic eta = eta_of(body, allowed);
+  const std::optional<BodyStretch> out = stretch_in(body, rayo, eta), in = stretch_in(body, rayo, -eta);
+  if (!out || order(out->end, from) < 0) return std::nullopt;
+  if (order(from, out->begin) <= 0) return out->begin;
+  return in && order(in->begin, from) < 0 && order(from, in->end) < 0 ? in->end : from;
+}
+
 }  // namespace
 
-/// The conditions of a shell are closed: where all of them hold for some t ≥ from, the least such t is `from` or a root
-/// of one.
 std::optional<Parameter> earliest(const AskedElements& elements, scene::ElementRef element, const model::Rayo& rayo,
                                   const Precision& precision, const Parameter& from) {
-  return elements.visit(element, [&](const auto& shape) -> std::optional<Parameter> {
-    const std::optional<Along> around = shell_along(shape, rayo, precision);
-    if (!around) return from;
-    const std::vector<Parameter> all = beginnings(*around, from);
-    const auto first =
-        std::find_if(all.begin(), all.end(), [&](const Parameter& t) { return may_hold_at(*around, t); });
-    return first == all.end() ? std::nullopt : std::optional(*first);
-  });
+  return elements.visit(element, [&](const auto& asked) { return earliest_of(asked, rayo, precision, from); });
 }
 
 }  // namespace durero::conform

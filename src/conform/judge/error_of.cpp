@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "conform/judge/body_space.hpp"
 #include "conform/judge/shell.hpp"
 #include "durero/number/quotient.hpp"
 #include "durero/surface/normal.hpp"
@@ -34,6 +35,9 @@ Dyadic squared_size(const Shape& shape, const Dyadic& squared_way) {
     return square(Dyadic(shape.radio));
   }
 }
+
+Dyadic squared_size(const AskedBody& body, const Dyadic&) { return squared_size_of_body(body); }
+double distance(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) { return distance_of_body(body, w, M); }
 
 /// Whether a distance, given by its square, is at most 0.001 of the shape's size.
 template <class Shape>
@@ -113,13 +117,14 @@ bool is_far(const ClaimContext& trial, const ClaimedPoint& place) {
   const Dyadic squared = squared_length(Point<Dyadic>{w.x - right.x, w.y - right.y, w.z - right.z});
   const Dyadic squared_way = square(t) * squared_length(exact(v));
   return std::none_of(hit.elementos.begin(), hit.elementos.end(), [&](scene::ElementRef element) {
-    return trial.scene.visit(element, [&](const auto& shape) { return is_small(squared, shape, squared_way); });
+    return trial.elements().visit_plain(element,
+                                        [&](const auto& shape) { return is_small(squared, shape, squared_way); });
   });
 }
 
 bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element) {
   const Dyadic squared_way = square(place.way);
-  return trial.scene.visit(element, [&](const auto& shape) {
+  return trial.elements().visit_plain(element, [&](const auto& shape) {
     const Dyadic M = magnitude(shape, trial.ray.rayo, place.way);
     const double apart = number::sign(M) == 0 ? 0 : distance(shape, place.punto, M);
     return std::isfinite(apart) && is_small(square(Dyadic(apart) * M), shape, squared_way);
@@ -128,7 +133,8 @@ bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene
 
 bool is_near_origin(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element) {
   const Dyadic squared = squared_length(from(trial.ray.rayo.p().xyz(), place.punto)), squared_way = square(place.way);
-  return trial.scene.visit(element, [&](const auto& shape) { return is_small(squared, shape, squared_way); });
+  return trial.elements().visit_plain(element,
+                                      [&](const auto& shape) { return is_small(squared, shape, squared_way); });
 }
 
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
@@ -145,7 +151,7 @@ double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& p
 double backward_error(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   double least_distance = infinity;
   trial.any_named(claim, [&](scene::ElementRef element) {
-    trial.scene.visit(element, [&](const auto& shape) {
+    trial.elements().visit_plain(element, [&](const auto& shape) {
       const Dyadic M = magnitude(shape, trial.ray.rayo, place.way);
       if (number::sign(M) != 0) least_distance = std::min(least_distance, distance(shape, place.punto, M));
     });
@@ -160,6 +166,7 @@ double backward_error_near_truth(const ClaimContext& trial, const Claim& claim, 
   const glm::dvec3 way = place.given ? (*place.given - hit.t) * v : *claim.punto - hit.punto;
   const auto element = std::find_if(hit.elementos.begin(), hit.elementos.end(),
                                     [&](scene::ElementRef candidate) { return trial.names(claim, candidate); });
+  if (trial.elements().body(*element)) return backward_error(trial, claim, place);
   const double length = trial.scene.visit(*element, [](const auto& shape) { return largest_length(shape); });
   const double M = std::max({length, largest(p), hit.t * largest(v)});
   const double across = std::abs(glm::dot(way, surface::normal(trial.scene, *element, hit.punto))) / M;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "conform/judge/allowance.hpp"
+#include "conform/judge/body_space.hpp"
 #include "conform/judge/draft.hpp"
 #include "conform/judge/limits.hpp"
 #include "conform/judge/trial.hpp"
@@ -30,7 +31,10 @@ std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& p
 
 double magnitude(const SuiteCase& of, const std::optional<glm::dvec3>& claimed) {
   double M = largest(of.the_case.rays[0].rayo.p().xyz());
-  of.the_case.scene.for_each([&](auto, const auto& shape) { M = std::max(M, largest_length(shape)); });
+  const AskedElements elements(of.the_case.scene, {}, of.bodies);
+  of.the_case.scene.for_each([&](scene::ElementRef e, const auto&) {
+    M = std::max(M, elements.visit_plain(e, [](const auto& asked) { return largest_length(asked); }));
+  });
   const scene::Hit& hit = of.truths[0].hit;
   if (hit.resultado == model::Resultado::hit) M = std::max(M, largest(hit.punto));
   return claimed ? std::max(M, largest(*claimed)) : M;
@@ -76,7 +80,9 @@ double across(const glm::dvec3& w, const scene::Sphere& shape) { return glm::len
 /// Makes the surface go through the point, by its radius where it has one. Returns the size of the change.
 template <class Shape>
 double put_through(Shape& shape, const glm::dvec3& w) {
-  if constexpr (std::is_same_v<Shape, scene::Triangle>) {
+  if constexpr (std::is_same_v<Shape, AskedBody>) {
+    return 0;  // it is only moved
+  } else if constexpr (std::is_same_v<Shape, scene::Triangle>) {
     auto& [a, b, c] = shape.vertices;
     const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
     const double off = glm::dot(w - a, n);

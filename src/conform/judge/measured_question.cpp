@@ -34,7 +34,11 @@ struct Measures {
 
 template <class Shape>
 Measures measures(const Shape& shape) {
-  if constexpr (requires { shape.vertices; }) {
+  if constexpr (std::is_same_v<Shape, AskedBody>) {
+    const auto [least, most] =
+        std::minmax({length_of(shape.sides[0]), length_of(shape.sides[1]), length_of(shape.sides[2])});
+    return {shape.centro, least, 3 * most};
+  } else if constexpr (requires { shape.vertices; }) {
     const auto& [a, b, c] = shape.vertices;
     const double longest = std::max({glm::length(b - a), glm::length(c - a), glm::length(c - b)});
     return {(a + b + c) / 3.0, longest, longest};
@@ -69,7 +73,7 @@ double distance_of(const Finding& finding, const MeasuredQuestion& question, con
 
 MeasuredQuestion::MeasuredQuestion(const Finding& finding, const Profile& profile)
     : draft(finding.of), target(target_of(finding, draft)), length(std::hypot(draft.v.x, draft.v.y, draft.v.z)) {
-  const scene::AnyShape& shape = draft.elements[target].shape;
+  const AskedShape& shape = draft.elements[target].shape;
   const Measures of = std::visit([](const auto& known) { return measures(known); }, shape);
   middle = of.middle;
   size = of.size;

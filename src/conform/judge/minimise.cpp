@@ -80,6 +80,7 @@ void move_home(FailureMinimiser& search) {
   search.attempt([](Draft& draft) {
     const Places of = places(draft.elements.front().shape);
     if (!of.lengths.empty()) scale(draft, -std::ilogb(*of.lengths.front()));
+    if (!of.sides.empty()) scale(draft, -std::ilogb(largest(*of.sides.front())));
   });
   round_length(search);
 }

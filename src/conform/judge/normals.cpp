@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "conform/judge/shell.hpp"
+#include "conform/judge/body_space.hpp"
 #include "durero/number/quotient.hpp"
 
 namespace durero::conform {
@@ -16,7 +16,6 @@ using Vector = Point<Dyadic>;
 Vector exact_vector(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
 Vector sum(const Vector& a, const Vector& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vector times(const Dyadic& factor, const Vector& a) { return {factor * a.x, factor * a.y, factor * a.z}; }
-Dyadic absolute(const Dyadic& a) { return sign(a) < 0 ? -a : a; }
 
 /// The outward normals at a place, of any positive length: `middle` is that of the data given, and those of moved data
 /// are off from it by `error` at most.
@@ -58,6 +57,9 @@ NormalBall normals_at(const scene::Disc& e, const Vector&, const Allowance& allo
 NormalBall normals_at(const DiscOfSolid& e, const Vector&, const Allowance& allowed) {
   return normals_of(e.disc.vector, allowed);
 }
+
+/// Of the normal of a body only its length is judged: here any direction is right.
+NormalBall normals_at(const AskedBody&, const Vector&, const Allowance&) { return {{0, 0, 0}, 1}; }
 
 /// The edges of a triangle are off by 2√3·δ < 3.47·δ each, and the product of two, a × b, by 3.47·δ·(|a| + |b|) +
 /// (3.47·δ)². Any two edges have the same product; the shortest have the least error.

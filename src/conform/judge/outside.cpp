@@ -61,12 +61,29 @@ std::string clause_of(const ClaimContext& trial, ElementRef element, const Shape
   return clause;
 }
 
+/// The same of a body, whose sizes are the lengths of its sides.
+std::string clause_of_body(const Profile& profile, const AskedBody& body) {
+  if (std::ranges::find(profile.bodies, body.kind) == profile.bodies.end())
+    return fmt::format("no {}", word(body.kind));
+  const double greatest = profile.greatest_coordinate;
+  std::string clause;
+  if (is_beyond(largest(body.centro), 0, greatest)) clause = beyond(largest(body.centro), "a coordinate", 0, greatest);
+  for (const glm::dvec3& side : body.sides) {
+    const double size = length_of(side);
+    if (!is_of(largest(side), profile.format)) return "numbers of binary32";
+    if (clause.empty() && is_beyond(size, profile.least_size, profile.greatest_size))
+      clause = beyond(size, "a size", profile.least_size, profile.greatest_size);
+  }
+  return is_of(body.centro, profile.format) ? clause : "numbers of binary32";
+}
+
 }  // namespace
 
 std::string outside_by_scene(const ClaimContext& trial) {
   std::string clause;
   trial.scene.any_of([&](ElementRef element, const auto& shape) {
-    clause = clause_of(trial, element, shape);
+    const AskedBody* const body = trial.elements().body(element);
+    clause = body ? clause_of_body(trial.profile, *body) : clause_of(trial, element, shape);
     return !clause.empty();
   });
   return clause;

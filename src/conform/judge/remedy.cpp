@@ -19,6 +19,7 @@ std::vector<glm::dvec3*> vectors(Draft& draft) {
     const Places of = places(element.shape);
     all.insert(all.end(), of.points.begin(), of.points.end());
     all.insert(all.end(), of.axes.begin(), of.axes.end());
+    all.insert(all.end(), of.sides.begin(), of.sides.end());
   }
   return all;
 }
@@ -131,7 +132,8 @@ bool has_zero(const glm::dvec3& w) { return w.x == 0 || w.y == 0 || w.z == 0; }
 bool is_parallel(const MeasuredQuestion& question) {
   Draft draft = question.draft;
   const Places of = places(draft.elements[question.target].shape);
-  return has_zero(draft.v) || std::ranges::any_of(of.axes, [](const glm::dvec3* axis) { return has_zero(*axis); });
+  const auto has = [](const glm::dvec3* axis) { return has_zero(*axis); };
+  return has_zero(draft.v) || std::ranges::any_of(of.axes, has) || std::ranges::any_of(of.sides, has);
 }
 
 bool meets(const SuiteCase& of, const std::string& element) {

@@ -3,9 +3,12 @@
 /// meets the ray at no 0 < t ≤ limit (trace/candidates.hpp), so that what is asked of all elements may be asked of
 /// those that it names.
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "durero/accel/wide/wide_bvh.hpp"
+#include "durero/composed/figure.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/trace/candidates.hpp"
@@ -15,12 +18,20 @@ namespace durero::conform {
 class SceneTree {
  public:
   /// The tree of a scene, which must outlive it unedited, for about so many rays. Few elements, or few rays, are asked
-  /// one by one: there is no tree then.
+  /// one by one: there is no tree then. Nor is there one of a scene with bodies, which stand elsewhere in the tables.
   SceneTree(const scene::Scene& scene, std::size_t rays) : scene_(&scene) {
-    if (scene.size() >= least_elements && rays >= least_rays) tree_.emplace(scene);
+    if (scene.has_bodies())
+      make_figures();
+    else if (scene.size() >= least_elements && rays >= least_rays)
+      tree_.emplace(scene);
   }
 
   const scene::Scene& scene() const { return *scene_; }
+
+  /// The points of the element as a ray meets them, where it is a body; null of a shape.
+  const composed::Figure* figure(scene::ElementRef e) const {
+    return figures_.empty() || e.tipo != scene::Sphere::tipo ? nullptr : figures_[e.index].get();
+  }
 
   /// visit(e) once for each element that the ray may meet at 0 < t ≤ limit(), or starts on, and perhaps for others. The
   /// limit may fall between visits.
@@ -37,11 +48,20 @@ class SceneTree {
   }
 
  private:
+  void make_figures() {
+    figures_.resize(scene_->shapes<scene::Sphere>().size());
+    for (std::uint32_t i = 0; i < figures_.size(); ++i) {
+      const scene::Body* const body = scene_->body({scene::Sphere::tipo, i});
+      if (body != nullptr) figures_[i] = composed::figure(*body);
+    }
+  }
+
   // A tree of n elements takes the time of some ten rays against each of them.
   static constexpr std::size_t least_elements = 48, least_rays = 8;
 
   const scene::Scene* scene_;
-  std::optional<accel::WideBvh> tree_;
+  std::optional<accel::WideBvh> tree_{};
+  std::vector<std::unique_ptr<const composed::Figure>> figures_{};  // by the row of the sphere that a body stands as
 };
 
 }  // namespace durero::conform

@@ -14,7 +14,6 @@ using surface::Point;
 
 Dyadic dot(const Point<Dyadic>& a, const Point<Dyadic>& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Point<Dyadic> dyadic_point(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
-Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
 
 /// The parameter length/|v|, rounded once; a quotient beyond the range of binary64 becomes the largest finite number.
 /// times_length() is the way back, t·|v|, rounded once.
@@ -82,6 +81,7 @@ std::vector<scene::ElementRef> ClaimContext::solids_around_origin() const {
   const auto add = [&](scene::ElementRef element) {
     if (may_start_inside(element)) around.push_back(element);
   };
+  // A body stands among the spheres.
   for (std::uint32_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) add({scene::Sphere::tipo, i});
   if (profile.caps == Caps::open) return around;
   for (const Solid& solid : solids) add(solid.wall);
@@ -98,7 +98,7 @@ double number_of_truth(const ClaimContext& trial) {
 }
 
 bool is_the_truth(const ClaimContext& trial, const Claim& claim) {
-  const auto& [scene, solids, ray, truth, profile, facts, question, range] = trial;
+  const auto& [scene, solids, bodies, ray, truth, profile, facts, question, range] = trial;
   const scene::ElementSet& first = truth.hit.elementos;
   if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
     return false;

@@ -16,6 +16,7 @@ namespace durero::conform {
 struct ClaimContext {
   const scene::Scene& scene;
   const std::vector<Solid>& solids;
+  const std::vector<NamedBody>& bodies;
   const scene::Query& ray;
   const ExactAnswer& truth;
   const Profile& profile;
@@ -26,6 +27,7 @@ struct ClaimContext {
   ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
       : scene(of.the_case.scene),
         solids(of.solids),
+        bodies(of.bodies),
         ray(of.the_case.rays[number]),
         truth(of.truths[number]),
         profile(asked),
@@ -38,7 +40,7 @@ struct ClaimContext {
   Precision precision() const { return {profile.format, profile.thickness}; }
   /// The elements as the system is asked about them: with solids where its profile closes walls with discs.
   AskedElements elements() const {
-    return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>()};
+    return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>(), bodies};
   }
   bool has_hit() const { return truth.hit.resultado == model::Resultado::hit; }
   /// The element that stands for this one in the system: the wall, where the system has solids and the element is a
@@ -51,7 +53,8 @@ struct ClaimContext {
   /// Whether the condition holds for some element that the claim may be about.
   template <class Holds>
   bool any_named(const Claim& claim, Holds holds) const;
-  /// Whether the element is a solid to the system, and so has an inside: a sphere, or a wall that discs close.
+  /// Whether the element is a solid to the system, and so has an inside: a sphere, a body, or a wall that
+  /// discs close.
   bool is_solid(scene::ElementRef element) const;
   /// The solids inside which the origin lies for some data within the allowance.
   std::vector<scene::ElementRef> solids_around_origin() const;

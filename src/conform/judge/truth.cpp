@@ -6,6 +6,7 @@
 
 #include "conform/judge/robust.hpp"
 #include "conform/judge/scene_tree.hpp"
+#include "durero/composed/solid.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/trace/search.hpp"
 
@@ -29,34 +30,67 @@ bool earlier(const ElementMeeting& a, const ElementMeeting& b) {
   return by_t != 0 ? by_t < 0 : a.e < b.e;
 }
 
-/// The places of one element are added to the list; a stretch counts with both its ends.
-void add_places(std::vector<ElementMeeting>& to, const ElementQuadratic& c) {
+/// The points t > 0 of an element, or the stretch of the ray inside its surface.
+struct ElementPlaces {
+  std::vector<ElementMeeting> points{};
+  std::optional<surface::exact::Segment> segment{};
+};
+
+ElementPlaces places_of(const ElementQuadratic& c) {
   const surface::exact::Reach reach = surface::exact::reach(c.f);
-  for (const Parameter& t : reach.points()) to.push_back({t, c.e, weakness(c, t)});
-  if (!reach.segment) return;
-  to.push_back({reach.segment->begin, c.e, Ambiguity::in_surface});
-  if (reach.segment->end) to.push_back({reach.segment->end, c.e, Ambiguity::in_surface});
+  ElementPlaces all{{}, reach.segment};
+  for (const Parameter& t : reach.points()) all.points.push_back({t, c.e, weakness(c, t)});
+  return all;
+}
+
+/// The same of a body, which is convex: a line that has one point of it touches it, and a ray that runs along it has
+/// one stretch of it.
+ElementPlaces places_of(const composed::Figure& figure, scene::ElementRef e, const scene::Query& ray) {
+  const bool on = scene::Origin(ray.en).contains(e);
+  const auto points = figure.parameters(ray.rayo, on, surface::exact::RayStretch::whole);
+  if (!points) {
+    const auto inside = dynamic_cast<const composed::SolidFigure&>(figure).inside(ray.rayo, on);
+    return {{}, inside.at(0)};
+  }
+  const model::Rayo back(ray.rayo.p(), model::Vector(-ray.rayo.v().xyz()));
+  const bool touches = points->size() == 1 && !figure.first(back, on).t;
+  ElementPlaces all;
+  for (const Parameter& t : *points) all.points.push_back({t, e, touches ? Ambiguity::tangent : Ambiguity::none});
+  return all;
+}
+
+ElementPlaces places_of(const SceneTree& tree, const AnsweredQuery& query, scene::ElementRef e) {
+  const composed::Figure* const figure = tree.figure(e);
+  return figure ? places_of(*figure, e, query.query) : places_of(quadratic(query, e));
+}
+
+/// The places of one element are added to the list; a stretch counts with both its ends.
+void add_places(std::vector<ElementMeeting>& to, scene::ElementRef e, const ElementPlaces& places) {
+  to.insert(to.end(), places.points.begin(), places.points.end());
+  if (!places.segment) return;
+  to.push_back({places.segment->begin, e, Ambiguity::in_surface});
+  if (places.segment->end) to.push_back({places.segment->end, e, Ambiguity::in_surface});
 }
 
 /// The places of one element within the range.
-void add_places_within(std::vector<ElementMeeting>& to, const ElementQuadratic& c, const AskedRange& range) {
+void add_places_within(std::vector<ElementMeeting>& to, scene::ElementRef e, const ElementPlaces& places,
+                       const AskedRange& range) {
   const Parameter begin{.x = range.begin};
   const bool is_endless = std::isinf(range.end);
   const auto is_before_end = [&](const Parameter& t) {
     return is_endless || surface::exact::order(t, {.x = range.end}) <= 0;
   };
-  const surface::exact::Reach reach = surface::exact::reach(c.f);
-  for (const Parameter& t : reach.points()) {
-    if (surface::exact::order(t, begin) >= 0 && is_before_end(t)) to.push_back({t, c.e, weakness(c, t)});
+  for (const ElementMeeting& place : places.points) {
+    if (surface::exact::order(*place.t, begin) >= 0 && is_before_end(*place.t)) to.push_back(place);
   }
-  if (!reach.segment) return;
-  auto [first, last] = *reach.segment;
+  if (!places.segment) return;
+  auto [first, last] = *places.segment;
   if (range.begin > 0 && (!first || surface::exact::order(*first, begin) < 0)) first = begin;
   if (!is_endless && (!last || !is_before_end(*last))) last = Parameter{.x = range.end};
   const Parameter& from = first ? *first : begin;
   if (last && (surface::exact::order(from, *last) > 0 || number::sign(*last) <= 0)) return;
-  to.push_back({first, c.e, Ambiguity::in_surface});
-  if (last) to.push_back({last, c.e, Ambiguity::in_surface});
+  to.push_back({first, e, Ambiguity::in_surface});
+  if (last) to.push_back({last, e, Ambiguity::in_surface});
 }
 
 /// The places within the range on all elements, ascending.
@@ -67,8 +101,9 @@ std::vector<ElementMeeting> places_within(const SceneTree& tree, const scene::Qu
   trace::Counts counts;
   const trace::Search search(tree.scene(), ray.rayo, ray.en, counts);
   const auto look_at = [&](scene::ElementRef e) {
-    const std::optional<trace::Meeting> met = search.certified_meeting(e, range.end);
-    if (!met || met->kind != trace::Meeting::Kind::none) add_places_within(all, quadratic(query, e), range);
+    const bool is_body = tree.figure(e) != nullptr;
+    const std::optional<trace::Meeting> met = is_body ? std::nullopt : search.certified_meeting(e, range.end);
+    if (!met || met->kind != trace::Meeting::Kind::none) add_places_within(all, e, places_of(tree, query, e), range);
   };
   tree.along(
       search.ray(), ray.en, [&] { return range.end; }, look_at);
@@ -91,7 +126,7 @@ double limit_by(const std::vector<ElementMeeting>& places) {
 /// the nearest such meeting is left out.
 class Sight {
  public:
-  Sight(const SceneTree& tree, const scene::Query& ray) : query_{tree.scene(), ray, {}} {
+  Sight(const SceneTree& tree, const scene::Query& ray) : tree_(&tree), query_{tree.scene(), ray, {}} {
     tree.along(
         search_.ray(), ray.en, [&] { return limit_; }, [&](scene::ElementRef e) { look_at(e); });
     std::vector<scene::ElementRef> again;
@@ -113,16 +148,17 @@ class Sight {
   /// The exact places, ascending, on the elements that are not excluded.
   std::vector<ElementMeeting> places() {
     std::vector<ElementMeeting> all;
-    for (const scene::ElementRef e : unclear_) add_places(all, quadratic(query_, e));
+    for (const scene::ElementRef e : unclear_) add_places(all, e, places_of(*tree_, query_, e));
     limit_ = std::min(limit_, limit_by(all));
     leave_out_beyond_limit();
-    for (const auto& [e, at] : met_) add_places(all, quadratic(query_, e));
+    for (const auto& [e, at] : met_) add_places(all, e, places_of(quadratic(query_, e)));
     std::sort(all.begin(), all.end(), earlier);
     return all;
   }
 
  private:
   void look_at(scene::ElementRef e) {
+    if (tree_->figure(e)) return unclear_.push_back(e);
     std::optional<trace::Meeting> met = search_.certified_meeting(e, limit_);
     if (!met) return unclear_.push_back(e);
     if (met->kind == trace::Meeting::Kind::none) return;
@@ -133,6 +169,7 @@ class Sight {
     std::erase_if(met_, [&](const auto& met) { return met.second.low > limit_; });
   }
 
+  const SceneTree* tree_;
   AnsweredQuery query_;
   trace::Counts counts_{};
   trace::Search search_{query_.scene, query_.query.rayo, query_.query.en, counts_};
@@ -261,6 +298,24 @@ std::vector<double> SceneTruths::crossings(const scene::Query& ray) const {
   std::vector<double> all;
   for (const ElementMeeting& place : places_within(*tree_, ray, {}))
     all.push_back(place.t ? number::round_to_binary64(*place.t) : 0);
+  return all;
+}
+
+std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, const scene::Query& ray) {
+  if (!scene.has_bodies()) return surface::exact::all_hits(scene, ray.rayo, ray.en);
+  const SceneTree tree(scene, 1);
+  const AnsweredQuery query{scene, ray, {}};
+  std::vector<surface::exact::Crossing> all;
+  scene.for_each([&](scene::ElementRef e, const auto&) {
+    const ElementPlaces places = places_of(tree, query, e);
+    for (const ElementMeeting& place : places.points) all.push_back({e, {place.t, place.t}});
+    if (places.segment) all.push_back({e, *places.segment});
+  });
+  const auto begins_before = [](const auto& a, const auto& b) {
+    const auto &s = a.segment.begin, &t = b.segment.begin;
+    return s && t ? surface::exact::order(*s, *t) < 0 : !s && t;
+  };
+  std::ranges::stable_sort(all, begins_before);
   return all;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "conform/judge/shell.hpp"
+#include "conform/judge/body_space.hpp"
 #include "durero/trace/search.hpp"
 
 namespace durero::conform {
@@ -82,11 +82,52 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
   return zone;
 }
 
-/// The shell of the element at the place, with its ends moved outwards.
+/// Adds the zones of a body: from where the ray enters it moved out to where it enters it moved in, and likewise where
+/// it leaves it.
+void add_zones(std::vector<Zone>& all, scene::ElementRef element, const AskedBody& body, const model::Rayo& rayo,
+               const Precision& precision) {
+  const std::optional<BodyStretch> given = stretch_in(body, rayo, {});
+  if (!given) return;
+  const Dyadic longest(largest(rayo.v().xyz()));
+  for (const bool enters : {true, false}) {
+    const double t = number::round_to_binary64(enters ? given->begin : given->end);
+    if (!(t > 0) || !std::isfinite(t)) continue;
+    // The end of the zone lies behind the crossing: M has room for a 64th more, and holds for no zone beyond that.
+    const Dyadic M = magnitude(body, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
+    const Allowance allowed(precision, M, rayo);
+    const Dyadic eta = eta_of(body, allowed);
+    const std::optional<BodyStretch> in = stretch_in(body, rayo, -eta), out = stretch_in(body, rayo, eta);
+    if (!in || !out) continue;
+    const Zone zone{element, enters ? out->begin : in->end, enters ? in->begin : out->end, allowed.delta};
+    const bool is_in_reach = order(number::linear(0, longest, zone.end), Parameter{.x = M}) <= 0;
+    if (number::sign(zone.begin) > 0 && is_in_reach) all.push_back(zone);
+  }
+}
+
+/// The shell of the shape at the place, with its ends moved outwards.
 template <class Shape>
 Shell<Dyadic> shell_at(const Shape& shape, const ClaimedPoint& place, const model::Rayo& rayo,
                        const Precision& precision) {
   return shell(shape, place.punto, Allowance(precision, magnitude(shape, rayo, place.way), rayo), EndShift::outwards);
+}
+
+template <class Shape>
+bool is_on(const Shape& shape, const ClaimedPoint& place, const model::Rayo& rayo, const Precision& precision) {
+  return may_hold(shell_at(shape, place, rayo, precision));
+}
+bool is_on(const AskedBody& body, const ClaimedPoint& place, const model::Rayo& rayo, const Precision& precision) {
+  const Dyadic eta = eta_of(body, Allowance(precision, magnitude(body, rayo, place.way), rayo));
+  return place_in(body, place.punto, eta) != BodyPlace::outside &&
+         place_in(body, place.punto, -eta) != BodyPlace::inside;
+}
+
+template <class Shape>
+bool is_within(const Shape& shape, const ClaimedPoint& place, const model::Rayo& rayo, const Precision& precision) {
+  return may_hold_inside(shell_at(shape, place, rayo, precision));
+}
+bool is_within(const AskedBody& body, const ClaimedPoint& place, const model::Rayo& rayo, const Precision& precision) {
+  const Dyadic eta = eta_of(body, Allowance(precision, magnitude(body, rayo, place.way), rayo));
+  return place_in(body, place.punto, eta) != BodyPlace::outside;
 }
 
 }  // namespace
@@ -98,16 +139,20 @@ std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, co
   const scene::Scene& scene = elements.scene();
   const trace::Search search(scene, ray.rayo, ray.en, counts);
   const auto add = [&](scene::ElementRef element) {
+    const bool starts_on_it = scene::Origin(ray.en).contains(element);
+    if (const AskedBody* const body = elements.body(element)) {
+      if (!starts_on_it) add_zones(all, element, *body, ray.rayo, precision);
+      return;
+    }
     const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
     if (met && met->kind == trace::Meeting::Kind::none) return;
     const Coefficients f =
         scene.visit(element, [&](const auto& shape) { return surface::exact::coefficients(shape, ray.rayo); });
-    const bool starts_on_it = scene::Origin(ray.en).contains(element);
     const surface::exact::Roots crossings = surface::exact::roots(f);
     for (const Parameter& t : crossings.values()) {
       if (number::sign(t) <= 0) continue;
-      const std::optional<Zone> zone = elements.visit(
-          element, [&](const auto& asked) { return zone_around(element, asked, ray.rayo, t, precision); });
+      const std::optional<Zone> zone = elements.visit_shape(
+          element, [&](const auto& shape) { return zone_around(element, shape, ray.rayo, t, precision); });
       if (zone && (!starts_on_it || is_crossed_from_it(f, *zone))) all.push_back(*zone);
     }
   };
@@ -132,13 +177,12 @@ bool is_behind(const ClaimedPoint& place, const Dyadic& own, const Zone& zone, c
 
 bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
                 const model::Rayo& rayo, const Precision& precision) {
-  return elements.visit(element, [&](const auto& shape) { return may_hold(shell_at(shape, place, rayo, precision)); });
+  return elements.visit(element, [&](const auto& asked) { return is_on(asked, place, rayo, precision); });
 }
 
 bool may_lie_inside(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
                     const model::Rayo& rayo, const Precision& precision) {
-  return elements.visit(element,
-                        [&](const auto& shape) { return may_hold_inside(shell_at(shape, place, rayo, precision)); });
+  return elements.visit(element, [&](const auto& asked) { return is_within(asked, place, rayo, precision); });
 }
 
 }  // namespace durero::conform

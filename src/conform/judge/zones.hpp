@@ -22,7 +22,7 @@ struct Zone {
   number::Dyadic delta;  ///< δ of the element, for every t ≤ end
 };
 
-/// The zones that shells prove, each around an exact crossing t > 0 of the ray. Elements that the ray first meets
+/// The zones that shells prove, each around an exact crossing t > 0 of the ray. Shapes that the ray first meets
 /// behind `limit` may be left out. Every zone holds an exact crossing between the ends of its element, also where the
 /// origin is taken to lie on the elements of `en`. The tree is that of the elements' scene.
 std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, const scene::Query& ray,

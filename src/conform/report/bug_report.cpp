@@ -18,7 +18,10 @@ bool contains(const std::vector<std::string>& words, std::string_view word) {
 
 bool has_element_of(const SuiteCase& of, const std::vector<std::string>& tipos) {
   bool has = false;
-  of.the_case.scene.for_each([&]<class Shape>(auto, const Shape&) { has = has || contains(tipos, Shape::word); });
+  of.the_case.scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape&) {
+    const AskedBody* const body = find_body(of.bodies, e);
+    has = has || contains(tipos, body ? word(body->kind) : Shape::word);
+  });
   return has;
 }
 

@@ -50,7 +50,7 @@ std::string exact_answer(const SuiteCase& of, std::size_t ray) {
   const scene::Query& query = of.the_case.rays[ray];
   const ExactAnswer& truth = of.truths[ray];
   std::string text = fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
-  const auto crossings = surface::exact::all_hits(scene, query.rayo, query.en);
+  const auto crossings = all_crossings(scene, query);
   for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(scene, crossing);
   if (truth.hit.resultado == model::Resultado::hit)
     text += point_text(query.rayo, Surd(crossings.front().segment.begin.value()));

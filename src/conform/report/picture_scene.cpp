@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "conform/report/picture.hpp"
 #include "durero/oracle/parametrisation.hpp"
@@ -46,8 +48,46 @@ class Viewport {
   PlanePoint low_{infinity, infinity}, high_{-infinity, -infinity};
 };
 
-oracle::Parametrisation surface_of(const scene::Scene& scene, ElementRef e) {
-  return scene.visit(e, [](const auto& shape) { return oracle::Parametrisation(shape); });
+/// A surface as points by u and v from 0 to 1.
+struct DrawnSurface {
+  std::function<glm::dvec3(double u, double v)> point;
+  glm::dvec3 center;
+  bool is_patch;
+};
+
+/// The point of a body in a direction of the unit ball that its sides span.
+glm::dvec3 body_point(const AskedBody& body, const glm::dvec3& direction) {
+  const auto at = [&](const glm::dvec3& w) {
+    return body.centro + w.x * body.sides[0] + w.y * body.sides[1] + w.z * body.sides[2];
+  };
+  switch (body.kind) {
+    case BodyKind::caja:
+    case BodyKind::copia_caja:
+      return at(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
+    case BodyKind::elipsoide:
+    case BodyKind::copia_esfera:
+      return at(direction);
+    case BodyKind::capsula: {
+      const double ratio = length_of(body.sides[0]) / length_of(body.sides[1]);
+      const double along = direction.y == 0 ? 0 : std::copysign(1, direction.y);
+      return at({direction.x, along + ratio * direction.y, direction.z});
+    }
+  }
+  contract::unreachable();
+}
+
+DrawnSurface surface_of(const SuiteCase& of, ElementRef e) {
+  if (const AskedBody* const body = find_body(of.bodies, e)) {
+    const auto point = [body = *body](double u, double v) {
+      const double turn = 2 * std::numbers::pi * v, height = 2 * u - 1, wide = std::sqrt(1 - height * height);
+      return body_point(body, {wide * std::cos(turn), height, wide * std::sin(turn)});
+    };
+    return {point, body->centro, false};
+  }
+  return of.the_case.scene.visit(e, [](const auto& shape) -> DrawnSurface {
+    const oracle::Parametrisation surface(shape);
+    return {[surface](double u, double v) { return surface.point(u, v); }, surface.center(), surface.is_patch()};
+  });
 }
 
 /// A line of equal u or v of a surface, as points.
@@ -63,7 +103,7 @@ std::string line_svg(const Viewport& frame, Point point) {
   return fmt::format("<polyline class=\"element\" points=\"{}\"/>\n", points);
 }
 
-std::string element_svg(const Viewport& frame, const oracle::Parametrisation& surface) {
+std::string element_svg(const Viewport& frame, const DrawnSurface& surface) {
   std::string svg;
   for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0})
     svg += line_svg(frame, [&](double v) { return surface.point(u, v); });
@@ -87,8 +127,8 @@ std::vector<ElementRef> elements_shown(const JudgedCase& judged) {
 Viewport frame_of(const JudgedCase& judged) {
   Viewport frame;
   for (const ElementRef e : elements_shown(judged)) {
-    const oracle::Parametrisation surface = surface_of(judged.of.the_case.scene, e);
-    if (surface.is_patch()) continue;
+    const DrawnSurface surface = surface_of(judged.of, e);
+    if (surface.is_patch) continue;
     for (const double u : {0.0, 0.5, 1.0})
       for (int i = 0; i < 8; ++i) frame.include(surface.point(u, i / 8.0));
   }
@@ -131,11 +171,11 @@ std::string scene_svg(const JudgedCase& judged) {
   constexpr std::size_t most_drawn = 200;
   if (scene.size() > most_drawn) {
     for (const ElementRef e : std::span(shown).first(std::min(most_drawn, shown.size())))
-      svg += element_svg(frame, surface_of(scene, e));
+      svg += element_svg(frame, surface_of(judged.of, e));
   } else {
-    scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(scene, e)); });
+    scene.for_each([&](ElementRef e, const auto&) { svg += element_svg(frame, surface_of(judged.of, e)); });
   }
-  const glm::dvec3 middle = surface_of(scene, shown.front()).center();
+  const glm::dvec3 middle = surface_of(judged.of, shown.front()).center;
   for (const bool failing : {false, true}) {  // failing rays are drawn over the others
     for (std::size_t ray = 0; ray < judged.claims.size(); ++ray) {
       const Verdict verdict = judged.judgements[ray].verdict;

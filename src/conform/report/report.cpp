@@ -56,8 +56,8 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
   if (options.seed != usual.seed) text += fmt::format(" --seed {}", options.seed);
   if (options.faces != usual.faces && is_of_meshes(*finding.of.family))
     text += fmt::format(" --faces {}", options.faces);
-  if (!options.tipos.empty() && options.tipos.size() < scene::shape_count)
-    text += " --types " + type_words(options.tipos);
+  const bool are_all = options.tipos.empty() || options.tipos.size() == scene::shape_count;
+  if (!are_all || !options.bodies.empty()) text += " --types " + type_words(options.tipos, options.bodies);
   if (options.caps == Caps::solid) text += " --solids";
   if (options.numbers == NumberFormat::binary64) text += " --numbers binary64";
   if (options.question != usual.question) text += fmt::format(" --question {}", word(options.question));

@@ -23,8 +23,7 @@ std::string rays_words(std::uint64_t count) { return fmt::format("{} failing ray
 /// The type of the element that a failure is about, in files' words.
 std::string_view tipo_of(const Finding& finding, const Profile& profile) {
   const MeasuredQuestion question(finding, profile);
-  return std::visit([]<class Shape>(const Shape&) { return Shape::word; },
-                    question.draft.elements[question.target].shape);
+  return word_of(question.draft.elements[question.target].shape);
 }
 
 }  // namespace

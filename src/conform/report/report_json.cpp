@@ -17,7 +17,7 @@ void write_suite(Writer& out, const SuiteOptions& options) {
   out.key("suite").begin_object().member("version", suite_version).member("seed", options.seed);
   out.member("rays", std::uint64_t{options.rays});
   out.member("numbers", word(options.numbers)).member("caps", word(options.caps));
-  out.member("tipos", type_words(options.tipos));
+  out.member("tipos", type_words(options.tipos, options.bodies));
   if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});
   if (options.question != QuestionKind::first) out.member("question", word(options.question));
   out.end_object();

@@ -72,19 +72,19 @@ std::vector<Verdict> columns_of(const Tally& tally) {
   return columns;
 }
 
-std::string type_words(std::span<const model::Tipo> tipos) {
+std::string type_words(std::span<const model::Tipo> tipos, std::span<const BodyKind> bodies) {
   std::string words;
-  for (const model::Tipo tipo : tipos) {
-    words += words.empty() ? "" : ",";
-    words += scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return Shape::word; });
-  }
+  const auto add = [&](std::string_view word) { words.append(words.empty() ? "" : ",").append(word); };
+  for (const model::Tipo tipo : tipos)
+    add(scene::with_shape(tipo, []<class Shape>(std::type_identity<Shape>) { return Shape::word; }));
+  for (const BodyKind kind : bodies) add(word(kind));
   return words;
 }
 
 std::vector<ProfileLine> profile_lines(const Profile& profile) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<ProfileLine> lines = {{"format", std::string(word(profile.format))},
-                                    {"tipos", type_words(profile.tipos)},
+                                    {"tipos", type_words(profile.tipos, profile.bodies)},
                                     {"caps", std::string(word(profile.caps))},
                                     {"measure", std::string(word(profile.measure))},
                                     {"directions", std::string(word(profile.directions))},

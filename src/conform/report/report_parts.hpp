@@ -23,7 +23,7 @@ std::vector<Verdict> columns_of(const Tally& tally);
 std::string element_names(const scene::ElementSet& elements, const scene::Scene& scene);
 
 /// The words of types in files, with commas between them.
-std::string type_words(std::span<const model::Tipo> tipos);
+std::string type_words(std::span<const model::Tipo> tipos, std::span<const BodyKind> bodies);
 
 /// A claim of the profile for the reader of a report: `directions: any`.
 struct ProfileLine {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -33,12 +34,6 @@ void put(Words& words, const std::string& name, const glm::dvec3& v) {
 void put(Words& words, const std::string& name, const Quaternion& q) {
   words[name] = fmt::format("{}, {}, {}, {}", literal(q[0]), literal(q[1]), literal(q[2]), literal(q[3]));
   for (std::size_t i = 0; i < 4; ++i) words[fmt::format("{}.{}", name, "xyzw"[i])] = literal(q[i]);
-}
-
-/// |v|, as precise as a language's own function.
-double length_of(const glm::dvec3& v) {
-  const long double x = v.x, y = v.y, z = v.z;
-  return static_cast<double>(std::sqrt(x * x + y * y + z * z));
 }
 
 /// A rotation that takes the axis of coordinate `from` to the unit vector d, by the least angle.
@@ -113,6 +108,43 @@ Words shape_words(const Shape& shape) {
   return words;
 }
 
+/// The quaternion of the rotation that takes the axes of coordinates to these unit vectors at right angles.
+Quaternion rotation_to(const std::array<glm::dvec3, 3>& axes) {
+  const auto& [x, y, z] = axes;
+  const std::array<double, 4> four = {1 + x.x - y.y - z.z, 1 - x.x + y.y - z.z, 1 - x.x - y.y + z.z,
+                                      1 + x.x + y.y + z.z};
+  const auto largest_of = static_cast<std::size_t>(std::ranges::max_element(four) - four.begin());
+  const std::array<Quaternion, 4> rows = {{{four[0], x.y + y.x, z.x + x.z, y.z - z.y},
+                                           {x.y + y.x, four[1], y.z + z.y, z.x - x.z},
+                                           {z.x + x.z, y.z + z.y, four[2], x.y - y.x},
+                                           {y.z - z.y, z.x - x.z, x.y - y.x, four[3]}}};
+  Quaternion q = rows[largest_of];
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& part : q) part /= length;
+  return q;
+}
+
+/// The words of a body: its sides, their lengths and directions, and the rotation to these where it is one: of
+/// x, y and z to x, y and z, or to z, x and y, which puts the axis of z along a capsule.
+Words shape_words(const AskedBody& body) {
+  Words words;
+  put(words, "centro", body.centro);
+  std::array<glm::dvec3, 3> axes{};
+  glm::dvec3 half(0);
+  for (int i = 0; i < 3; ++i) {
+    const glm::dvec3& side = body.sides[static_cast<std::size_t>(i)];
+    half[i] = length_of(side);
+    axes[static_cast<std::size_t>(i)] = side / half[i];
+    const std::string name(1, "xyz"[i]);
+    put(words, "side_" + name, side);
+    put(words, "axis_" + name, axes[static_cast<std::size_t>(i)]);
+  }
+  put(words, "half", half);
+  put(words, "rotation", rotation_to(axes));
+  put(words, "along_y", rotation_to({axes[2], axes[0], axes[1]}));
+  return words;
+}
+
 /// An upper bound on the distance from p to the points of an element that has an end; for a plane, the way to it along
 /// v.
 double farthest(const scene::Sphere& e, const glm::dvec3& p, const glm::dvec3&) {
@@ -128,6 +160,9 @@ double farthest(const scene::Plane& e, const glm::dvec3& p, const glm::dvec3& u)
 double farthest(const scene::Triangle& e, const glm::dvec3& p, const glm::dvec3&) {
   return std::max({glm::distance(p, e.vertices[0]), glm::distance(p, e.vertices[1]), glm::distance(p, e.vertices[2])});
 }
+double farthest(const AskedBody& e, const glm::dvec3& p, const glm::dvec3&) {
+  return glm::distance(p, e.centro) + length_of(e.sides[0]) + length_of(e.sides[1]) + length_of(e.sides[2]);
+}
 template <surface::Axial Shape>
 double farthest(const Shape& e, const glm::dvec3& p, const glm::dvec3&) {
   return glm::distance(p, e.centro) + number::round_to_binary64(radius_at_centre(e)) + e.altura;
@@ -140,7 +175,9 @@ std::vector<ElementWords> element_words(const SuiteCase& of) {
   std::vector<ElementWords> all;
   scene.for_each([&]<class Shape>(scene::ElementRef e, const Shape& shape) {
     if (solid_closed_by(of.solids, e) != nullptr) return;
-    ElementWords element{std::string(Shape::word), shape_words(shape)};
+    const AskedBody* const body = find_body(of.bodies, e);
+    ElementWords element = body ? ElementWords{std::string(word(body->kind)), shape_words(*body)}
+                                : ElementWords{std::string(Shape::word), shape_words(shape)};
     element.words["name"] = scene.name(e).name();
     element.words["index"] = std::to_string(all.size());
     all.push_back(std::move(element));
@@ -154,7 +191,8 @@ Words ray_words(const SuiteCase& of) {
   double reach = 0;
   std::size_t count = 0;
   of.the_case.scene.for_each([&](scene::ElementRef e, const auto& shape) {
-    reach = std::max(reach, farthest(shape, p, v / length));
+    const AskedBody* const body = find_body(of.bodies, e);
+    reach = std::max(reach, body ? farthest(*body, p, v / length) : farthest(shape, p, v / length));
     count += solid_closed_by(of.solids, e) == nullptr;
   });
   Words words{{"count", std::to_string(count)}};

@@ -390,11 +390,13 @@ TEST_CASE("families are found by name; each has a kind, a reason and a range") {
     CHECK(row_of(family).floors.exact > 0);
   }
   // The lines of the design's table, apex and rim apart, without determinism; two of planes, five of discs and
-  // triangles; five of the conformance suite. Then eleven of meshes.
-  CHECK(names.size() == 36 + 11);
+  // triangles; five of the conformance suite. Then eleven of meshes and nine of bodies.
+  CHECK(names.size() == 36 + 11 + 9);
   CHECK(families_of_few().size() == 36);
   CHECK(families_of_meshes().size() == 11);
   CHECK(families_of_meshes().front().name == "mesh_solid");
+  CHECK(families_of_bodies().size() == 9);
+  CHECK(families_of_bodies().front().name == "bodies");
   CHECK(find_family("of_no_such_name") == nullptr);
   CHECK_THROWS_AS(generate(Family{"of_no_such_name", "", "", {}}, 1, 1), std::invalid_argument);
 }

@@ -61,14 +61,14 @@ TEST_CASE("of a phantom, a wrong element and every kind of element the data foun
   explained(test::finding_of(test::sphere_case({1.5, 0, 0}, {0, 0, 1}), claim, all), all);
   const glm::dvec3 c(0, 0, 4), x(1, 0, 0), z(0, 0, 1), p(0.25, 0.125, 0);
   const scene::Corners corners = {glm::dvec3(-4, -4, 4), {4, -4, 4}, {0, 4, 4}};
-  const std::vector<scene::AnyShape> shapes = {
+  const std::vector<AskedShape> shapes = {
       scene::Cylinder{.centro = c - 4.0 * x, .radio = 1.5, .vector = x, .altura = 8},
       scene::Cone{.centro = c, .proporcion = 0.5, .vector = -z, .altura = 3},
       scene::TruncatedCone{.centro = c, .radio = 0.25, .proporcion = 0.5, .vector = -z, .altura = 3},
       scene::Plane{c, z},
       scene::Disc{.centro = c, .radio = 2, .vector = z},
       scene::Triangle{corners}};
-  for (const scene::AnyShape& shape : shapes) {
+  for (const AskedShape& shape : shapes) {
     const SuiteCase of = test::drafted({{"e0", shape}}, p, z);
     const Finding finding = test::finding_of(of, test::hit_at(of.truths[0].hit.t + 0.25), all);
     REQUIRE(is_failure(finding.judgement.verdict));

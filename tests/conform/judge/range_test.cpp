@@ -193,6 +193,7 @@ TEST_CASE("a range that cuts a stretch in a surface begins or ends it") {
 TEST_CASE("the truth within a range is the first of all crossings there") {
   std::size_t hits = 0, misses = 0;
   for (const Family& family : families()) {
+    if (is_of_bodies(family)) continue;  // all_met() knows shapes alone
     for (const SuiteCase& of : ranged(family, NumberFormat::binary64, is_of_meshes(family) ? 1 : 6)) {
       for (std::size_t ray = 0; ray < of.truths.size(); ray += is_of_meshes(family) ? 16 : 1) {
         const auto all = all_met(of, ray);

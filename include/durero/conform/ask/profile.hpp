@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/conform/families/asked_body.hpp"
 #include "durero/model/tipos.hpp"
 
 namespace durero::conform {
@@ -96,6 +97,7 @@ struct Profile {
   std::string system;                            ///< the system's name: of its file, or as a profile's file says
   NumberFormat format = NumberFormat::binary64;  ///< a scene or ray with numbers beyond its range is outside
   std::vector<model::Tipo> tipos{};              ///< the types of element that it has: a scene with another is outside
+  std::vector<BodyKind> bodies{};                ///< the kinds of bodies that it has, likewise
   Caps caps = Caps::open;                   ///< solid: a scene with an open cylinder, cone or truncated cone is outside
   Measure measure = Measure::parameter;     ///< the meaning of Claim::t
   Directions directions = Directions::any;  ///< the demand on v

@@ -33,6 +33,7 @@ struct Campaign {
   std::uint64_t shards = 1;                         ///< the number of shards, which are numbered from 0
   std::vector<const Family*> families{};            ///< one at least, in the order of families()
   std::optional<std::vector<model::Tipo>> tipos{};  ///< none: those of the profile
+  std::optional<std::vector<BodyKind>> bodies{};    ///< likewise
   std::optional<Caps> caps{};                       ///< none: those of the profile
   NumberFormat numbers = NumberFormat::binary32;    ///< the format of scenes and rays, except discs that close solids
   double time = 10;                                 ///< seconds for each ray

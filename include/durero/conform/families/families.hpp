@@ -42,7 +42,7 @@ struct Family {
   Range parameter;          ///< drawn once for each scene
 };
 
-/// Every family, the generic one first: families_of_few(), then families_of_meshes().
+/// Every family, the generic one first: families_of_few(), families_of_meshes(), then families_of_bodies().
 std::span<const Family> families();
 /// The generic family, whose rays are those that anybody would trace.
 const Family& ordinary_family();
@@ -50,8 +50,12 @@ const Family& ordinary_family();
 std::span<const Family> families_of_few();
 /// The families whose scenes are one mesh of many triangles.
 std::span<const Family> families_of_meshes();
+/// The families whose scenes are a few bodies.
+std::span<const Family> families_of_bodies();
 /// Whether the family is one of families_of_meshes().
 bool is_of_meshes(const Family& family);
+/// Whether the family is one of families_of_bodies().
+bool is_of_bodies(const Family& family);
 
 /// The family of that name; null where there is none.
 const Family* find_family(std::string_view name);
@@ -68,7 +72,8 @@ inline constexpr std::size_t most_faces = 4'000'000;
 /// The options of generated cases.
 struct CaseOptions {
   NumberFormat numbers = NumberFormat::binary64;  ///< the format of scenes and rays, except discs that close solids
-  std::vector<model::Tipo> tipos{};               ///< the types of elements; none: all
+  std::vector<model::Tipo> tipos{};               ///< the types of elements; none, and no bodies: all
+  std::vector<BodyKind> bodies{};                 ///< the kinds of bodies; none, and no types: all
   Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
   std::size_t faces = usual_faces;                ///< about so many faces has a mesh
 };
@@ -86,9 +91,10 @@ struct Solid {
 
 /// A case, with the parameter and the solids that were drawn for it.
 struct DrawnCase {
-  Case the_case;                ///< the scene, with the discs that close solids, and its rays
-  int parameter = 0;            ///< drawn from parameter(family, CaseOptions::numbers)
-  std::vector<Solid> solids{};  ///< with Caps::solid one for each element with an axis; otherwise none
+  Case the_case;                    ///< the scene, with the discs that close solids, and its rays
+  int parameter = 0;                ///< drawn from parameter(family, CaseOptions::numbers)
+  std::vector<Solid> solids{};      ///< with Caps::solid one for each element with an axis; otherwise none
+  std::vector<NamedBody> bodies{};  ///< the elements that are bodies
 };
 
 /// The generator with options: nothing where the scenes of the family have elements of other types. With solids one ray

@@ -17,7 +17,8 @@ struct SuiteOptions {
   std::vector<const Family*> families{};          ///< none: all
   std::uint64_t seed = 1;                         ///< the seed of all random streams: another seed, other cases
   std::size_t rays = 1024;                        ///< the number of rays of each family
-  std::vector<model::Tipo> tipos{};               ///< the types of elements; none: all
+  std::vector<model::Tipo> tipos{};               ///< the types of elements; none, and no bodies: all
+  std::vector<BodyKind> bodies{};                 ///< the kinds of bodies; none, and no types: all
   Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
   NumberFormat numbers = NumberFormat::binary32;  ///< the format of scenes and rays, except discs that close solids
   std::size_t faces = usual_faces;                ///< about so many faces has a mesh
@@ -39,6 +40,7 @@ struct SuiteCase {
   int parameter = 0;                            ///< the parameter of the family, as drawn
   Case the_case;                                ///< the scene and its rays, which in a suite start on no elements
   std::vector<Solid> solids{};                  ///< with Caps::solid, the elements that discs close
+  std::vector<NamedBody> bodies{};              ///< the elements that are bodies
   std::vector<ExactAnswer> truths{};            ///< the truths of the rays, in their order
   QuestionKind question = QuestionKind::first;  ///< the question about each ray
   /// The ranges of the rays, in their order, where the question has some; a shadow ray's begins at 0.
@@ -50,7 +52,8 @@ struct SuiteCase {
 /// The families of the options, all where they name none, in the order of families().
 std::vector<const Family*> chosen_families(const SuiteOptions& options);
 
-/// The number of cases of a family under the options: 0 where none of its scenes has elements of options.tipos alone.
+/// The number of cases of a family under the options: 0 where none of its scenes has elements of the
+/// options' types alone.
 std::size_t cases(const SuiteOptions& options, const Family& family);
 
 /// A case of the suite, without its truths. No ray of it names elements that its origin lies on, for no system is told

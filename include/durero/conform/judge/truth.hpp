@@ -11,6 +11,7 @@
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
+#include "durero/surface/exact.hpp"
 
 namespace durero::conform {
 
@@ -51,6 +52,10 @@ struct ExactAnswer {
 /// The exact answer and its permissible variants, from the certified steps of the tracer; surface::exact decides the
 /// elements that these steps leave open. Precondition: the ray is of the scene.
 ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray);
+
+/// Every crossing of a ray with shapes and bodies, ascending: points, and stretches inside a surface. Precondition: the
+/// ray is of the scene.
+std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, const scene::Query& ray);
 
 class SceneTree;
 

@@ -1,0 +1,227 @@
+#include "conform/judge/body_space.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "durero/contract/contract.hpp"
+#include "durero/number/quotient.hpp"
+
+namespace durero::conform {
+namespace {
+
+using surface::exact::order;
+using surface::exact::Parameter;
+
+Point<Dyadic> dyadic(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+/// Conditions f ≤ 0 that hold all together in a part of a body; the body is what is in any part.
+template <class T>
+using Conditions = std::vector<typename BoundOf<T>::type>;
+template <class T>
+using SpaceParts = std::vector<Conditions<T>>;
+
+/// The normals of the sides that two of x, y and z span, each along the third, and the volume that the three span: a
+/// point centro + a·x + b·y + c·z has the products a·D, b·D and c·D with them.
+struct DualSides {
+  std::array<Point<Dyadic>, 3> normals;
+  Dyadic D;
+
+  explicit DualSides(const AskedBody& body) {
+    const auto& [x, y, z] = body.sides;
+    normals = {cross(dyadic(y), dyadic(z)), cross(dyadic(z), dyadic(x)), cross(dyadic(x), dyadic(y))};
+    D = absolute(dot(dyadic(x), normals[0]));
+  }
+};
+
+/// A box between planes: |q·n| ≤ D is moved out by η·|n|.
+template <class T>
+SpaceParts<T> box_space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
+  const DualSides dual(body);
+  const Point<T> q = from(body.centro, w);
+  Conditions<T> all;
+  for (const Point<Dyadic>& normal : dual.normals) {
+    const Dyadic far = dual.D + eta * length_above(normal);
+    const T along = dot(q, normal);
+    all.push_back(bound(along - far));
+    all.push_back(negated(bound(along - (-far))));
+  }
+  return {all};
+}
+
+/// An ellipsoid, Σ(q·n)² ≤ D². The ball of radius r = D/√Σ|n|² lies in it, for |n|/D are the lengths of the rows of the
+/// map that makes it a ball of radius 1. So moved out by η it lies in (1 + η/r) times it, and (1 − η/r) times it lies
+/// in it moved in: D ± η·√Σ|n|² in the place of D.
+template <class T>
+SpaceParts<T> ellipsoid_space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
+  const DualSides dual(body);
+  const auto& [a, b, c] = dual.normals;
+  const Point<T> q = from(body.centro, w);
+  const Dyadic rows = length_above({length_above(a), length_above(b), length_above(c)});
+  const Dyadic far = dual.D + eta * rows;
+  if (number::sign(far) < 0) return {};
+  return {{square(dot(q, a)) + square(dot(q, b)) + square(dot(q, c)) - square(far)}};
+}
+
+/// A capsule: between the planes across its axis what is near the axis, and what is near either end of it.
+template <class T>
+SpaceParts<T> capsule_space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
+  const Point<Dyadic> y = dyadic(body.sides[1]);
+  const Dyadic reach = Dyadic(length_of(body.sides[0])) + eta, yy = squared_length(y);
+  if (number::sign(reach) < 0) return {};
+  const Point<T> q = from(body.centro, w);
+  const T along = dot(q, y);
+  const auto near = [&](const Point<Dyadic>& end) {
+    return squared_length(Point<T>{q.x - end.x, q.y - end.y, q.z - end.z}) - square(reach);
+  };
+  const auto beside = squared_length(q) * yy - square(along) - square(reach) * yy;
+  return {{beside, bound(along - yy), negated(bound(along - (-yy)))}, {near(y)}, {near({-y.x, -y.y, -y.z})}};
+}
+
+template <class T>
+SpaceParts<T> space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
+  switch (body.kind) {
+    case BodyKind::caja:
+    case BodyKind::copia_caja:
+      return box_space(body, w, eta);
+    case BodyKind::elipsoide:
+    case BodyKind::copia_esfera:
+      return ellipsoid_space(body, w, eta);
+    case BodyKind::capsula:
+      return capsule_space(body, w, eta);
+  }
+  contract::unreachable();
+}
+
+bool holds_somewhere(const SpaceParts<Linear<Dyadic>>& parts, const Parameter& t) {
+  return std::ranges::any_of(parts, [&](const auto& conditions) {
+    return std::ranges::all_of(conditions, [&](const auto& f) { return sign_at(f, t) <= 0; });
+  });
+}
+
+/// The parameters at which a condition may begin or cease to hold, ascending.
+std::vector<Parameter> changes(const SpaceParts<Linear<Dyadic>>& parts) {
+  std::vector<Parameter> all;
+  for (const auto& conditions : parts) {
+    for (const auto& f : conditions) {
+      const surface::exact::Roots roots = surface::exact::roots({f.A, f.B, f.C});
+      if (roots.every) continue;
+      const auto values = roots.values();
+      all.insert(all.end(), values.begin(), values.end());
+    }
+  }
+  std::ranges::sort(all, [](const Parameter& a, const Parameter& b) { return order(a, b) < 0; });
+  return all;
+}
+
+double in_units(const Dyadic& a, const Dyadic& M) { return number::round_quotient(a, M); }
+
+/// The first order of the distance from f = 0, |f|/|∇f|; where the gradient vanishes, the least half axis.
+double distance_of_ellipsoid(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
+  const DualSides dual(body);
+  const Point<Dyadic> q = from(body.centro, w);
+  Point<Dyadic> half_gradient{0, 0, 0};
+  Dyadic value = -square(dual.D);
+  for (const Point<Dyadic>& n : dual.normals) {
+    const Dyadic along = dot(q, n);
+    value += square(along);
+    half_gradient = {half_gradient.x + along * n.x, half_gradient.y + along * n.y, half_gradient.z + along * n.z};
+  }
+  const Dyadic steep = length_above(half_gradient);
+  if (number::sign(steep) == 0) {
+    const auto& [x, y, z] = body.sides;
+    return in_units(Dyadic(std::min({length_of(x), length_of(y), length_of(z)})), M);
+  }
+  return number::round_quotient(absolute(value), number::shifted(steep, 1) * M);
+}
+
+double distance_of_box(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
+  const DualSides dual(body);
+  const Point<Dyadic> q = from(body.centro, w);
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Point<Dyadic>& n : dual.normals)
+    most = std::max(most, number::round_quotient(absolute(dot(q, n)) - dual.D, length_above(n) * M));
+  return std::abs(most);
+}
+
+/// | √a² − r | from the difference of the squares, for the part of the capsule that the point is beside.
+double distance_of_capsule(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
+  const Point<Dyadic> q = from(body.centro, w), y = dyadic(body.sides[1]);
+  const Dyadic along = dot(q, y), yy = squared_length(y), radio(length_of(body.sides[0]));
+  Dyadic squared_yy = squared_length(q) * yy - square(along);  // the squared distance from the axis, times |y|²
+  if (absolute(along) > yy) {
+    const Dyadic side = number::sign(along) < 0 ? -1 : 1;
+    squared_yy = squared_length(Point<Dyadic>{q.x - side * y.x, q.y - side * y.y, q.z - side * y.z}) * yy;
+  }
+  const double far = number::round_quotient(squared_yy - square(radio) * yy, yy * square(M));
+  const double sum = std::sqrt(number::round_quotient(squared_yy, yy * square(M))) + in_units(radio, M);
+  return std::abs(far) / sum;
+}
+
+}  // namespace
+
+double largest_length(const AskedBody& body) {
+  const auto& [x, y, z] = body.sides;
+  return std::max({largest(body.centro), largest(x), largest(y), largest(z)});
+}
+
+Dyadic magnitude(const AskedBody& body, const model::Rayo& rayo, const Dyadic& way) {
+  return std::max(Dyadic(std::max(largest_length(body), largest(rayo.p().xyz()))), way);
+}
+
+Dyadic eta_of(const AskedBody& body, const Allowance& allowed) {
+  switch (body.kind) {
+    case BodyKind::caja:
+    case BodyKind::copia_caja:
+      return allowed.times(18);
+    case BodyKind::elipsoide:
+    case BodyKind::copia_esfera:
+      return allowed.times(13);
+    case BodyKind::capsula:
+      return allowed.times(14);
+  }
+  contract::unreachable();
+}
+
+BodyPlace place_in(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& eta) {
+  BodyPlace place = BodyPlace::outside;
+  for (const Conditions<Dyadic>& conditions : space(body, w, eta)) {
+    int most = -1;
+    for (const Dyadic& f : conditions) most = std::max(most, number::sign(f));
+    if (most < 0) return BodyPlace::inside;
+    if (most == 0) place = BodyPlace::surface;
+  }
+  return place;
+}
+
+/// The body is closed, convex and bounded: the ends of a stretch are the first and the last change at which it holds.
+std::optional<BodyStretch> stretch_in(const AskedBody& body, const model::Rayo& rayo, const Dyadic& eta) {
+  const SpaceParts<Linear<Dyadic>> parts = space(body, surface::along<Dyadic>(rayo), eta);
+  const std::vector<Parameter> all = changes(parts);
+  const auto holds = [&](const Parameter& t) { return holds_somewhere(parts, t); };
+  const auto first = std::ranges::find_if(all, holds);
+  if (first == all.end()) return std::nullopt;
+  const auto last = std::find_if(all.rbegin(), all.rend(), holds);
+  return BodyStretch{*first, *last};
+}
+
+double distance_of_body(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
+  switch (body.kind) {
+    case BodyKind::caja:
+    case BodyKind::copia_caja:
+      return distance_of_box(body, w, M);
+    case BodyKind::elipsoide:
+    case BodyKind::copia_esfera:
+      return distance_of_ellipsoid(body, w, M);
+    case BodyKind::capsula:
+      return distance_of_capsule(body, w, M);
+  }
+  contract::unreachable();
+}
+
+Dyadic squared_size_of_body(const AskedBody& body) {
+  Dyadic most;
+  for (const glm::dvec3& side : body.sides) most = std::max(most, squared_length(dyadic(side)));
+  return most;
+}
+
+}  // namespace durero::conform
