@@ -47,6 +47,10 @@ struct Element {
   std::vector<double> numbers;
 
   bool is(const char* word) const { return tipo == word; }
+  // Of a box, a capsule, an ellipsoid, or a copy by a map: its sides and their lengths.
+  bool is_body() const { return is("caja") || is("capsula") || is("elipsoide") || tipo.rfind("copia_", 0) == 0; }
+  Vec side(int i) const { return vec(3 + 3 * i); }
+  double half(int i) const { return std::hypot(side(i)[0], side(i)[1], side(i)[2]); }
   Vec vec(int first) const { return {numbers[first], numbers[first + 1], numbers[first + 2]}; }
   Vec centro() const { return vec(0); }
   Vec vector() const { return vec(3); }

@@ -11,12 +11,16 @@ export const packages = process.argv[2] + "/node_modules/";
 const sizes = { esfera: ["radio"], cilindro: ["radio", "altura"], cono: ["proporcion", "altura"],
   tronco: ["radio", "proporcion", "altura"], plano: [], disco: ["radio"] };
 
+const bodies = ["caja", "capsula", "elipsoide", "copia_caja", "copia_esfera"];
+export const isBody = (e) => bodies.includes(e.tipo);
+
 // An element of the scene, by the names of its type's attributes.
 function element(line) {
   const [tipo, name, ...words] = line.trim().split(/\s+/);
   const n = words.map(Number);
   if (tipo === "triangulo") return { tipo, name, vertices: [n.slice(0, 3), n.slice(3, 6), n.slice(6, 9)] };
   const shape = { tipo, name, centro: n.slice(0, 3) };
+  if (bodies.includes(tipo)) return { ...shape, sides: [n.slice(3, 6), n.slice(6, 9), n.slice(9, 12)] };
   if (tipo !== "esfera") shape.vector = n.slice(3, 6);
   sizes[tipo].forEach((size, i) => (shape[size] = n[(tipo === "esfera" ? 3 : 6) + i]));
   return shape;
@@ -29,6 +33,20 @@ export const along = (e, advance) => e.centro.map((c, i) => c + advance * e.vect
 export function radii(e) {
   const top = e.tipo === "cono" ? 0 : e.radio;
   return [top + (e.tipo === "cilindro" ? 0 : e.proporcion * e.altura), top];
+}
+
+// The lengths of a body's sides.
+export const half = (e) => e.sides.map((side) => Math.hypot(...side));
+
+// x, y, z and w of the rotation that takes the axes of coordinates to the directions of a body's sides, which are at right
+// angles and right-handed.
+export function turn(e) {
+  const [x, y, z] = e.sides.map((side) => side.map((c) => c / Math.hypot(...side)));
+  const four = [1 + x[0] - y[1] - z[2], 1 - x[0] + y[1] - z[2], 1 - x[0] - y[1] + z[2], 1 + x[0] + y[1] + z[2]];
+  const rows = [[four[0], x[1] + y[0], z[0] + x[2], y[2] - z[1]], [x[1] + y[0], four[1], y[2] + z[1], z[0] - x[2]],
+    [z[0] + x[2], y[2] + z[1], four[2], x[1] - y[0]], [y[2] - z[1], z[0] - x[2], x[1] - y[0], four[3]]];
+  const q = rows[four.indexOf(Math.max(...four))];
+  return q.map((part) => part / Math.hypot(...q));
 }
 
 // x, y, z and w of the least rotation that takes the y axis to the element's.
@@ -61,6 +79,7 @@ const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 function farthest(e, p, u) {
   if (e.tipo === "triangulo") return Math.max(...e.vertices.map((vertex) => distance(p, vertex)));
   const reach = distance(p, e.centro);
+  if (isBody(e)) return half(e).reduce((sum, x) => sum + x, reach);
   if (e.tipo === "plano") {
     const slope = Math.abs(u.reduce((sum, x, i) => sum + x * e.vector[i], 0));
     return slope ? reach / slope : 0;

@@ -12,8 +12,11 @@ answers = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 
 
+BODIES = ("caja", "capsula", "elipsoide", "copia_caja", "copia_esfera")
+
+
 class Element:
-    """An element of the scene, by the names of its type's attributes."""
+    """An element of the scene, by the names of its type's attributes; of a body, by its sides."""
 
     def __init__(self, line):
         self.tipo, self.name, *numbers = line.split()
@@ -22,6 +25,9 @@ class Element:
             self.vertices = [tuple(numbers[i : i + 3]) for i in (0, 3, 6)]
             return
         self.centro = tuple(numbers[:3])
+        if self.tipo in BODIES:
+            self.sides = [tuple(numbers[i : i + 3]) for i in (3, 6, 9)]
+            return
         if self.tipo == "esfera":
             self.radio = numbers[3]
             return
@@ -58,11 +64,30 @@ class Element:
         length = math.hypot(x, y, w)
         return -y / length, x / length, 0.0, w / length
 
+    def half(self):
+        """The lengths of a body's sides."""
+        return [math.hypot(*side) for side in self.sides]
+
+    def turn(self, order=(0, 1, 2)):
+        """x, y, z and w of the rotation that takes the axes of coordinates to the directions of those sides, which are
+        at right angles and right-handed in that order."""
+        x, y, z = ([c / math.hypot(*self.sides[i]) for c in self.sides[i]] for i in order)
+        four = [1 + x[0] - y[1] - z[2], 1 - x[0] + y[1] - z[2], 1 - x[0] - y[1] + z[2], 1 + x[0] + y[1] + z[2]]
+        rows = [[four[0], x[1] + y[0], z[0] + x[2], y[2] - z[1]],
+                [x[1] + y[0], four[1], y[2] + z[1], z[0] - x[2]],
+                [z[0] + x[2], y[2] + z[1], four[2], x[1] - y[0]],
+                [y[2] - z[1], z[0] - x[2], x[1] - y[0], four[3]]]
+        q = rows[four.index(max(four))]
+        length = math.hypot(*q)
+        return tuple(part / length for part in q)
+
     def farthest(self, p, u):
         """How far from p the last of its points can be that a ray along the unit vector u meets."""
         if self.tipo == "triangulo":
             return max(math.dist(p, vertex) for vertex in self.vertices)
         reach = math.dist(p, self.centro)
+        if self.tipo in BODIES:
+            return reach + sum(self.half())
         if self.tipo == "plano":
             slope = abs(sum(a * b for a, b in zip(u, self.vector)))
             return reach / slope if slope else 0.0

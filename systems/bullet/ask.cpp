@@ -24,6 +24,14 @@ struct Body {
   std::unique_ptr<btCollisionObject> object = std::make_unique<btCollisionObject>();
 };
 
+// The axes of the shape along three sides of a body.
+static btTransform frame(const Element& e, int x, int y, int z) {
+  const Vec a = unit(e.side(x)), b = unit(e.side(y)), c = unit(e.side(z));
+  btMatrix3x3 rotation;
+  for (int i = 0; i < 3; ++i) rotation[i].setValue(btScalar(a[i]), btScalar(b[i]), btScalar(c[i]));
+  return btTransform(rotation, bt(e.centro()));
+}
+
 static Body body_of(const Element& e) {
   Body body;
   btTransform place = btTransform::getIdentity();
@@ -36,6 +44,12 @@ static Body body_of(const Element& e) {
     body.mesh = std::make_unique<btTriangleMesh>();
     body.mesh->addTriangle(bt(e.vec(0)), bt(e.vec(3)), bt(e.vec(6)));
     body.shape = std::make_unique<btBvhTriangleMeshShape>(body.mesh.get(), true);
+  } else if (e.is("caja")) {
+    body.shape = std::make_unique<btBoxShape>(btVector3(btScalar(e.half(0)), btScalar(e.half(1)), btScalar(e.half(2))));
+    place = frame(e, 0, 1, 2);
+  } else if (e.is("capsula")) {
+    body.shape = std::make_unique<btCapsuleShapeZ>(btScalar(e.half(0)), btScalar(2 * e.half(1)));
+    place = frame(e, 2, 0, 1);
   } else {
     const btScalar r = btScalar(e.base_radius()), h = btScalar(e.altura());
     if (e.is("cilindro"))
@@ -65,6 +79,8 @@ static double reach(const Element& e, const Ray& ray) {
       const Vec edge = e.vec(i) - e.vec(0);
       size = std::fmax(size, std::sqrt(dot(edge, edge)));
     }
+  } else if (e.is_body()) {
+    size = e.half(0) + e.half(1) + e.half(2);
   } else {
     size = e.base_radius() + e.altura();
   }

@@ -1,9 +1,14 @@
 // Asks Jolt Physics by NarrowPhaseQuery.CastRay, of a segment that no element is beyond. Convex shapes are not treated
 // as solid and back faces are reported, so that a ray from inside is answered with where it leaves.
 import { created, jolt, LAYER, physics } from "./physics.mjs";
-import { along, quaternionOfY, radii, segment, serve } from "../protocol.mjs";
+import { along, half as halves, isBody, quaternionOfY, radii, segment, serve, turn } from "../protocol.mjs";
 
 function shape(element) {
+  if (element.tipo === "caja") return created(new jolt.BoxShapeSettings(new jolt.Vec3(...halves(element)), 0));
+  if (element.tipo === "capsula") {
+    const [radius, along] = halves(element);
+    return created(new jolt.CapsuleShapeSettings(along, radius));
+  }
   const half = element.altura / 2;
   if (element.tipo === "esfera") return created(new jolt.SphereShapeSettings(element.radio));
   if (element.tipo === "cilindro") return created(new jolt.CylinderShapeSettings(half, element.radio, 0));
@@ -19,8 +24,8 @@ function shape(element) {
 
 function body(element) {
   const { tipo, altura, vector } = element;
-  const position = tipo === "triangulo" ? [0, 0, 0] : tipo === "esfera" ? element.centro : along(element, altura / 2);
-  const rotation = vector ? quaternionOfY(vector) : [0, 0, 0, 1];
+  const position = tipo === "triangulo" ? [0, 0, 0] : tipo === "esfera" || isBody(element) ? element.centro : along(element, altura / 2);
+  const rotation = isBody(element) ? turn(element) : vector ? quaternionOfY(vector) : [0, 0, 0, 1];
   const at = new jolt.RVec3(...position), turned = new jolt.Quat(...rotation), solid = shape(element);
   const settings = new jolt.BodyCreationSettings(solid, at, turned, jolt.EMotionType_Static, LAYER);
   const id = bodies.CreateBody(settings).GetID();

@@ -9,12 +9,21 @@ import protocol  # isort: skip
 import mujoco
 import numpy
 
-GEOMS = {"esfera": mujoco.mjtGeom.mjGEOM_SPHERE, "cilindro": mujoco.mjtGeom.mjGEOM_CYLINDER}
+GEOMS = {"esfera": mujoco.mjtGeom.mjGEOM_SPHERE, "cilindro": mujoco.mjtGeom.mjGEOM_CYLINDER,
+         "caja": mujoco.mjtGeom.mjGEOM_BOX, "capsula": mujoco.mjtGeom.mjGEOM_CAPSULE,
+         "elipsoide": mujoco.mjtGeom.mjGEOM_ELLIPSOID}
 
 
 def add(element, world):
     if element.tipo == "esfera":
         world.add_geom(type=GEOMS["esfera"], size=[element.radio, 0, 0], pos=element.centro)
+    elif element.tipo == "capsula":
+        radius, half, _ = element.half()
+        x, y, z, w = element.turn((2, 0, 1))
+        world.add_geom(type=GEOMS["capsula"], size=[radius, half, 0], pos=element.centro, quat=[w, x, y, z])
+    elif element.tipo in protocol.BODIES:
+        x, y, z, w = element.turn()
+        world.add_geom(type=GEOMS[element.tipo], size=element.half(), pos=element.centro, quat=[w, x, y, z])
     else:
         half = element.altura / 2
         x, y, z, w = element.quaternion()

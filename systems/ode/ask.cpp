@@ -15,6 +15,18 @@ static dGeomID cylinder(const Element& e) {
   return geometry;
 }
 
+// The axes of the geometry along the sides of a body; of a capsule its z is along y.
+static dGeomID body(const Element& e) {
+  const bool is_box = e.is("caja");
+  const double x = e.half(0), y = e.half(1), z = e.half(2);
+  dGeomID geometry = is_box ? dCreateBox(nullptr, 2 * x, 2 * y, 2 * z) : dCreateCapsule(nullptr, x, 2 * y);
+  const Vec a = unit(e.side(is_box ? 0 : 2)), b = unit(e.side(is_box ? 1 : 0)), c = unit(e.side(is_box ? 2 : 1));
+  const dMatrix3 rotation = {a[0], b[0], c[0], 0, a[1], b[1], c[1], 0, a[2], b[2], c[2], 0};
+  dGeomSetPosition(geometry, e.numbers[0], e.numbers[1], e.numbers[2]);
+  dGeomSetRotation(geometry, rotation);
+  return geometry;
+}
+
 static dGeomID sphere(const Element& e) {
   dGeomID geometry = dCreateSphere(nullptr, e.numbers[3]);
   dGeomSetPosition(geometry, e.numbers[0], e.numbers[1], e.numbers[2]);
@@ -27,7 +39,7 @@ static dGeomID plane(const Element& e) {
 }
 
 static dGeomID geometry_of(const Element& e) {
-  return e.is("esfera") ? sphere(e) : e.is("plano") ? plane(e) : cylinder(e);
+  return e.is_body() ? body(e) : e.is("esfera") ? sphere(e) : e.is("plano") ? plane(e) : cylinder(e);
 }
 
 class Asked {

@@ -25,9 +25,22 @@ def base_radius(tipo, w):
     return repr(k * h if tipo == "cono" else float(w[6]) + k * h)
 
 
+def capsule(w):
+    radius = repr(math.hypot(*map(float, w[3:6])))
+    ends = [vector([repr(float(c) + sign * float(y)) for c, y in zip(w[:3], w[6:9])]) for sign in (-1, 1)]
+    return "merge{cylinder{%s,%s,%s} sphere{%s,%s} sphere{%s,%s}}" % (*ends, radius, ends[0], radius, ends[1], radius)
+
+
 def object_of(tipo, w):
     """The element in the scene language; w are its numbers, as text."""
     c, d = vector(w[:3]), vector(w[3:6])
+    mapped = "matrix<" + ",".join(w[3:12] + w[:3]) + ">"
+    if tipo in ("caja", "copia_caja"):
+        return "box{-1,1 %s}" % mapped
+    if tipo in ("elipsoide", "copia_esfera"):
+        return "sphere{0,1 %s}" % mapped
+    if tipo == "capsula":
+        return capsule(w)
     if tipo == "esfera":
         return "sphere{%s,%s}" % (c, w[3])
     if tipo == "cilindro":

@@ -20,6 +20,13 @@ def body(element):
     if element.tipo == "esfera":
         shape = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=element.radio)
         return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.centro)
+    if element.tipo == "caja":
+        shape = pybullet.createCollisionShape(pybullet.GEOM_BOX, halfExtents=element.half())
+        return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.centro, element.turn())
+    if element.tipo == "capsula":
+        radius, half, _ = element.half()
+        shape = pybullet.createCollisionShape(pybullet.GEOM_CAPSULE, radius=radius, height=2 * half)
+        return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.centro, element.turn((2, 0, 1)))
     shape = pybullet.createCollisionShape(pybullet.GEOM_CYLINDER, radius=element.radio, height=element.altura)
     return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.along(element.altura / 2), element.quaternion())
 

@@ -7,7 +7,7 @@ sys.path.append(os.path.join(os.path.dirname(__file__), ".."))
 import protocol  # isort: skip
 import raysect
 from raysect.core import AffineMatrix3D, Point3D, Ray, Vector3D, World, translate
-from raysect.primitive import Cone, Cylinder, Mesh, Sphere
+from raysect.primitive import Box, Cone, Cylinder, Mesh, Sphere
 
 
 def placed(element):
@@ -15,8 +15,17 @@ def placed(element):
     return AffineMatrix3D(rows + [[0, 0, 0, 1]])
 
 
+def mapped(element):
+    rows = [[*row, c] for row, c in zip(zip(*element.sides), element.centro)]
+    return AffineMatrix3D(rows + [[0, 0, 0, 1]])
+
+
 def add(element, world):
     name = element.name
+    if element.tipo in ("caja", "copia_caja"):
+        return Box(Point3D(-1, -1, -1), Point3D(1, 1, 1), world, mapped(element), name=name)
+    if element.tipo in ("elipsoide", "copia_esfera"):
+        return Sphere(1, world, mapped(element), name=name)
     if element.tipo == "esfera":
         return Sphere(element.radio, world, translate(*element.centro), name=name)
     if element.tipo == "cilindro":
