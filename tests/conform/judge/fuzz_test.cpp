@@ -229,7 +229,8 @@ TEST_CASE("faults of few questions are found that a run of as many rays of the f
   std::size_t found_alone = 0;
   for (const RareFault& fault : rare_faults) {
     const Ask ask = missing_where(fault);
-    const Fuzzing found = fuzz({.steps = rays * families_of_few().size()}, profile, ask, for_ever);
+    const Fuzzing found =
+        fuzz({.suite = {.tipos = profile.tipos}, .steps = rays * families_of_few().size()}, profile, ask, for_ever);
     const std::uint64_t of_run = failures_of_run(ask, rays, profile);
     fmt::print("{:52} fuzzing {:4}, run {:4}\n", fault.name, found.failures, of_run);
     INFO(fault.name);
