@@ -1,6 +1,7 @@
 // What the C++ programs beside this file share: questions are read, answers written, unit vectors and frames made. The
 // protocol is described in include/durero/conform/ask/question.hpp.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -68,6 +69,8 @@ struct Ray {
   Vec p, v;
   double begin = 0, end = std::numeric_limits<double>::infinity();  // what is asked about: begin ≤ t ≤ end
   bool is_shadow = false;                                           // whether anything is hit there
+  bool is_about_all = false;                                        // all hits are asked for, or
+  bool is_count = false;                                            // their number
 };
 
 struct Scene {
@@ -87,16 +90,23 @@ inline bool read(Scene& scene) {
   scene = {};
   std::string line, word;
   bool has_begins = false;
+  const auto is_head = [&] {
+    return word == "rays" || word == "shadows" || word == "ranges" || word == "crossings" || word == "counts";
+  };
   if (!std::getline(std::cin, line)) return false;
   std::istringstream(line) >> word >> scene.name;
   while (std::getline(std::cin, line)) {
     std::istringstream in(line);
     in >> word;
-    if (word == "rays" || word == "shadows" || word == "ranges") {
+    if (is_head()) {
       std::size_t count;
       in >> count;
       scene.rays.resize(count);
-      for (Ray& ray : scene.rays) ray.is_shadow = word == "shadows";
+      for (Ray& ray : scene.rays) {
+        ray.is_shadow = word == "shadows";
+        ray.is_count = word == "counts";
+        ray.is_about_all = ray.is_count || word == "crossings";
+      }
       has_begins = word == "ranges";
       break;
     }
@@ -122,6 +132,21 @@ inline void hit(const std::string& element, double t) { std::printf("hit %s %.17
 inline void hit(const std::string& element, double t, Vec normal, const double* uv = nullptr) {
   std::printf("hit %s %.17g normal %.17g %.17g %.17g", element.c_str(), t, normal[0], normal[1], normal[2]);
   if (uv) std::printf(" uv %.17g %.17g", uv[0], uv[1]);
+  std::puts("");
+}
+// A hit of all.
+struct Listed {
+  double t;
+  std::string element;
+};
+// The answer to a ray about all hits: those at t > 0, in order, or their number.
+inline void all_hits(const Ray& ray, std::vector<Listed> all) {
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Listed& one) { return !(one.t > 0); }), all.end());
+  if (ray.is_count) return void(std::printf("count %zu\n", all.size()));
+  if (all.empty()) return miss();
+  std::stable_sort(all.begin(), all.end(), [](const Listed& a, const Listed& b) { return a.t < b.t; });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    std::printf("%shit %s %.17g", i == 0 ? "" : " ; ", all[i].element.c_str(), all[i].t);
   std::puts("");
 }
 // The answer to a shadow ray.

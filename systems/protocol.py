@@ -171,11 +171,24 @@ def range_lines(load_ranges, elements, rays):
         return [refusal(why)] * len(rays)
 
 
-def serve(system, version, load, load_shadows=None, load_ranges=None):
+def all_lines(load_all, elements, rays, is_count):
+    try:
+        hits_of = load_all(elements)
+        lines = []
+        for n in rays:
+            hits = sorted(hits_of(tuple(n[:3]), tuple(n[3:6])), key=lambda hit: hit[1])
+            lines.append(f"count {len(hits)}" if is_count else " ; ".join(map(shown, hits)) or "miss")
+        return lines
+    except Exception as why:
+        return [refusal(why)] * len(rays)
+
+
+def serve(system, version, load, load_shadows=None, load_ranges=None, load_all=None):
     """Answers until the questions end: load(elements) is a function of the rays to their answers, see each().
 
     Of a system that answers shadow rays, load_shadows(elements)(p, v, end) is whether anything is hit up to the end; of
-    one that answers ranges, load_ranges(elements)(p, v, begin, end) is the first hit between the two ends.
+    one that answers ranges, load_ranges(elements)(p, v, begin, end) is the first hit between the two ends; of one that
+    answers all hits and their number, load_all(elements)(p, v) has them, in any order.
     """
     print("system", system, version, file=answers, flush=True)
     elements = []
@@ -183,10 +196,15 @@ def serve(system, version, load, load_shadows=None, load_ranges=None):
         word = line.split(None, 1)[0]
         if word == "scene":
             elements = []
-        elif word in ("shadows", "ranges"):
+        elif word in ("shadows", "ranges", "crossings", "counts"):
             rays = [[float(number) for number in sys.stdin.readline().split()] for _ in range(int(line.split()[1]))]
-            lines, load_them = (shadow_lines, load_shadows) if word == "shadows" else (range_lines, load_ranges)
-            print(*lines(load_them, elements, rays), sep="\n", file=answers, flush=True)
+            if word == "shadows":
+                lines = shadow_lines(load_shadows, elements, rays)
+            elif word == "ranges":
+                lines = range_lines(load_ranges, elements, rays)
+            else:
+                lines = all_lines(load_all, elements, rays, word == "counts")
+            print(*lines, sep="\n", file=answers, flush=True)
         elif word != "rays":
             elements.append(Element(line))
         else:

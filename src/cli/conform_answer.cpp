@@ -82,18 +82,74 @@ scene::Hit hit_within(const scene::Scene& scene, const scene::Query& ray, const 
   return surface::exact::rounded_hit(ray.rayo, *first, elements);
 }
 
-/// The claims on the rays of a question.
-std::vector<conform::Claim> claims_of(const conform::Question& question, const engine::Engine& engine) {
-  std::vector<conform::Claim> claims;
-  if (question.kind == conform::QuestionKind::range) {
-    for (std::size_t i = 0; i < question.rays.size(); ++i)
-      claims.push_back(claim_of(hit_within(question.scene, question.rays[i], question.ranges[i])));
-    return claims;
+/// All hits of a ray, from all crossings by exact arithmetic, whatever the engine. A stretch inside a surface is hit at
+/// both its ends.
+conform::Claim all_hits_of(const scene::Scene& scene, const scene::Query& ray) {
+  struct End {
+    Parameter t;
+    scene::ElementRef element;
+  };
+  std::vector<End> ends;
+  for (const auto& [element, segment] : conform::all_crossings(scene, ray)) {
+    if (!segment.begin) return {.why = "no point of the elements is the nearest"};
+    ends.push_back({*segment.begin, element});
+    if (segment.end && *segment.end != *segment.begin) ends.push_back({*segment.end, element});
   }
+  std::ranges::stable_sort(ends, [](const End& a, const End& b) { return surface::exact::order(a.t, b.t) < 0; });
+  if (ends.empty()) return {.outcome = conform::Claim::Outcome::miss};
+  std::vector<conform::Claim> all;
+  for (const auto& [t, element] : ends) all.push_back(claim_of(surface::exact::rounded_hit(ray.rayo, t, {element})));
+  conform::Claim first = all.front();
+  first.behind.assign(all.begin() + 1, all.end());
+  return first;
+}
+
+/// The number of a list of hits; without one, the reason.
+conform::Claim counted(const conform::Claim& all) {
+  if (all.outcome == conform::Claim::Outcome::unanswered) return all;
+  const bool is_hit = all.outcome == conform::Claim::Outcome::hit;
+  return {.outcome = all.outcome, .count = is_hit ? 1 + all.behind.size() : 0};
+}
+
+/// The claims on the first hits of rays, or on what is before the ends of shadow rays.
+std::vector<conform::Claim> claims_on_first(const conform::Question& question, const engine::Engine& engine) {
+  std::vector<conform::Claim> claims;
   const std::vector<scene::Hit> hits = engine::first_hits(engine, question.rays);
   for (std::size_t i = 0; i < hits.size(); ++i)
     claims.push_back(question.ranges.empty() ? claim_of(hits[i]) : shadow_of(hits[i], question.ranges[i].end));
   return claims;
+}
+
+/// The claims on the rays of a question.
+std::vector<conform::Claim> claims_of(const conform::Question& question, const engine::Engine& engine) {
+  using Kind = conform::QuestionKind;
+  const auto each = [&](const auto& claim_on) {
+    std::vector<conform::Claim> claims;
+    for (std::size_t i = 0; i < question.rays.size(); ++i) claims.push_back(claim_on(i));
+    return claims;
+  };
+  switch (question.kind) {
+    case Kind::first:
+    case Kind::shadow:
+      return claims_on_first(question, engine);
+    case Kind::range:
+      return each(
+          [&](std::size_t i) { return claim_of(hit_within(question.scene, question.rays[i], question.ranges[i])); });
+    case Kind::all:
+      return each([&](std::size_t i) { return all_hits_of(question.scene, question.rays[i]); });
+    case Kind::count:
+      return each([&](std::size_t i) { return counted(all_hits_of(question.scene, question.rays[i])); });
+  }
+  __builtin_unreachable();  // a QuestionKind is one of its enumerators
+}
+
+/// Adds what may be said besides to a hit that has a point, and to those behind it.
+void add_besides_of_all(conform::Claim& claim, const scene::Scene& scene, const scene::Query& ray) {
+  const auto add = [&](conform::Claim& hit) {
+    if (hit.punto && scene.body(*hit.element) == nullptr) add_besides(hit, scene, ray);
+  };
+  add(claim);
+  for (conform::Claim& behind : claim.behind) add(behind);
 }
 
 int answer(const std::string& engine_name, bool says_more) {
@@ -104,8 +160,7 @@ int answer(const std::string& engine_name, bool says_more) {
     std::string answers;
     std::vector<conform::Claim> claims = claims_of(*question, *engine);
     for (std::size_t i = 0; i < claims.size(); ++i) {
-      const bool is_body = claims[i].element && question->scene.body(*claims[i].element) != nullptr;
-      if (says_more && claims[i].punto && !is_body) add_besides(claims[i], question->scene, question->rays[i]);
+      if (says_more) add_besides_of_all(claims[i], question->scene, question->rays[i]);
       answers += answer_line(claims[i], question->scene) + "\n";
     }
     io::print(answers);

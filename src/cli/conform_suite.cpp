@@ -103,8 +103,8 @@ void add_question(CLI::App& command, SuiteCall& call) {
   command
       .add_option(
           "--question", call.question,
-          "What is asked: the first hit; shadow, whether anything is hit up to an end of each ray; or range, the "
-          "first hit between two ends of each ray")
+          "What is asked: the first hit; shadow, whether anything is hit up to an end of each ray; range, the first "
+          "hit between two ends of each ray; all hits in order; or count, their number")
       ->check(one_of("question", {question_words.begin(), question_words.end()}))
       ->capture_default_str();
 }

@@ -120,10 +120,26 @@ static RTCGeometry geometry_of(RTCDevice device, const Element& e, Kind kind) {
   return curve(device, e, kind);
 }
 
+// What an intersection of all hits finds. The filter takes each hit down and rejects it, so that the search goes on.
+struct AllHits {
+  RTCIntersectContext context;  // first, so that the filter finds the rest by it
+  const Scene* of;
+  std::vector<Listed> found;
+};
+static void take_down(const RTCFilterFunctionNArguments* args) {
+  auto& all = *reinterpret_cast<AllHits*>(args->context);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const unsigned element = RTCHitN_geomID(args->hit, args->N, i);
+    all.found.push_back({RTCRayN_tfar(args->ray, args->N, i), all.of->elements[element].name});
+    args->valid[i] = 0;
+  }
+}
+
 class Asked {
  public:
   Asked(RTCDevice device, const Scene& of, Kind kind) : kind_(kind), of_(&of), scene_(rtcNewScene(device)) {
-    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     for (unsigned i = 0; i < of.elements.size(); ++i) {
       RTCGeometry geometry = geometry_of(device, of.elements[i], kind);
       rtcCommitGeometry(geometry);
@@ -144,6 +160,13 @@ class Asked {
     ray.tnear = float(asked.begin);
     ray.tfar = float(asked.end);
     ray.mask = ~0U;
+    if (asked.is_about_all) {
+      AllHits all{context, of_, {}};
+      all.context.filter = take_down;
+      rayhit.hit.geomID = rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+      rtcIntersect1(scene_, &all.context, &rayhit);
+      return all_hits(asked, all.found);
+    }
     if (asked.is_shadow) {
       rtcOccluded1(scene_, &context, &ray);
       return shadow(ray.tfar < 0);

@@ -107,6 +107,7 @@ class Asked {
 
   void ask(const Ray& ray) {
     if (!refused_.empty()) return refused(refused_.c_str());
+    if (ray.is_about_all) return all_hits(ray, all_met(ray));
     const Element* nearest = nullptr;
     double least = 0;
     for (std::size_t i = 0; i < askers_.size(); ++i) {
@@ -120,6 +121,14 @@ class Asked {
   }
 
  private:
+  std::vector<Listed> all_met(const Ray& ray) {
+    std::vector<Listed> all;
+    for (std::size_t i = 0; i < askers_.size(); ++i) {
+      for (const double t : askers_[i]->meet(ray)) all.push_back({t, of_->elements[i].name});
+    }
+    return all;
+  }
+
   const Scene* of_;
   std::vector<std::unique_ptr<Asker>> askers_;
   std::string refused_;

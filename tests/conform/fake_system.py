@@ -14,7 +14,7 @@ how = sys.argv[1] if len(sys.argv) > 1 else "right"
 def answer(ray):
     if how == "garbage" and 300 <= ray < 310:
         return "Segmentation fault? no, \x1b[31mgarbage"
-    if how == "long" and ray == 70:
+    if how == "long" and ray in (70, 85):  # one of them is the last of a scene
         return "refused " + "x" * 100000
     if ray < 0:
         return "miss"

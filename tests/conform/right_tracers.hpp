@@ -129,6 +129,23 @@ inline void add_besides(const conform::Profile& profile, const Besides& besides,
   if (profile.uv) claim.uv = besides.uv;
 }
 
+/// What the tracer says of something that it meets; nothing where a number is none of its format.
+inline std::optional<conform::Claim> hit_claim(const RightTracer& tracer, const Met& met) {
+  conform::Claim claim{.outcome = conform::Claim::Outcome::hit};
+  if (tracer.profile.names_elements) claim.element = met.element;
+  if (tracer.answers_element && claim.element) return claim;
+  add_besides(tracer.profile, met.besides, claim);
+  const conform::NumberFormat format = tracer.profile.format;
+  if (tracer.profile.measure == conform::Measure::point) {
+    const glm::dvec3 w =
+        met.t ? surface::exact::rounded_hit(met.rayo, *met.t, {met.element}).punto : met.rayo.p().xyz();
+    claim.punto = glm::dvec3(narrowed(w.x, format), narrowed(w.y, format), narrowed(w.z, format));
+    return std::isfinite(longest(*claim.punto)) ? std::optional(claim) : std::nullopt;
+  }
+  claim.t = distance(tracer, met);
+  return claim;
+}
+
 /// Of what is met, what it says; nothing where a number is none of its format: then the tracer is not right.
 inline std::optional<conform::Claim> claim_of(const RightTracer& tracer, std::vector<Met> all) {
   const auto is_number = [&](const Met& met) { return std::isfinite(distance(tracer, met)); };
@@ -136,19 +153,30 @@ inline std::optional<conform::Claim> claim_of(const RightTracer& tracer, std::ve
   std::erase_if(all, [&](const Met& met) { return passes_by(tracer, met); });
   const auto first = std::min_element(all.begin(), all.end(), is_earlier);
   if (first == all.end()) return conform::Claim{.outcome = conform::Claim::Outcome::miss};
-  conform::Claim claim{.outcome = conform::Claim::Outcome::hit};
-  if (tracer.profile.names_elements) claim.element = first->element;
-  if (tracer.answers_element && claim.element) return claim;
-  add_besides(tracer.profile, first->besides, claim);
-  const conform::NumberFormat format = tracer.profile.format;
-  if (tracer.profile.measure == conform::Measure::point) {
-    const glm::dvec3 w =
-        first->t ? surface::exact::rounded_hit(first->rayo, *first->t, {first->element}).punto : first->rayo.p().xyz();
-    claim.punto = glm::dvec3(narrowed(w.x, format), narrowed(w.y, format), narrowed(w.z, format));
-    return std::isfinite(longest(*claim.punto)) ? std::optional(claim) : std::nullopt;
+  return hit_claim(tracer, *first);
+}
+
+/// All that it does not pass by, in order; nothing where a number is none of its format.
+inline std::optional<conform::Claim> list_claim(const RightTracer& tracer, std::vector<Met> all) {
+  std::erase_if(all, [&](const Met& met) { return passes_by(tracer, met); });
+  std::stable_sort(all.begin(), all.end(), is_earlier);
+  std::optional<conform::Claim> first;
+  for (const Met& met : all) {
+    const std::optional<conform::Claim> hit = hit_claim(tracer, met);
+    if (!hit || !std::isfinite(distance(tracer, met))) return std::nullopt;
+    if (first)
+      first->behind.push_back(*hit);
+    else
+      first = hit;
   }
-  claim.t = distance(tracer, *first);
-  return claim;
+  return first ? first : conform::Claim{.outcome = conform::Claim::Outcome::miss};
+}
+
+/// The number of what it does not pass by.
+inline conform::Claim count_claim(const RightTracer& tracer, std::vector<Met> all) {
+  std::erase_if(all, [&](const Met& met) { return passes_by(tracer, met); });
+  const bool is_hit = !all.empty();
+  return {.outcome = is_hit ? conform::Claim::Outcome::hit : conform::Claim::Outcome::miss, .count = all.size()};
 }
 
 }  // namespace durero::test

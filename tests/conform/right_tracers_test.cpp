@@ -6,9 +6,11 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
+#include <functional>
 #include <set>
 
 #include "durero/conform/judge/judge.hpp"
+#include "durero/conform/report/report.hpp"
 #include "durero/conform/report/tally.hpp"
 #include "hits.hpp"
 #include "right_trace.hpp"
@@ -99,7 +101,9 @@ RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
   tracer.sees_beyond_greatest = random.chance(1, 4);
   tracer.excludes_limits = random.chance(1, 2);
   tracer.answers_element = random.chance(1, 8);
-  if (random.chance(1, 2)) tracer.profile.questions = {QuestionKind::first, QuestionKind::shadow, QuestionKind::range};
+  if (random.chance(1, 2))
+    tracer.profile.questions = {QuestionKind::first, QuestionKind::shadow, QuestionKind::range, QuestionKind::all,
+                                QuestionKind::count};
   return tracer;
 }
 
@@ -138,6 +142,7 @@ std::string shown(const RightTracer& tracer, const Claim& claim) {
 struct Judged {
   std::size_t rays = 0, failures = 0, beyond = 0;
   std::size_t doubtful_shadows = 0, ranges = 0, doubtful_ranges = 0;
+  std::size_t lists = 0, doubtful_lists = 0, doubtful_counts = 0;
   std::size_t nudged = 0, off = 0;  ///< answers a little beside their place, and how many of these are off
   std::map<std::string, std::map<std::string, std::size_t>> clauses{};
   std::map<Data, std::size_t> data{};
@@ -236,6 +241,30 @@ std::optional<Claim> range_claim(const RightTracer& tracer, std::vector<Met> all
   return claim_of(tracer, all);
 }
 
+/// The case of the ray alone, asked for all hits or their number.
+SuiteCase about_all(const SuiteCase& of, std::size_t ray, QuestionKind question) {
+  SuiteCase asked = with_ray_alone(of, ray);
+  asked.question = question;
+  answer(asked);
+  return asked;
+}
+
+/// The list and the number of all hits of a ray.
+void judge_all(Judged& judged, const SuiteCase& of, std::size_t ray, const RightTracer& tracer,
+               const std::vector<Met>& all, const std::function<void(Verdict, const Claim&)>& fail) {
+  const std::optional<Claim> list = list_claim(tracer, all);
+  if (!list) return;
+  const Verdict of_list = judge(about_all(of, ray, QuestionKind::all), 0, *list, tracer.profile).verdict;
+  const Claim count = count_claim(tracer, all);
+  const Verdict of_count = judge(about_all(of, ray, QuestionKind::count), 0, count, tracer.profile).verdict;
+  ++judged.lists;
+  judged.doubtful_lists += of_list == Verdict::right;
+  judged.doubtful_counts += of_count == Verdict::right;
+  UNSCOPED_INFO(all.size() << " are met, listed " << claim_words(*list, of.the_case.scene));
+  if (is_failure(of_list)) fail(of_list, *list);
+  if (is_failure(of_count)) fail(of_count, *list);
+}
+
 /// One ray for one tracer of that seed. `beyond` are rays that end otherwise by their limits.
 void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64_t seed) {
   Random random(seed);
@@ -284,6 +313,7 @@ void judge_one(Judged& judged, const SuiteCase& of, std::size_t ray, std::uint64
       UNSCOPED_INFO(fmt::format("within {:a} … {:a}", range.begin, range.end));
       fail(of_range, *within);
     }
+    judge_all(judged, of, ray, tracer, *all, fail);
   }
   const std::optional<Claim> beside = random.chance(1, 4) ? nudged(random, tracer, of, ray, *claim) : std::nullopt;
   if (!beside) return;
@@ -333,6 +363,8 @@ void check_members(const Judged& judged, std::size_t least) {
   CHECK(judged.beyond > judged.rays / 50);
   CHECK(judged.doubtful_shadows > judged.rays / 50);
   CHECK(judged.doubtful_ranges > judged.ranges / 50);
+  CHECK(judged.doubtful_lists > judged.lists / 50);
+  CHECK(judged.doubtful_counts > judged.lists / 50);
   CHECK(judged.nudged > judged.rays / 50);
   CHECK(judged.off > judged.nudged / 4);
   CHECK(judged.failures == 0);

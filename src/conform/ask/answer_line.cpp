@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <span>
 
 #include "conform/ask/words.hpp"
@@ -66,9 +68,9 @@ std::string_view read_hit_numbers(std::span<const std::string_view> words, Claim
   return claim.punto ? "" : "X Y Z are no three numbers";
 }
 
-Claim read_hit(std::string_view line, const scene::Scene& scene) {
-  const std::vector<std::string_view> words = words_of(line);
-  if (words.size() < 3) return malformed(line, form_of_a_hit);
+/// Reads the words of one hit of a line.
+Claim read_hit(std::string_view line, std::span<const std::string_view> words, const scene::Scene& scene) {
+  if (words.size() < 3 || words.front() != "hit") return malformed(line, form_of_a_hit);
   Claim claim{.outcome = Claim::Outcome::hit};
   if (words[1] != "-") {
     claim.element = scene.find(words[1]);
@@ -78,6 +80,32 @@ Claim read_hit(std::string_view line, const scene::Scene& scene) {
   std::string_view wrong = read_hit_numbers({words.begin() + 2, besides}, claim);
   if (wrong.empty()) wrong = read_besides({besides, words.end()}, claim);
   return wrong.empty() ? claim : malformed(line, wrong);
+}
+
+/// Reads a hit, or several with a semicolon between them.
+Claim read_hits(std::string_view line, std::span<const std::string_view> words, const scene::Scene& scene) {
+  std::optional<Claim> first;
+  for (;;) {
+    const auto end = std::ranges::find(words, ";");
+    Claim claim = read_hit(line, {words.begin(), end}, scene);
+    if (claim.outcome == Claim::Outcome::unanswered) return claim;
+    if (first)
+      first->behind.push_back(std::move(claim));
+    else
+      first = std::move(claim);
+    if (end == words.end()) return *std::move(first);
+    words = {end + 1, words.end()};
+  }
+}
+
+/// Reads the number of all hits.
+Claim read_number_of_hits(std::string_view line, std::span<const std::string_view> words) {
+  std::uint64_t count = 0;
+  const std::string_view digits = words.size() == 2 ? words[1] : "";
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size())
+    return malformed(line, "a count is one whole number");
+  return {.outcome = count > 0 ? Claim::Outcome::hit : Claim::Outcome::miss, .count = count};
 }
 
 }  // namespace
@@ -90,8 +118,9 @@ Claim read_answer_line(std::string_view line, const scene::Scene& scene) {
   const std::vector<std::string_view> words = words_of(line);
   if (words.empty()) return malformed(line, "the line is empty");
   if (words.front() == "refused") return {.why = text::escaped(fmt::format("{}", fmt::join(words, " ")))};
-  if (words.front() == "hit") return read_hit(line, scene);
-  if (words.front() != "miss") return malformed(line, "it begins with none of miss, hit and refused");
+  if (words.front() == "hit") return read_hits(line, words, scene);
+  if (words.front() == "count") return read_number_of_hits(line, words);
+  if (words.front() != "miss") return malformed(line, "it begins with none of miss, hit, count and refused");
   if (words.size() != 1) return malformed(line, "a miss is miss alone");
   return {.outcome = Claim::Outcome::miss};
 }

@@ -17,6 +17,9 @@ constexpr int preamble_lines = 100;
 /// The time that a system has to end after its input was closed.
 constexpr Seconds to_close{5};
 
+/// The bytes of a line of a system that lists all hits.
+constexpr std::size_t line_of_all_hits = 1 << 20;
+
 /// The last line of a text that is not empty.
 std::string last_line(std::string_view text) {
   const std::size_t end = text.find_last_not_of(" \r\n") + 1;
@@ -48,7 +51,10 @@ void Asker::close() {
 
 void Asker::start() {
   const std::string folder = std::filesystem::exists(system_->setup) ? system_->setup : "";
-  child_ = std::make_unique<Child>(system_->ask, ChildLimits{.memory = options_.memory, .folder = folder}, *stop_);
+  ChildLimits limits{.memory = options_.memory, .folder = folder};
+  const auto& questions = system_->profile.questions;
+  if (std::ranges::find(questions, QuestionKind::all) != questions.end()) limits.line = line_of_all_hits;
+  child_ = std::make_unique<Child>(system_->ask, limits, *stop_);
   std::string line;
   bool is_late = false;
   for (int lines = 0; lines < preamble_lines; ++lines) {

@@ -150,6 +150,7 @@ Child::Event Child::next_line(Seconds time, std::string& line) {
 
 bool Child::has_more() {
   await(0);
+  drop_rest();  // what follows is another line
   return !answers_.empty();
 }
 
@@ -178,14 +179,17 @@ std::string Child::end() {
   return ended == 0 ? "" : how_ended(status);
 }
 
+void Child::drop_rest() {
+  if (!skips_line_) return;
+  const std::size_t end = answers_.find('\n');
+  answers_.erase(0, end == answers_.npos ? end : end + 1);
+  skips_line_ = end == answers_.npos;
+}
+
 bool Child::take_line(std::string& line) {
-  std::size_t end = answers_.find('\n');
-  if (skips_line_) {
-    answers_.erase(0, end == answers_.npos ? end : end + 1);
-    skips_line_ = end == answers_.npos;
-    if (skips_line_) return false;
-    end = answers_.find('\n');
-  }
+  drop_rest();
+  if (skips_line_) return false;
+  const std::size_t end = answers_.find('\n');
   if (end == answers_.npos && answers_.size() <= limits_.line) return false;
   skips_line_ = end == answers_.npos;
   line = answers_.substr(0, std::min(end, limits_.line));

@@ -59,6 +59,7 @@ class Child {
   const std::string& last_words() const { return last_words_; }
 
  private:
+  void drop_rest();  // of a line that is too long
   bool take_line(std::string& line);
   void await(int milliseconds);
   void write_some();
@@ -70,7 +71,7 @@ class Child {
   pid_t process_ = -1;
   int input_ = -1, output_ = -1, error_ = -1;
   std::string to_tell_, answers_, last_words_;
-  bool skips_line_ = false;  // the rest of a line that is too long
+  bool skips_line_ = false;  // the rest of a line that is too long was not dropped yet
 };
 
 }  // namespace durero::conform

@@ -22,12 +22,14 @@ std::string hit_text(const Claim& claim, const scene::Scene& scene) {
   if (claim.normal) line += fmt::format(" normal {} {} {}", claim.normal->x, claim.normal->y, claim.normal->z);
   if (claim.is_front) line += *claim.is_front ? " front" : " back";
   if (claim.uv) line += fmt::format(" uv {} {}", claim.uv->x, claim.uv->y);
+  for (const Claim& behind : claim.behind) line += " ; " + hit_text(behind, scene);
   return line;
 }
 
 }  // namespace
 
 std::string claim_text(const Claim& claim, const scene::Scene& scene) {
+  if (claim.count) return fmt::format("count {}", *claim.count);
   switch (claim.outcome) {
     case Outcome::hit:
       return hit_text(claim, scene);

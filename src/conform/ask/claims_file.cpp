@@ -69,6 +69,9 @@ Outcome read_outcome(const io::Source& source, std::size_t offset, std::string_v
 void check_claim(const io::Source& source, std::size_t offset, const Claim& claim) {
   if (claim.outcome != Outcome::hit && has_besides(claim))
     source.fail(offset, fmt::format("{} with normal, face or uv", name(claim.outcome)), "expected them of a hit alone");
+  if (claim.count && (claim.outcome == Outcome::hit) != (*claim.count > 0))
+    source.fail(offset, fmt::format("{} with count {}", name(claim.outcome), *claim.count),
+                "expected a hit with a count from 1, or a miss with 0");
   if (claim.outcome == Outcome::hit || (!claim.t && !claim.punto)) return;
   source.fail(offset, fmt::format("{} with t or point", name(claim.outcome)), "expected them of a hit alone");
 }
@@ -84,17 +87,35 @@ std::vector<Claims> read_claims(const io::Source& source, std::span<const SuiteC
   return std::move(rows).take();
 }
 
+namespace {
+
+void write_hit(io::json::Writer& out, const scene::Scene& scene, const Claim& hit) {
+  if (hit.element) out.member("element", scene.name(*hit.element).name());
+  if (hit.t) out.member("t", *hit.t);
+  if (hit.punto) out.member("point", *hit.punto);
+  if (hit.normal) out.member("normal", *hit.normal);
+  if (hit.is_front) out.member("face", *hit.is_front ? "front" : "back");
+  if (hit.uv) out.key("uv").begin_array().value(hit.uv->x).value(hit.uv->y).end_array();
+}
+
+}  // namespace
+
 std::string claim_json(const SuiteCase& of, std::size_t ray, const Claim& claim) {
   std::string text;
   io::json::Writer out(text);
   out.begin_object().member("case", of.name()).member("ray", ray).member("outcome", name(claim.outcome));
-  if (claim.element) out.member("element", of.the_case.scene.name(*claim.element).name());
-  if (claim.t) out.member("t", *claim.t);
-  if (claim.punto) out.member("point", *claim.punto);
-  if (claim.normal) out.member("normal", *claim.normal);
-  if (claim.is_front) out.member("face", *claim.is_front ? "front" : "back");
-  if (claim.uv) {
-    out.key("uv").begin_array().value(claim.uv->x).value(claim.uv->y).end_array();
+  if (claim.count) out.member("count", *claim.count);
+  if (claim.behind.empty()) {
+    write_hit(out, of.the_case.scene, claim);
+  } else {
+    out.key("hits").begin_array();
+    write_hit(out.begin_object(), of.the_case.scene, claim);
+    out.end_object();
+    for (const Claim& behind : claim.behind) {
+      write_hit(out.begin_object(), of.the_case.scene, behind);
+      out.end_object();
+    }
+    out.end_array();
   }
   if (!claim.why.empty()) out.member("why", claim.why);
   out.end_object();

@@ -47,6 +47,18 @@ std::string body_line(const model::Elemento& name, const AskedBody& body) {
   return line + '\n';
 }
 
+/// The claim, where it answers what was asked; a miss is a count of none.
+Claim as_asked(Claim claim, std::string_view line, QuestionKind question) {
+  if (!claim.behind.empty() && question != QuestionKind::all) return malformed(line, "one hit was asked for");
+  if (question == QuestionKind::count) {
+    if (claim.outcome == Claim::Outcome::miss) claim.count = 0;
+    if (claim.outcome == Claim::Outcome::hit && !claim.count) return malformed(line, "a count was asked for");
+  } else if (claim.count) {
+    return malformed(line, "no count was asked for");
+  }
+  return claim;
+}
+
 }  // namespace
 
 std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::size_t> rays) {
@@ -57,7 +69,7 @@ std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::s
     const AskedBody* const body = find_body(of.bodies, element);
     text += body ? body_line(scene.name(element), *body) : element_line(scene.name(element), shape);
   });
-  text += fmt::format("{} {}\n", rays_words[static_cast<std::size_t>(of.question)], rays.size());
+  text += fmt::format("{} {}\n", heads_of_rays[static_cast<std::size_t>(of.question)], rays.size());
   for (const std::size_t ray : rays) {
     const model::Rayo& rayo = of.the_case.rays[ray].rayo;
     std::string line;
@@ -79,8 +91,10 @@ std::optional<std::string> read_system_line(std::string_view line) {
 Claim read_answer(std::string_view line, const SuiteCase& of, Caps caps) {
   if (of.question == QuestionKind::shadow && line == "hit") return {.outcome = Claim::Outcome::hit};
   Claim claim = read_answer_line(line, of.the_case.scene);
-  if (!claim.element || !is_left_out(of, caps, *claim.element)) return claim;
-  return malformed(line, "the question has no such element");
+  const auto is_none_of_it = [&](const Claim& hit) { return hit.element && is_left_out(of, caps, *hit.element); };
+  if (is_none_of_it(claim) || std::ranges::any_of(claim.behind, is_none_of_it))
+    return malformed(line, "the question has no such element");
+  return as_asked(std::move(claim), line, of.question);
 }
 
 }  // namespace durero::conform

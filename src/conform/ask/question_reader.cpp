@@ -183,8 +183,9 @@ QuestionReader::Rays QuestionReader::read_elements(scene::Scene& scene) {
     const std::string text = required_line("an element, or rays and their number");
     const QuestionLine line(lines_, text);
     if (line.words.empty()) line.fail(0, "the line is empty", "expected an element, or rays and their number");
-    const auto* const asked = std::ranges::find(rays_words, line.words.front());
-    if (asked != rays_words.end()) return {read_count(line), static_cast<QuestionKind>(asked - rays_words.begin())};
+    const auto* const asked = std::ranges::find(heads_of_rays, line.words.front());
+    if (asked != heads_of_rays.end())
+      return {read_count(line), static_cast<QuestionKind>(asked - heads_of_rays.begin())};
     read_element(line, scene);
   }
 }

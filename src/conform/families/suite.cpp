@@ -75,12 +75,18 @@ void ask_question(SuiteCase& of, const SuiteOptions& options) {
     case QuestionKind::range:
       of.ranges = ranges_near_crossings(of, options.numbers, random);
       return answer(of);
+    case QuestionKind::all:
+    case QuestionKind::count:
+      return answer(of);
   }
 }
 
 void answer(SuiteCase& of) {
-  of.truths = of.question == QuestionKind::range ? truths_within(of.the_case.scene, of.the_case.rays, of.ranges)
-                                                 : truths(of.the_case.scene, of.the_case.rays);
+  const auto& [scene, rays] = of.the_case;
+  if (of.question == QuestionKind::range)
+    of.truths = truths_within(scene, rays, of.ranges);
+  else
+    of.truths = is_about_all(of.question) ? truths_with_all(scene, rays) : truths(scene, rays);
 }
 
 }  // namespace durero::conform

@@ -19,7 +19,7 @@ namespace {
 /// The point that the claim names, by binary64; the judge decides on the data built from it.
 std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& profile) {
   const Claim& claim = finding.claim;
-  if (claim.outcome != Claim::Outcome::hit) return std::nullopt;
+  if (claim.outcome != Claim::Outcome::hit || is_about_all(finding.of.question)) return std::nullopt;
   const SceneFacts facts(finding.of.the_case.scene, 1);
   const ClaimContext trial(finding.of, 0, profile, facts);
   if (!place(trial, claim)) return std::nullopt;
@@ -49,7 +49,7 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
 /// profile; the number of a hit, which is rounded, nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   const bool is_miss = claim.outcome == Claim::Outcome::miss;
-  if (of.question == QuestionKind::shadow || (is_miss && has_range(of.question)))
+  if (of.question == QuestionKind::shadow || is_about_all(of.question) || (is_miss && has_range(of.question)))
     return judge(of, 0, claim, profile).verdict == Verdict::exact;
   if (!is_miss) return is_right(of, claim, profile);
   const SceneFacts facts(of.the_case.scene, 1);
@@ -173,8 +173,8 @@ class DataSearch {
 
 std::optional<ExplainingData> explaining_data(const Finding& finding, const Profile& profile) {
   const std::optional<glm::dvec3> claimed = claimed_point(finding, profile);
-  const bool is_miss = finding.claim.outcome == Claim::Outcome::miss;
-  if (!is_failure(finding.judgement.verdict) || (!is_miss && !claimed)) return std::nullopt;
+  const bool has_answer = claimed || finding.claim.outcome == Claim::Outcome::miss || is_about_all(finding.of.question);
+  if (!is_failure(finding.judgement.verdict) || !has_answer) return std::nullopt;
   ExplainingData data{.epsilon = unit(profile.format), .M = magnitude(finding.of, claimed)};
   const double unit_of_data = data.epsilon * data.M;
   if (!(unit_of_data > 0) || !std::isfinite(data.M)) return std::nullopt;

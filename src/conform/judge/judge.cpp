@@ -5,12 +5,14 @@
 #include <limits>
 
 #include "conform/judge/allowance.hpp"
+#include "conform/judge/crossings.hpp"
 #include "conform/judge/error_of.hpp"
 #include "conform/judge/limits.hpp"
 #include "conform/judge/normals.hpp"
 #include "conform/judge/outside.hpp"
 #include "conform/judge/robust.hpp"
 #include "conform/judge/trial.hpp"
+#include "conform/judge/walls.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/trace/candidates.hpp"
 #include "durero/trace/search.hpp"
@@ -42,62 +44,9 @@ bool is_near_truth(const ClaimContext& trial, const Claim& claim, const ClaimedP
   return std::isfinite(M) && apart <= 7 * unit(trial.profile.format) * M;
 }
 
-/// Whether a ray from inside a solid may pass through its surface without a hit: the profile permits it, or the system
-/// answers the origin, and the origin is nearer than least_t or than the range of the ray.
-bool may_leave_unseen(const ClaimContext& trial) {
-  const Profile& profile = trial.profile;
-  const bool begins_behind = trial.range && trial.range->begin > 0;
-  return profile.inside == Inside::nothing ||
-         (profile.inside == Inside::origin && (profile.least_t > 0 || begins_behind));
-}
-
-/// The zones up to `limit` that a hit must not lie behind, and that make a miss wrong: all zones within the limits of
-/// the profile and the range of the ray, and the zone of a closed mesh where the system claims to be watertight. Zones
-/// of solids that a ray from inside may leave unseen are left out.
-std::vector<Zone> walls(const ClaimContext& trial, double limit) {
-  std::vector<Zone> all = zones(trial.elements(), trial.facts.tree(), trial.ray, trial.precision(), limit);
-  if (trial.profile.watertight && trial.facts.mesh()) {
-    if (const auto zone = zone_of(*trial.facts.mesh(), trial.ray.rayo, trial.precision())) all.push_back(*zone);
-  }
-  std::erase_if(all, [&](const Zone& zone) { return !is_within_limits(trial, zone) || !is_within_range(trial, zone); });
-  if (!may_leave_unseen(trial)) return all;
-  const Elements around = trial.solids_around_origin();
-  std::erase_if(all, [&](const Zone& zone) {
-    return std::find(around.begin(), around.end(), trial.body(zone.element)) != around.end();
-  });
-  return all;
-}
-
 Verdict of_miss(const ClaimContext& trial) {
   if (trial.truth.hit.resultado == model::Resultado::miss) return Verdict::exact;
   return walls(trial, trace::no_limit).empty() ? Verdict::right : Verdict::missed;
-}
-
-/// Whether the system answers the origin inside a solid, and the claim may name one around the origin of which the
-/// place is_origin().
-template <class IsOrigin>
-bool is_origin_inside(const ClaimContext& trial, const Claim& claim, const IsOrigin& is_origin) {
-  if (trial.profile.inside != Inside::origin) return false;
-  const Elements around = trial.solids_around_origin();
-  return std::any_of(around.begin(), around.end(),
-                     [&](ElementRef element) { return trial.names(claim, element) && is_origin(element); });
-}
-
-/// Whether the place may lie both on the element and on the ray.
-bool may_be_of(const ClaimContext& trial, ElementRef element, const ClaimedPoint& place) {
-  return may_lie_on(trial.elements(), element, place, trial.ray.rayo, trial.precision()) &&
-         may_lie_on_ray(trial, element, place);
-}
-
-/// The elements that the claim may name and that the place may lie on.
-Elements elements_at(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  Elements at;
-  const NearBox near = near_box(trial, place);
-  trial.any_named(claim, [&](ElementRef element) {
-    if (may_be_near(trial.scene, element, near) && may_be_of(trial, element, place)) at.push_back(element);
-    return false;
-  });
-  return at;
 }
 
 bool may_be_of_any(const ClaimContext& trial, const ClaimedPoint& place) {
@@ -126,7 +75,8 @@ bool may_be_first(const ClaimContext& trial, ElementRef element, const std::vect
 /// Whether a place is a little off what the claim may name: near the origin inside a solid, where the system answers
 /// that; near the truth's point, an element of the truth, or one that is first for some data and passes there.
 bool is_a_little_off(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  if (is_origin_inside(trial, claim, [&](ElementRef element) { return is_near_origin(trial, place, element); }))
+  if (std::ranges::any_of(answered_origins(trial, claim),
+                          [&](ElementRef element) { return is_near_origin(trial, place, element); }))
     return true;
   if (!trial.has_hit() || is_far(trial, place)) return false;
   if (names_truth(trial, claim)) return true;
@@ -155,7 +105,8 @@ Verdict of_wrong_place(const ClaimContext& trial, const Claim& claim, const Clai
 /// where the place may lie on an element that the claim may name, within the range, and no zone certainly ends before
 /// it.
 Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
-  if (is_origin_inside(trial, claim, [&](ElementRef element) { return may_be_origin(trial, element, place); }))
+  if (std::ranges::any_of(answered_origins(trial, claim),
+                          [&](ElementRef element) { return may_be_origin(trial, element, place); }))
     return Verdict::right;
   const Elements at = elements_at(trial, claim, place);
   const std::vector<Zone> all = walls(trial, rounded_up(place.t));
@@ -169,9 +120,7 @@ Verdict of_place(const ClaimContext& trial, const Claim& claim, const ClaimedPoi
 /// The verdict on a hit without a place, which is right where an element that it may name is first for some data.
 Verdict of_element(const ClaimContext& trial, const Claim& claim) {
   if (names_truth(trial, claim)) return Verdict::right;
-  const auto is_named = [&](ElementRef element) { return trial.names(claim, element); };
-  const Elements around = trial.profile.inside == Inside::origin ? trial.solids_around_origin() : Elements{};
-  if (std::any_of(around.begin(), around.end(), is_named)) return Verdict::right;
+  if (!answered_origins(trial, claim).empty()) return Verdict::right;
   const std::vector<Zone> all = walls(trial, trace::no_limit);
   const bool may_be = trial.any_named(claim, [&](ElementRef element) { return may_be_first(trial, element, all); });
   if (may_be) return Verdict::right;
@@ -225,6 +174,11 @@ Verdict of_shadow(const ClaimContext& trial, const Claim& claim) {
 ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
   const bool is_answer = claim.outcome == Claim::Outcome::hit || claim.outcome == Claim::Outcome::miss;
   if (trial.question == QuestionKind::shadow && is_answer) return {.verdict = of_shadow(trial, claim)};
+  if (trial.question == QuestionKind::all && is_answer) return judgement_of_all(trial, claim);
+  if (trial.question == QuestionKind::count && is_answer) {
+    if (!claim.count) return {.clause = "no answer: no count"};
+    return {.verdict = verdict_of_count(trial, claim)};
+  }
   switch (claim.outcome) {
     case Claim::Outcome::hit:
       return of_hit(trial, claim);

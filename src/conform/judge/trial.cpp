@@ -92,22 +92,23 @@ double rounded(double x, NumberFormat format) {
   return format == NumberFormat::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
 
-double number_of_truth(const ClaimContext& trial) {
-  const double t = trial.truth.hit.t;
-  return trial.profile.measure == Measure::length ? times_length(t, trial.ray.rayo.v().xyz()) : t;
+double number_of(const ClaimContext& trial, const scene::Hit& hit) {
+  return trial.profile.measure == Measure::length ? times_length(hit.t, trial.ray.rayo.v().xyz()) : hit.t;
+}
+
+double number_of_truth(const ClaimContext& trial) { return number_of(trial, trial.truth.hit); }
+
+bool is_exactly(const ClaimContext& trial, const Claim& claim, const scene::Hit& hit) {
+  const auto is_named = [&](scene::ElementRef e) { return trial.names(claim, e); };
+  if (std::none_of(hit.elementos.begin(), hit.elementos.end(), is_named)) return false;
+  const NumberFormat format = trial.profile.format;
+  if (!gives_point(trial, claim)) return claim.t == rounded(number_of(trial, hit), format);
+  const glm::dvec3& p = hit.punto;
+  return claim.punto == glm::dvec3(rounded(p.x, format), rounded(p.y, format), rounded(p.z, format));
 }
 
 bool is_the_truth(const ClaimContext& trial, const Claim& claim) {
-  const auto& [scene, solids, bodies, ray, truth, profile, facts, question, range] = trial;
-  const scene::ElementSet& first = truth.hit.elementos;
-  if (!trial.has_hit() || std::none_of(first.begin(), first.end(), [&](auto e) { return trial.names(claim, e); }))
-    return false;
-  if (gives_point(trial, claim)) {
-    const glm::dvec3& p = truth.hit.punto;
-    return claim.punto ==
-           glm::dvec3(rounded(p.x, profile.format), rounded(p.y, profile.format), rounded(p.z, profile.format));
-  }
-  return claim.t == rounded(number_of_truth(trial), profile.format);
+  return trial.has_hit() && is_exactly(trial, claim, trial.truth.hit);
 }
 
 std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim) {
@@ -127,6 +128,26 @@ bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const 
   const Dyadic beside = squared_deviation(trial, element, place), x = dot(q, v), vv = dot(v, v);
   const bool is_before = number::sign(x) < 0 && square(x) > beside * vv;
   return !is_before && dot(q, q) * vv - square(x) <= beside * vv;
+}
+
+std::vector<scene::ElementRef> elements_at(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
+  std::vector<scene::ElementRef> at;
+  const NearBox near = near_box(trial, place);
+  trial.any_named(claim, [&](scene::ElementRef element) {
+    const bool may_be = may_be_near(trial.scene, element, near) &&
+                        may_lie_on(trial.elements(), element, place, trial.ray.rayo, trial.precision()) &&
+                        may_lie_on_ray(trial, element, place);
+    if (may_be) at.push_back(element);
+    return false;
+  });
+  return at;
+}
+
+std::vector<scene::ElementRef> answered_origins(const ClaimContext& trial, const Claim& claim) {
+  if (trial.profile.inside != Inside::origin) return {};
+  std::vector<scene::ElementRef> around = trial.solids_around_origin();
+  std::erase_if(around, [&](scene::ElementRef element) { return !trial.names(claim, element); });
+  return around;
 }
 
 NearBox near_box(const ClaimContext& trial, const ClaimedPoint& place) {

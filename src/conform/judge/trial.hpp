@@ -76,6 +76,11 @@ double rounded(double x, NumberFormat format);
 /// measures lengths, rounded to binary64.
 double number_of_truth(const ClaimContext& trial);
 
+/// The number of any exact hit of the ray, likewise.
+double number_of(const ClaimContext& trial, const scene::Hit& hit);
+
+/// Whether the claim may name an element of the exact hit and gives exactly its number or point, rounded to the format.
+bool is_exactly(const ClaimContext& trial, const Claim& claim, const scene::Hit& hit);
 /// Whether the hit may name an element of the truth and gives exactly the true number (number_of_truth(), or the
 /// point), rounded to the format.
 bool is_the_truth(const ClaimContext& trial, const Claim& claim);
@@ -86,6 +91,10 @@ std::optional<ClaimedPoint> place(const ClaimContext& trial, const Claim& claim)
 /// Whether the place lies on the ray of some data within the allowance. A point given by its coordinates may lie beside
 /// the ray by 2√3·δ and a rounding, less than 4δ, and a place may lie before the origin by as much.
 bool may_lie_on_ray(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place);
+/// The elements that the claim may name and that the place, on the ray, may lie on.
+std::vector<scene::ElementRef> elements_at(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);
+/// The solids around the origin that the claim may name, where the system answers the origin inside them.
+std::vector<scene::ElementRef> answered_origins(const ClaimContext& trial, const Claim& claim);
 /// The filter for triangles on which the place may lie.
 NearBox near_box(const ClaimContext& trial, const ClaimedPoint& place);
 /// Whether the element is no triangle, or one that the filter lets pass.

@@ -319,6 +319,13 @@ std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, c
   return all;
 }
 
+ExactAnswer SceneTruths::with_all(const scene::Query& ray) const {
+  const std::vector<ElementMeeting> places = places_within(*tree_, ray, {});
+  ExactAnswer found = answer_of(ray, places);
+  for (const ElementMeeting& place : places) found.all.push_back(hit_at(ray.rayo, {&place, 1}));
+  return found;
+}
+
 namespace {
 
 /// The answer of each ray by its number, by many threads.
@@ -336,6 +343,11 @@ std::vector<ExactAnswer> answers(std::size_t rays, Answer answer) {
 std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays) {
   const SceneTruths of_scene(scene, rays.size());
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.of(rays[ray]); });
+}
+
+std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays) {
+  const SceneTruths of_scene(scene, rays.size());
+  return answers(rays.size(), [&](std::size_t ray) { return of_scene.with_all(rays[ray]); });
 }
 
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,

@@ -24,6 +24,12 @@ std::string_view name(Verdict verdict) {
       return "misplaced";
     case Verdict::out_of_range:
       return "out_of_range";
+    case Verdict::doubled:
+      return "doubled";
+    case Verdict::unsorted:
+      return "unsorted";
+    case Verdict::wrong_count:
+      return "wrong_count";
     case Verdict::wrong_normal:
       return "wrong_normal";
     case Verdict::wrong_face:
@@ -62,6 +68,12 @@ std::string_view meaning(Verdict verdict) {
       return "off by more than 0.001 of the element's size";
     case Verdict::out_of_range:
       return "a hit outside the range that was asked about";
+    case Verdict::doubled:
+      return "a hit of an element that is crossed less often there";
+    case Verdict::unsorted:
+      return "right hits that are not in the order of the ray";
+    case Verdict::wrong_count:
+      return "a number of hits that no data within 16ε have";
     case Verdict::wrong_normal:
       return "a right hit with a wrong normal";
     case Verdict::wrong_face:
@@ -88,6 +100,9 @@ bool is_gross(Verdict verdict) {
     case Verdict::far_root:
     case Verdict::misplaced:
     case Verdict::out_of_range:
+    case Verdict::doubled:
+    case Verdict::unsorted:
+    case Verdict::wrong_count:
     case Verdict::wrong_normal:
     case Verdict::wrong_face:
     case Verdict::wrong_uv:

@@ -167,12 +167,18 @@ Dyadic delta(const AskedElements& elements, scene::ElementRef element, const Cla
       element, [&](const auto& shape) { return Allowance(precision, magnitude(shape, rayo, place.way), rayo).delta; });
 }
 
-bool is_behind(const ClaimedPoint& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
+Parameter moved_by(const Parameter& t, const Dyadic& by, const model::Rayo& rayo) {
   const Dyadic longest(largest(rayo.v().xyz()));
-  const auto& [x, y, radicand, w] = place.t;
-  // t − (own + 2δ)/longest as one quotient; longest is at most |v|.
-  const Parameter least{x * longest - (own + shifted(zone.delta, 1)) * w, y * longest, radicand, w * longest};
-  return order(zone.end, least) < 0;
+  const auto& [x, y, radicand, w] = t;
+  return {x * longest + by * w, y * longest, radicand, w * longest};
+}
+
+bool is_behind(const ClaimedPoint& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
+  return order(zone.end, moved_by(place.t, -(own + shifted(zone.delta, 1)), rayo)) < 0;
+}
+
+bool is_before(const ClaimedPoint& place, const Dyadic& own, const Zone& zone, const model::Rayo& rayo) {
+  return order(moved_by(place.t, own + shifted(zone.delta, 1), rayo), zone.begin) < 0;
 }
 
 bool may_lie_on(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,

@@ -35,6 +35,26 @@ std::optional<surface::exact::Parameter> earliest(const AskedElements& elements,
                                                   const model::Rayo& rayo, const Precision& precision,
                                                   const surface::exact::Parameter& from = {});
 
+/// A stretch begin ≤ t ≤ end of the ray, perhaps without end, in which the rays of data within the allowance may meet
+/// an element, so many times at most.
+struct ShellStretch {
+  surface::exact::Parameter begin;
+  std::optional<surface::exact::Parameter> end;
+  std::size_t most;
+};
+
+/// All stretches of t ≥ 0, ascending, in which the rays of any data may meet the element: each meeting lies in one.
+/// Nothing where the allowance is no small part of the element: it may then be met anywhere. No ray meets an element
+/// more than most_meetings times.
+///
+/// An element is part of a quadric, which a ray meets twice at most, or lies in it: that counts twice, by its ends. A
+/// stretch that goes from one wall of the shell to the other meets the element once at most: for all data the one end
+/// is outside the quadric or on it, and the other inside or on it, so that the ray crosses it an odd number of times
+/// between them. The walls are far apart at both ends, where the shell has a place for that.
+std::optional<std::vector<ShellStretch>> stretches(const AskedElements& elements, scene::ElementRef element,
+                                                   const model::Rayo& rayo, const Precision& precision);
+inline constexpr std::size_t most_meetings = 2;
+
 /// A place is the point of a ray that a claim gives. A t that the system gives is exactly that of some moved data. A t
 /// computed here from a length is off by √3·δ for v and a rounding, less than 2δ/|v|; from a point, by 2√3·δ and a
 /// rounding, less than 4δ/|v|.
@@ -50,10 +70,17 @@ struct ClaimedPoint {
 number::Dyadic delta(const AskedElements& elements, scene::ElementRef element, const ClaimedPoint& place,
                      const model::Rayo& rayo, const Precision& precision);
 
+/// t + by/longest, with the largest coordinate of v, which is at most |v|. So t − by/longest is at most t − by/|v|.
+surface::exact::Parameter moved_by(const surface::exact::Parameter& t, const number::Dyadic& by,
+                                   const model::Rayo& rayo);
+
 /// Whether the zone ends before the place, whatever the data. The place's t is off by at most `own`/|v| for the data of
 /// the claimed element. The end of the zone is off by 2δ/|v| for the data of its own element: √3·δ for v and 0.22·δ for
 /// roundings.
 bool is_behind(const ClaimedPoint& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
+
+/// Whether the zone begins behind the place, whatever the data, likewise.
+bool is_before(const ClaimedPoint& place, const number::Dyadic& own, const Zone& zone, const model::Rayo& rayo);
 
 /// Whether the place lies on the element for some data within the allowance; may_lie_inside() also counts the inside of
 /// the element, as if filled and closed.

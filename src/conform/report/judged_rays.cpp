@@ -33,7 +33,7 @@ std::string judged_rays_text(const SuiteCase& of, std::span<const Claim> claims,
     if (!is_failure(is.verdict)) continue;
     const scene::Scene& scene = of.the_case.scene;
     text += fmt::format("ray {} {}\n", i,
-                        sentence(is.verdict, truth_words(of.truths[i], scene), claim_words(claims[i], scene)));
+                        sentence(is.verdict, truth_words(of, i, claims[i]), claim_words(claims[i], scene)));
     if (is.backward > 0) text += fmt::format("  backward error 2^{:.1f} of its unit\n", std::log2(is.backward));
   }
   return text;
@@ -48,7 +48,7 @@ std::string judged_rays_json(const SuiteCase& of, std::span<const Claim> claims,
     out.begin_object().member("ray", i).member("verdict", name(is.verdict));
     if (is_failure(is.verdict)) {
       const scene::Scene& scene = of.the_case.scene;
-      out.member("expected", truth_words(of.truths[i], scene)).member("got", claim_words(claims[i], scene));
+      out.member("expected", truth_words(of, i, claims[i])).member("got", claim_words(claims[i], scene));
     }
     if (is.verdict == Verdict::skipped) out.member("clause", is.clause);
     if (is.ulps != 0) out.member("ulps", is.ulps);

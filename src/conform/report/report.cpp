@@ -1,10 +1,12 @@
 #include "durero/conform/report/report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <span>
 #include <tuple>
 
 #include "conform/report/report_parts.hpp"
@@ -64,9 +66,21 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding) 
   return text;
 }
 
-std::string claim_words(const Claim& claim, const scene::Scene& scene) {
-  if (claim.outcome == Claim::Outcome::miss) return "a miss";
-  if (claim.outcome != Claim::Outcome::hit) return claim.why.empty() ? std::string(name(claim.outcome)) : claim.why;
+namespace {
+
+/// The number of hits of a list up to which it is shown whole.
+constexpr std::size_t most_hits_shown = 8;
+
+/// "e0 at t = 4; e0 at t = 6", from the words of the first hits of a list of so many.
+std::string list_words(std::span<const std::string> first, std::size_t count) {
+  std::string words = fmt::format("{}", fmt::join(first, "; "));
+  if (count > first.size()) words += fmt::format("; and {} more", count - first.size());
+  return words;
+}
+
+std::string count_words(std::uint64_t count) { return count == 1 ? "1 hit" : fmt::format("{} hits", count); }
+
+std::string claimed_hit_words(const Claim& claim, const scene::Scene& scene) {
   std::string words = claim.element ? scene.name(*claim.element).name() : "a hit";
   if (claim.t) words += " at t = " + io::number_text(*claim.t);
   if (claim.punto) words += (claim.t ? ", point " : " at ") + point_text(*claim.punto);
@@ -76,38 +90,73 @@ std::string claim_words(const Claim& claim, const scene::Scene& scene) {
   return words;
 }
 
+}  // namespace
+
+std::string claim_words(const Claim& claim, const scene::Scene& scene) {
+  if (claim.count) return count_words(*claim.count);
+  if (claim.outcome == Claim::Outcome::miss) return "a miss";
+  if (claim.outcome != Claim::Outcome::hit) return claim.why.empty() ? std::string(name(claim.outcome)) : claim.why;
+  std::vector<std::string> words{claimed_hit_words(claim, scene)};
+  for (const Claim& behind : claim.behind) {
+    if (words.size() < most_hits_shown) words.push_back(claimed_hit_words(behind, scene));
+  }
+  return list_words(words, 1 + claim.behind.size());
+}
+
 namespace {
 
+std::string all_words(const std::vector<scene::Hit>& all, const scene::Scene& scene) {
+  if (all.empty()) return "a miss";
+  std::vector<std::string> words;
+  for (const scene::Hit& hit : std::span(all).first(std::min(all.size(), most_hits_shown)))
+    words.push_back(hit_words(hit, scene));
+  return list_words(words, all.size());
+}
+
 /// The outward normal of the exact hit and the side that the ray comes from, by binary64, where the claim says such.
-std::string besides_words(const Finding& finding) {
-  const scene::Hit& hit = finding.of.truths[0].hit;
-  const Claim& claim = finding.claim;
+std::string besides_words(const SuiteCase& of, std::size_t ray, const Claim& claim) {
+  const scene::Hit& hit = of.truths[ray].hit;
   if (hit.resultado != model::Resultado::hit || !has_besides(claim)) return "";
   const bool is_claimed = claim.element && std::ranges::find(hit.elementos, *claim.element) != hit.elementos.end();
   const scene::ElementRef element = is_claimed ? *claim.element : hit.elementos.front();
-  const glm::dvec3 normal = surface::normal(finding.of.the_case.scene, element, hit.punto);
-  const bool is_front = glm::dot(finding.of.the_case.rays[0].rayo.v().xyz(), normal) < 0;
+  const glm::dvec3 normal = surface::normal(of.the_case.scene, element, hit.punto);
+  const bool is_front = glm::dot(of.the_case.rays[ray].rayo.v().xyz(), normal) < 0;
   return fmt::format(", outward normal {}, {}", point_text(normal), is_front ? "front" : "back");
+}
+
+std::string shadow_words(const scene::Hit& hit, double end, const std::string& first) {
+  if (hit.resultado == model::Resultado::miss) return "no hit";
+  const bool is_before = hit.resultado == model::Resultado::no_minimum || hit.t <= end;
+  return fmt::format("{} up to t = {}, the first being {}", is_before ? "a hit" : "no hit", io::number_text(end),
+                     first);
 }
 
 }  // namespace
 
 std::string claim_words(const Finding& finding) { return claim_words(finding.claim, finding.of.the_case.scene); }
 
-std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene) { return hit_words(truth.hit, scene); }
-
-std::string truth_words(const Finding& finding) {
-  const std::string first = truth_words(finding.of.truths[0], finding.of.the_case.scene) + besides_words(finding);
-  if (!has_range(finding.of.question)) return first;
-  const scene::Hit& hit = finding.of.truths[0].hit;
-  const auto& [begin, end] = finding.of.ranges[0];
-  if (finding.of.question == QuestionKind::range)
-    return fmt::format("{} within t = {} … {}", first, io::number_text(begin), io::number_text(end));
-  if (hit.resultado == model::Resultado::miss) return "no hit";
-  const bool is_before = hit.resultado == model::Resultado::no_minimum || hit.t <= end;
-  return fmt::format("{} up to t = {}, the first being {}", is_before ? "a hit" : "no hit", io::number_text(end),
-                     first);
+std::string truth_words(const SuiteCase& of, std::size_t ray, const Claim& claim) {
+  const auto& [hit, ambiguity, permissible, all] = of.truths[ray];
+  const scene::Scene& scene = of.the_case.scene;
+  const std::string first = hit_words(hit, scene) + besides_words(of, ray, claim);
+  switch (of.question) {
+    case QuestionKind::first:
+      return first;
+    case QuestionKind::shadow:
+      return shadow_words(hit, of.ranges[ray].end, first);
+    case QuestionKind::range:
+      return fmt::format("{} within t = {} … {}", first, io::number_text(of.ranges[ray].begin),
+                         io::number_text(of.ranges[ray].end));
+    case QuestionKind::all:
+      return all_words(all, scene);
+    case QuestionKind::count:
+      return fmt::format("{}{}{}", count_words(all.size()), all.empty() ? "" : ": ",
+                         all.empty() ? "" : all_words(all, scene));
+  }
+  contract::unreachable();
 }
+
+std::string truth_words(const Finding& finding) { return truth_words(finding.of, 0, finding.claim); }
 
 void require_room_for_reports(const std::string& folder) {
   std::error_code error;

@@ -72,7 +72,8 @@ std::string cause_html(const Report& report, const Cause& cause) {
   const std::string call = writing_up(report, *shown);
   if (!call.empty())
     html += fmt::format("<p class=\"less\">The report to file{}:</p>\n<pre>{}</pre>\n",
-                        has_range(report.options.question) ? "" : ", with a program that shows it", as_markup(call));
+                        report.options.question != QuestionKind::first ? "" : ", with a program that shows it",
+                        as_markup(call));
   return html + "</div>\n";
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "conform/ask/words.hpp"
 #include "durero/conform/ask/question.hpp"
 #include "durero/conform/report/least_findings.hpp"
 #include "durero/io/number_text.hpp"
@@ -136,7 +137,8 @@ std::string shown_question(const SuiteCase& of, const std::optional<scene::Eleme
   std::size_t shown = 0;
   std::istringstream lines(whole);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("rays ")) text += fmt::format("({} more elements)\n", elements - shown);
+    if (std::ranges::find(heads_of_rays, word_of(line, 0)) != heads_of_rays.end())
+      text += fmt::format("({} more elements)\n", elements - shown);
     if (!is_element_line(line)) {
       text += line + "\n";
     } else if (names.contains(word_of(line, 1))) {

@@ -11,10 +11,10 @@ namespace durero::conform {
 
 /// Every verdict, in the order of the columns.
 inline constexpr Verdict verdicts[verdict_count] = {
-    Verdict::exact,        Verdict::right,         Verdict::off,        Verdict::phantom,
-    Verdict::missed,       Verdict::wrong_element, Verdict::far_root,   Verdict::misplaced,
-    Verdict::out_of_range, Verdict::wrong_normal,  Verdict::wrong_face, Verdict::wrong_uv,
-    Verdict::non_finite,   Verdict::crashed,       Verdict::hung,       Verdict::skipped};
+    Verdict::exact,         Verdict::right,       Verdict::off,          Verdict::phantom,      Verdict::missed,
+    Verdict::wrong_element, Verdict::far_root,    Verdict::misplaced,    Verdict::out_of_range, Verdict::doubled,
+    Verdict::unsorted,      Verdict::wrong_count, Verdict::wrong_normal, Verdict::wrong_face,   Verdict::wrong_uv,
+    Verdict::non_finite,    Verdict::crashed,     Verdict::hung,         Verdict::skipped};
 
 /// The verdicts with a column: exact, right and off always, any other where a ray has it.
 std::vector<Verdict> columns_of(const Tally& tally);

@@ -106,7 +106,33 @@ TEST_CASE("claims are read from .npy in the order of the suite") {
   CHECK(read("f.npy", npy(with_points, "(5, 4)"))[1][0] == Claim{Outcome::hit, {}, 12.0, glm::dvec3(13, 14, 15)});
 }
 
+TEST_CASE("a line may list all hits, or give their number, and is written so") {
+  const SuiteCase& of = suite()[0];
+  const auto claim_in = [&](const std::string& line) { return read("f", line)[0][0]; };
+  const std::string list =
+      R"({"case":"generic/0000","ray":0,"outcome":"hit","hits":[{"element":"e0","t":4},{"point":[0,0,5],"face":"back"}]})";
+  const Claim listed = claim_in(list);
+  CHECK(listed.t == 4.0);
+  REQUIRE(listed.behind.size() == 1);
+  CHECK(listed.behind[0].punto == glm::dvec3(0, 0, 5));
+  CHECK(listed.behind[0].is_front == false);
+  CHECK(claim_json(of, 0, listed) == list);
+  const std::string count = R"({"case":"generic/0000","ray":0,"outcome":"hit","count":2})";
+  CHECK(claim_in(count).count == 2U);
+  CHECK(claim_json(of, 0, claim_in(count)) == count);
+}
+
 TEST_CASE("what is no claim on a ray of the suite is refused at its place") {
+  CHECK(test::error_of(R"({"case":"generic/0000","ray":0,"outcome":"hit","t":1,"hits":[{"t":2}]})", as_json) ==
+        "f:1:61: hits beside the outcome hit and a hit; expected them with the outcome hit, one at least, in the place "
+        "of element, t and point");
+  CHECK(test::error_of(R"({"case":"generic/0000","ray":0,"outcome":"hit","hits":[]})", as_json) ==
+        "f:1:55: hits beside the outcome hit, and none of them; expected them with the outcome hit, one at least, in "
+        "the place of element, t and point");
+  CHECK(test::error_of(R"({"case":"generic/0000","ray":0,"outcome":"miss","count":2})", as_json) ==
+        "f:1:1: miss with count 2; expected a hit with a count from 1, or a miss with 0");
+  CHECK(test::error_of(R"({"case":"generic/0000","ray":0,"outcome":"hit","hits":[{"ray":1}]})", as_json)
+            .starts_with("f:1:57: unknown key \"ray\" in a hit"));
   const std::string hit = R"({"case":"generic/0000","ray":0,"outcome":"hit","t":1})";
   CHECK(test::error_of(hit + "\n" + hit, as_json) == "f:2:30: ray 0 has a claim already; expected one a ray");
   CHECK(test::error_of(R"({"case":"none","ray":0,"outcome":"miss"})", as_json) ==

@@ -26,6 +26,11 @@ TEST_CASE("each word of a profile stands at the place of its enumerator") {
   CHECK(word(QuestionKind::range) == "range");
   CHECK_FALSE(has_range(QuestionKind::first));
   CHECK(has_range(QuestionKind::range));
+  CHECK_FALSE(has_range(QuestionKind::all));
+  CHECK(is_about_all(QuestionKind::count));
+  CHECK_FALSE(is_about_all(QuestionKind::range));
+  CHECK(word(QuestionKind::all) == "all");
+  CHECK(word(QuestionKind::count) == "count");
 }
 
 TEST_CASE("a profile that claims no limit has none") {

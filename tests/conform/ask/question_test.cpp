@@ -256,3 +256,35 @@ TEST_CASE("a question about ranges has both ends of each, and a hit alone is no 
   CHECK_THROWS_AS(read_all("scene a\nranges 1\n0 0 0 0 0 1 4\n"), io::InputError);
   CHECK_THROWS_AS(read_all("scene a\nranges 1\n0 0 0 0 0 1 4 5 6\n"), io::InputError);
 }
+
+TEST_CASE("a question about all hits is answered by a list, and one about their number by that") {
+  SuiteCase of = sample();
+  of.question = QuestionKind::all;
+  CHECK(question(of, Caps::open).ends_with("crossings 2\n0 0 0 0 0 1\n-0 5e-324 1e+22 0.10000000149011612 1 -2\n"));
+  CHECK(read_all(question(of, Caps::open))[0].kind == QuestionKind::all);
+  const auto read = [&](const char* line) { return read_answer(line, of, Caps::open); };
+  const Claim list = read("hit e0 4 0 0 4 normal 0 0 -1 ; hit - 5 ; hit e1 - back");
+  REQUIRE(list.behind.size() == 2);
+  CHECK(list.t == 4.0);
+  CHECK(list.normal == glm::dvec3(0, 0, -1));
+  CHECK(list.behind[0] == Claim{.outcome = Outcome::hit, .t = 5});
+  CHECK(list.behind[1].element == of.the_case.scene.find("e1"));
+  CHECK(list.behind[1].is_front == false);
+  CHECK(read_claim(claim_text(list, of.the_case.scene), of.the_case.scene) == list);
+  CHECK(read("hit e0 4").behind.empty());
+  CHECK(read("miss").outcome == Outcome::miss);
+  for (const char* bad : {"hit e0 4 ;", "hit e0 4 ; miss", "hit e0 4 ; e0 5", "; hit e0 4", "hit e0 4 ; hit e99 5",
+                          "hit e0 4; hit e0 5", "count 2", "hit"})
+    CHECK(read(bad).outcome == Outcome::unanswered);
+  of.question = QuestionKind::count;
+  CHECK(question(of, Caps::open).find("\ncounts 2\n") != std::string::npos);
+  CHECK(read("count 2") == Claim{.outcome = Outcome::hit, .count = 2});
+  CHECK(read("count 0") == Claim{.outcome = Outcome::miss, .count = 0});
+  CHECK(read("miss") == read("count 0"));
+  CHECK(read_claim("count 2", of.the_case.scene) == read("count 2"));
+  for (const char* bad : {"count", "count -1", "count 1.5", "count 2 3", "hit e0 4", "2"})
+    CHECK(read(bad).outcome == Outcome::unanswered);
+  of.question = QuestionKind::first;
+  CHECK(read("hit e0 4 ; hit e0 5").why == "malformed answer \"hit e0 4 ; hit e0 5\": one hit was asked for");
+  CHECK(read("count 2").why == "malformed answer \"count 2\": no count was asked for");
+}

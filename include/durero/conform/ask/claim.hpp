@@ -2,10 +2,12 @@
 /// A claim is the answer of a system to a ray, as the system gives it: nothing of it is trusted, and no number need be
 /// finite.
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "durero/scene/element_ref.hpp"
 
@@ -29,7 +31,9 @@ struct Claim {
   std::optional<glm::dvec3> normal{};  ///< the normal there, where the system gives it, in the sense of Profile::normal
   std::optional<bool> is_front{};  ///< whether the ray comes from the outward normal's side, where the system says it
   std::optional<glm::dvec2> uv{};  ///< u and v of (1 − u − v)·a + u·b + v·c on a triangle, where it gives them
-  std::string why{};               ///< the reason for neither hit nor miss, in a few words of one line
+  std::vector<Claim> behind{};     ///< the hits behind this one, where all were asked for, in the system's order
+  std::optional<std::uint64_t> count{};  ///< the number of all hits, where that was asked for
+  std::string why{};                     ///< the reason for neither hit nor miss, in a few words of one line
 
   bool operator==(const Claim&) const = default;
 };

@@ -9,7 +9,8 @@
 ///
 /// A hit has t or point or both; `element` stands where the program knows it, and so do `normal`, `face` (front or
 /// back) and `uv`, two numbers. A number that is not finite is the string "nan", "inf" or "-inf". `outcome` may also be
-/// `crashed` or `hung`, and `why` may give the reason.
+/// `crashed` or `hung`, and `why` may give the reason. Where all hits were asked for, `hits` lists them in the place of
+/// element, t and point; where their number was, `count` gives it.
 ///
 /// CSV: a head names the columns, `case` and `ray`, then any of `outcome`, `element`, `t`, `x`, `y`, `z`; an empty
 /// field is absent. Without an outcome a line with a t or a point is a hit, and any other line a miss.

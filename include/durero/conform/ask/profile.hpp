@@ -42,7 +42,9 @@ enum class Inside { exit_point, nothing, origin, undefined };
 enum class QuestionKind {
   first,   ///< the first hit
   shadow,  ///< whether anything is hit at t ≤ the end of the ray's range, and no more
-  range    ///< the first hit within the ray's range
+  range,   ///< the first hit within the ray's range
+  all,     ///< every hit, in the order of t
+  count    ///< the number of all hits
 };
 
 /// The side to which the normals of a system point. The outward side of a sphere, and of an element with an axis, is
@@ -66,7 +68,7 @@ inline constexpr std::array<std::string_view, 3> directions_words = {"any", "uni
 inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
 inline constexpr std::array<std::string_view, 4> normal_words = {"none", "outward", "facing", "either"};
 inline constexpr std::array<std::string_view, 2> normal_length_words = {"unit", "any"};
-inline constexpr std::array<std::string_view, 3> question_words = {"first", "shadow", "range"};
+inline constexpr std::array<std::string_view, 5> question_words = {"first", "shadow", "range", "all", "count"};
 /// @}
 
 /// @{ The word of a value in files.
@@ -83,7 +85,13 @@ constexpr std::string_view word(Inside inside) { return inside_words[static_cast
 /// @}
 
 /// Whether the rays of a question have a range.
-constexpr bool has_range(QuestionKind question) { return question != QuestionKind::first; }
+constexpr bool has_range(QuestionKind question) {
+  return question == QuestionKind::shadow || question == QuestionKind::range;
+}
+/// Whether a question is about all crossings of a ray, and not about the first.
+constexpr bool is_about_all(QuestionKind question) {
+  return question == QuestionKind::all || question == QuestionKind::count;
+}
 
 /// A sentence of the system's documentation that supports a claim.
 struct Citation {

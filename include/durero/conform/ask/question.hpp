@@ -17,8 +17,9 @@
 /// decimal that reads back. A system whose profile claims the question `shadow` may be asked `shadows N` for `rays N`,
 /// with a number T behind each ray: whether anything is hit at t ≤ T. It answers `miss` or `hit`, and what it may say
 /// of the hit besides is not judged. One that claims `range` may be asked `ranges N`, with two numbers T0 T1 behind
-/// each ray: the first hit at T0 ≤ t ≤ T1, with t > 0 and nothing where T0 > T1. The system writes `system NAME
-/// VERSION`, then a line for each ray, in order:
+/// each ray: the first hit at T0 ≤ t ≤ T1, with t > 0 and nothing where T0 > T1. One that claims `all` may be asked
+/// `crossings N`: every hit at t > 0, in the order of t. One that claims `count` may be asked `counts N`: how many
+/// these are. The system writes `system NAME VERSION`, then a line for each ray, in order:
 ///
 ///   miss
 ///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
@@ -26,6 +27,9 @@
 ///   hit … normal NX NY NZ front uv U V
 ///                               what the system says of the hit besides, each part where it can; back for front
 ///   hit                         to a shadow ray alone
+///   hit ELEMENT T ; hit ELEMENT T
+///                               to `crossings` alone, each hit as above
+///   count N                     to `counts` alone
 ///   refused WHY
 ///
 /// Words besides are judged where the profile claims them.

@@ -69,7 +69,8 @@ extern const Family own_family;
 SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays);
 
 /// Answers the rays of the case exactly. Each truth is that of truth(), the first hit, also of a shadow ray; where the
-/// question is the first hit within a range it is that of SceneTruths::within().
+/// question is the first hit within a range it is that of SceneTruths::within(), and where it is about all hits that of
+/// SceneTruths::with_all().
 void answer(SuiteCase& of);
 
 /// Makes the question of the options of a case of first hits, and answers it. The ends of ranges lie before, at and

@@ -47,6 +47,9 @@ struct ExactAnswer {
   /// answered all together, or each alone. A stretch of the ray inside a surface counts with both its ends, with t = 0
   /// where it begins at t → 0⁺; any point between them is as good.
   std::vector<scene::Hit> permissible{};
+  /// Every crossing, ascending, with one element each, where the question is about all; otherwise none. A stretch
+  /// inside a surface counts with both its ends.
+  std::vector<scene::Hit> all{};
 };
 
 /// The exact answer and its permissible variants, from the certified steps of the tracer; surface::exact decides the
@@ -77,6 +80,8 @@ class SceneTruths {
   /// The t of all crossings, ascending, each rounded once: those of points, and both ends of stretches. Precondition:
   /// that of of().
   std::vector<double> crossings(const scene::Query& ray) const;
+  /// of() together with every crossing. Precondition: that of of().
+  ExactAnswer with_all(const scene::Query& ray) const;
 
  private:
   std::unique_ptr<const SceneTree> tree_;
@@ -85,6 +90,8 @@ class SceneTruths {
 /// The truth() of each ray, in order, by as many threads as the calling one may use. Precondition: the rays are of the
 /// scene.
 std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays);
+/// SceneTruths::with_all() of each ray, likewise.
+std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays);
 /// SceneTruths::within() of each ray, likewise. Precondition: there is a range for each ray.
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
                                        std::span<const AskedRange> ranges);

@@ -29,6 +29,9 @@ enum class Verdict {
   far_root,       ///< off: a later crossing of the right element, by more than 0.001 of its size
   misplaced,      ///< off by more than 0.001 of the size
   out_of_range,   ///< off: a hit outside the range that was asked about
+  doubled,        ///< in a list of all hits, a hit of an element that is crossed less often there
+  unsorted,       ///< a list of right hits that are not in the order of the ray
+  wrong_count,    ///< a number of hits that no such data have
   wrong_normal,   ///< a right hit with the normal of no such data, off by more than 0.001 of its length
   wrong_face,     ///< a right hit of the other side of the element
   wrong_uv,       ///< a right hit with u and v of a point that is off by more than 0.001 of the triangle's size
@@ -38,7 +41,7 @@ enum class Verdict {
   skipped         ///< outside the profile, or no answer
 };
 /// The number of verdicts.
-inline constexpr int verdict_count = 16;
+inline constexpr int verdict_count = 19;
 /// The word of a verdict in files and reports, spelt as its enumerator.
 std::string_view name(Verdict verdict);
 /// The meaning of a verdict, in one line.

@@ -81,8 +81,9 @@ std::string replay_options(const SuiteOptions& options, const Finding& finding);
 std::string claim_words(const Claim& claim, const scene::Scene& scene);
 std::string claim_words(const Finding& finding);
 /// @}
-/// @{ The exact answer, in a line without its end; of a shadow ray also its end. Precondition: the case was answered.
-std::string truth_words(const ExactAnswer& truth, const scene::Scene& scene);
+/// @{ The exact answer to what is asked about the ray, in a line without its end, with what the claim says besides its
+/// place. Precondition: the case was answered.
+std::string truth_words(const SuiteCase& of, std::size_t ray, const Claim& claim);
 std::string truth_words(const Finding& finding);
 /// @}
 
