@@ -12,6 +12,7 @@
 #include "durero/composed/engine.hpp"
 #include "durero/conform/ask/question.hpp"
 #include "durero/conform/judge/truth.hpp"
+#include "durero/distance/distances.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/surface/exact.hpp"
 #include "engines.hpp"
@@ -120,6 +121,15 @@ std::vector<conform::Claim> claims_on_first(const conform::Question& question, c
   return claims;
 }
 
+/// The nearest point of the scene as a hit, with its distance for t.
+conform::Claim nearest_to(const distance::Distances& distances, const glm::dvec3& p) {
+  distance::DistanceWork work;
+  const scene::Proximity is = distances.nearest(p, work);
+  if (is.count == scene::NearestCount::none) return {.outcome = conform::Claim::Outcome::miss};
+  return {
+      .outcome = conform::Claim::Outcome::hit, .element = is.elementos.front(), .t = is.distance, .punto = is.point};
+}
+
 /// The claims on the rays of a question.
 std::vector<conform::Claim> claims_of(const conform::Question& question, const engine::Engine& engine) {
   using Kind = conform::QuestionKind;
@@ -137,6 +147,10 @@ std::vector<conform::Claim> claims_of(const conform::Question& question, const e
           [&](std::size_t i) { return claim_of(hit_within(question.scene, question.rays[i], question.ranges[i])); });
     case Kind::all:
       return each([&](std::size_t i) { return all_hits_of(question.scene, question.rays[i]); });
+    case Kind::closest: {
+      const distance::Distances distances(question.scene);
+      return each([&](std::size_t i) { return nearest_to(distances, question.rays[i].rayo.p().xyz()); });
+    }
     case Kind::count:
       return each([&](std::size_t i) { return counted(all_hits_of(question.scene, question.rays[i])); });
   }
@@ -160,7 +174,8 @@ int answer(const std::string& engine_name, bool says_more) {
     std::string answers;
     std::vector<conform::Claim> claims = claims_of(*question, *engine);
     for (std::size_t i = 0; i < claims.size(); ++i) {
-      if (says_more) add_besides_of_all(claims[i], question->scene, question->rays[i]);
+      if (says_more && question->kind != conform::QuestionKind::closest)
+        add_besides_of_all(claims[i], question->scene, question->rays[i]);
       answers += answer_line(claims[i], question->scene) + "\n";
     }
     io::print(answers);

@@ -112,7 +112,7 @@ void add_conform_bug(CLI::App& conform, int& status) {
   add_system(*command, options->system);
   command->add_option("CASE", options->of.name, "Which, such as tiny/0007")->required();
   auto* ray = add_ray(*command, options->of);
-  add_question(*command, options->of.suite);
+  add_question(*command, options->of.suite.question);
   add_quiet(*command, options->quiet);
   command->add_option("--output", options->output, "The file for the report; without it, the standard output");
   command->add_option("--reproducer", options->reproducer,

@@ -84,7 +84,7 @@ void add_conform_fuzz(CLI::App& conform, int& status) {
   command->add_option("--steps", options->steps, "So many questions it makes; then --minutes counts only where given")
       ->check(whole_number(1, std::uint64_t{1} << 53U));
   add_sources(*command, options->suite);
-  add_question(*command, options->suite);
+  add_question(*command, options->suite.question);
   command->add_option("--timeout", options->time, "Seconds that a ray may take")
       ->check(number(0.001, 86400))
       ->capture_default_str();

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "conform.hpp"
+#include "conform_suite.hpp"
 #include "description.hpp"
 #include "durero/conform/ask/claims_file.hpp"
+#include "durero/conform/ask/ranges_file.hpp"
 #include "durero/conform/ask/system_file.hpp"
 #include "durero/conform/families/suite_file.hpp"
 #include "durero/conform/report/causes.hpp"
@@ -29,7 +31,8 @@ using namespace conform;
 
 struct ConformJudgeOptions {
   std::vector<std::string> files;  // the suite and the hits, or the hits alone
-  std::string scene, rays, format = "text", profile, report;
+  std::string scene, rays, ranges, format = "text", profile, report;
+  std::string question{word(QuestionKind::first)};
   std::string systems = default_systems();
   bool quiet = false;
 
@@ -42,6 +45,10 @@ void check_together(const ConformJudgeOptions& options) {
   if (is_own != (options.files.size() == 1))
     throw std::invalid_argument(is_own ? "HITS alone stands beside --scene; expected no suite"
                                        : "HITS is missing; expected DIR and HITS, or --scene, --rays and HITS");
+  const bool wants_ranges = is_own && has_range(question_of(options.question));
+  if (wants_ranges != !options.ranges.empty())
+    throw std::invalid_argument(wants_ranges ? "--ranges is missing; expected the file of the rays' ends"
+                                             : "--ranges is for shadow rays and ranges; expected no such file");
   if (!is_own && options.format != "text")
     throw std::invalid_argument("--format json is for one's own rays; expected --scene, or --report for a suite");
 }
@@ -58,6 +65,10 @@ int run_own(const ConformJudgeOptions& options) {
   const Profile profile = read_profile(options.profile, options.systems);
   std::optional<Progress> progress(std::in_place, options.quiet, "judge");
   SuiteCase of = read_own(options.scene, options.rays);
+  of.question = question_of(options.question);
+  require_claimed(profile, of.question);
+  if (!options.ranges.empty())
+    of.ranges = read_ranges(io::read_lines(options.ranges), of.question, of.the_case.rays.size());
   const std::vector<Claims> claims = read_claims(io::read_lines(options.hits()), {&of, 1});
   answer(of);
   Tally tally;
@@ -73,6 +84,7 @@ int run(const ConformJudgeOptions& options) {
   if (!options.report.empty()) require_room_for_reports(options.report);
   std::optional<Progress> progress(std::in_place, options.quiet, "judge: reading");
   const Suite suite = read_suite(options.files.front());
+  require_claimed(profile, suite.options.question);
   const std::vector<Claims> claims = read_claims(io::read_lines(options.hits()), suite.cases);
   progress.emplace(options.quiet, "judge", "scenes", suite.cases.size());
   Report report{.title = profile.system, .profile = profile, .options = suite.options};
@@ -103,6 +115,10 @@ void add_conform_judge(CLI::App& conform, int& status) {
   auto* const rays = command->add_option("--rays", options->rays, "The rays that the hits answer, in a text or a .npy");
   scene->needs(rays);
   rays->needs(scene);
+  auto* const question = add_question(*command, options->question)->needs(scene);
+  command
+      ->add_option("--ranges", options->ranges, "The ends of the rays, a line each: T of shadow rays, T0 T1 of ranges")
+      ->needs(question);
   command->add_option("--format", options->format, "How verdicts on one's own rays are printed; json: a line a ray")
       ->check(one_of("format", {"text", "json"}))
       ->capture_default_str();

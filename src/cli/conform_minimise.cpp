@@ -63,7 +63,7 @@ void add_conform_minimise(CLI::App& conform, int& status) {
   const auto options = std::make_shared<ConformMinimiseOptions>();
   add_system(*command, options->system);
   add_case(*command, options->of);
-  add_question(*command, options->of.suite);
+  add_question(*command, options->of.suite.question);
   command->add_option("--write", options->write,
                       "The file for the question with all its elements, as a system reads it");
   add_quiet(*command, options->quiet);

@@ -183,7 +183,7 @@ void add_conform_run(CLI::App& conform, int& status) {
   const auto options = std::make_shared<ConformRunOptions>();
   command->add_option("SYSTEM", options->names, "Names of systems, files of systems, or command:PROGRAM")->required();
   add_rays(*command, options->suite);
-  add_question(*command, options->suite);
+  add_question(*command, options->suite.question);
   add_amounts(*command, *options);
   add_systems(*command, options->systems);
   command->add_option("--profile", options->profile, profile_help);

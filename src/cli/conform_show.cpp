@@ -14,7 +14,7 @@ void add_conform_show(CLI::App& conform, int& status) {
   const auto call = std::make_shared<CaseCall>();
   add_case(*command, *call);
   add_elements(*command, call->suite);
-  add_question(*command, call->suite);
+  add_question(*command, call->suite.question);
   command->footer(exit_status("it is shown", "the call is bad, or the suite has no such ray") +
                   examples({"conform show --case tiny/0007 --ray 3"}));
   command->callback([call, &status] {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "durero/conform/ask/system_file.hpp"
 #include "durero/text/shown.hpp"
 #include "numbers.hpp"
 
@@ -99,12 +100,17 @@ void add_elements(CLI::App& command, SuiteCall& call) {
   add_numbers(command, call);
 }
 
-void add_question(CLI::App& command, SuiteCall& call) {
-  command
+QuestionKind question_of(const std::string& word) {
+  return static_cast<QuestionKind>(std::ranges::find(question_words, word) - question_words.begin());
+}
+
+CLI::Option* add_question(CLI::App& command, std::string& question) {
+  return command
       .add_option(
-          "--question", call.question,
+          "--question", question,
           "What is asked: the first hit; shadow, whether anything is hit up to an end of each ray; range, the first "
-          "hit between two ends of each ray; all hits in order; or count, their number")
+          "hit between two ends of each ray; all hits in order; count, their number; or closest, the nearest "
+          "point to a point")
       ->check(one_of("question", {question_words.begin(), question_words.end()}))
       ->capture_default_str();
 }
@@ -121,8 +127,7 @@ SuiteOptions suite_of(const SuiteCall& call) {
   for (const std::string& name : call.families) options.families.push_back(&family_of(name));
   for (const std::string& word : call.types) add_type(options, word);
   options.caps = call.solids ? Caps::solid : Caps::open;
-  const auto* const question = std::ranges::find(question_words, call.question);
-  options.question = static_cast<QuestionKind>(question - question_words.begin());
+  options.question = question_of(call.question);
   options.numbers = call.numbers == word(NumberFormat::binary64) ? NumberFormat::binary64 : NumberFormat::binary32;
   return options;
 }
@@ -132,9 +137,7 @@ SuiteOptions suite_of(const SuiteCall& call, const Profile& profile) {
   options.tipos = profile.tipos;
   options.bodies = profile.bodies;
   options.caps = profile.caps;
-  if (std::ranges::find(profile.questions, options.question) == profile.questions.end())
-    throw std::runtime_error(fmt::format("{} does not claim the question {}; expected one of its profile's questions",
-                                         profile.system, call.question));
+  require_claimed(profile, options.question);
   return options;
 }
 

@@ -21,8 +21,10 @@ struct SuiteCall {
 
 /// Adds --family, --seed, --rays and --faces.
 void add_rays(CLI::App& command, SuiteCall& call);
-/// Adds --question.
-void add_question(CLI::App& command, SuiteCall& call);
+/// Adds --question, which is returned.
+CLI::Option* add_question(CLI::App& command, std::string& question);
+/// The question of that word. Precondition: it is one of question_words.
+conform::QuestionKind question_of(const std::string& word);
 /// Adds --family, --seed, --faces and --numbers, which say where fuzzing begins.
 void add_sources(CLI::App& command, SuiteCall& call);
 /// Adds --types, --solids and --numbers, which a system's profile gives for its own suite.

@@ -6,7 +6,7 @@ export XDG_CACHE_HOME="$PWD/cache"
 for question in all count; do
   run 0 conform run durero --question "$question" --rays 64
   run 0 conform fuzz durero --steps 300 --question "$question"
-  refused "embree does not claim the question $question; expected one of " conform run 'command:cat questions' --profile embree --question "$question"
+  refused "bullet does not claim the question $question; expected one of " conform run 'command:cat questions' --profile bullet --question "$question"
 done
 
 # Durero answers them as a system does. A stretch in a surface has two ends, but from the start no first one.
@@ -24,6 +24,16 @@ count 3
 refused no point of the elements is the nearest
 count 0
 count 5'
+
+# Nearest points: Durero, and a question of points alone.
+run 0 conform run durero durero-exact --question closest --rays 32
+run 0 conform fuzz durero --steps 200 --question closest
+run 0 conform show --case generic/0000 --ray 3 --question closest
+grep -A1 '^points 1' out | tail -n 1 | awk 'NF != 3 {exit 1}' || fail 'a point has three numbers'
+printf 'scene a\nesfera e 0 0 5 1\npoints 2\n0 0 0\n0 0 5\n' | "$durero" conform answer --besides >out 2>err || fail 'conform answer'
+is out 'system durero 0.1.0 fast
+hit e 4 0 0 4
+hit e 1 -1 0 5'
 
 # A system that leaves out the last hit is caught, and the calls of its report show it again.
 cat >short.py <<'PY'

@@ -59,10 +59,10 @@ enum class Draw { anywhere, ends, one };
 /// Moves numbers by parts of what is allowed, less the rounding of the sum that each is for.
 class Mover {
  public:
-  Mover(conform::Random& random, conform::NumberFormat format, Draw draw, double thickness = 0)
+  Mover(conform::Random& random, conform::NumberFormat format, Draw draw, double thickness = 0, double error = 16)
       : random_(&random),
         draw_(draw),
-        u_(format == conform::NumberFormat::binary32 ? 0x1p-20 : 0x1p-49),
+        u_(error / 16 * (format == conform::NumberFormat::binary32 ? 0x1p-20 : 0x1p-49)),
         thickness_(thickness) {}
 
   /// Where M is the largest magnitude.

@@ -18,7 +18,7 @@ class RightTrace {
       : tracer_(&tracer),
         of_(&of),
         rayo_(of.the_case.rays[ray].rayo),
-        mover_(random, tracer.profile.format, tracer.draw, tracer.profile.thickness) {}
+        mover_(random, tracer.profile.format, tracer.draw, tracer.profile.thickness, tracer.profile.error) {}
 
   /// In no order; nothing where a draw left no element or ray.
   std::optional<std::vector<Met>> all_met() {
@@ -183,7 +183,8 @@ class RightTrace {
   template <class Shape>
   void take(scene::ElementRef e, const Computed<Shape>& of) {
     if (!is_whole_) return;
-    const bool has_inside = std::is_same_v<Shape, scene::Sphere> || is_closed(*tracer_, *of_, e);
+    const bool is_half_space = std::is_same_v<Shape, scene::Plane> && tracer_->profile.half_spaces;
+    const bool has_inside = std::is_same_v<Shape, scene::Sphere> || is_half_space || is_closed(*tracer_, *of_, e);
     if (has_inside && starts_inside(of)) {
       const conform::Inside inside = tracer_->profile.inside;
       if (inside == conform::Inside::nothing) return;

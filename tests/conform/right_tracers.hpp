@@ -40,13 +40,14 @@ struct RightTracer {
   bool sees_beyond_greatest = false;
   bool excludes_limits = false;  ///< a number that is a limit is beyond it
   bool answers_element = false;  ///< no number, where it names elements
+  bool culls_backs = false;      ///< of flat elements, where its profile leaves them unseen
 };
 
 /// What a tracer claims, clause by clause. A new clause of a profile does not compile here until it is one of these.
 inline std::map<std::string, std::string> clauses(const conform::Profile& profile) {
-  const auto& [system, format, tipos, bodies, caps, measure, directions, inside, thickness, least_t, greatest_t,
-               least_size, greatest_size, greatest_coordinate, names_elements, watertight, normal, normal_length, faces,
-               uv, questions, sources] = profile;
+  const auto& [system, format, tipos, bodies, caps, measure, directions, inside, error, thickness, least_t, greatest_t,
+               least_size, greatest_size, greatest_coordinate, names_elements, half_spaces, back_faces, watertight,
+               normal, normal_length, faces, uv, questions, sources] = profile;
   const auto claimed = [](bool is) { return std::string(is ? "claimed" : "none"); };
   return {{"format", std::string(word(format))},
           {"tipos", claimed(tipos.size() < model::tipo_count)},
@@ -62,6 +63,9 @@ inline std::map<std::string, std::string> clauses(const conform::Profile& profil
           {"greatest_size", claimed(std::isfinite(greatest_size))},
           {"greatest_coordinate", claimed(std::isfinite(greatest_coordinate))},
           {"names_elements", claimed(names_elements)},
+          {"error", claimed(error > conform::usual_error)},
+          {"half_spaces", claimed(half_spaces)},
+          {"back_faces", std::string(word(back_faces))},
           {"watertight", claimed(watertight)},
           {"normal", std::string(word(normal))},
           {"normal_length", std::string(word(normal_length))},
@@ -111,8 +115,16 @@ inline double distance(const RightTracer& tracer, const Met& met) {
   return narrowed(is_length ? length_of(t, met.rayo.v().xyz()) : t, tracer.profile.format);
 }
 
+/// Whether it is the back of a flat element.
+inline bool is_back(const Met& met) {
+  const bool is_flat = met.element.tipo == model::Tipo::soy_triangulo || met.element.tipo == model::Tipo::soy_disco ||
+                       met.element.tipo == model::Tipo::soy_plano;
+  return is_flat && met.besides.outward && met.besides.against > 0;
+}
+
 /// Whether the tracer passes it by. Its limits are numbers of its format, too.
 inline bool passes_by(const RightTracer& tracer, const Met& met) {
+  if (tracer.culls_backs && tracer.profile.back_faces == conform::BackFaces::unseen && is_back(met)) return true;
   const double x = distance(tracer, met), least = narrowed(tracer.profile.least_t, tracer.profile.format),
                greatest = narrowed(tracer.profile.greatest_t, tracer.profile.format);
   const bool is_limit = tracer.excludes_limits && ((least > 0 && x == least) || x == greatest);

@@ -77,6 +77,9 @@ Profile drawn_profile(Random& random, const SuiteCase& of) {
   profile.directions = static_cast<Directions>(random.below(3));
   profile.inside = static_cast<Inside>(random.below(4));
   const double length = random.any_of(lengths);
+  if (random.chance(1, 4)) profile.error = std::ldexp(1, random.integer(5, 12));
+  profile.half_spaces = random.chance(1, 4);
+  profile.back_faces = static_cast<BackFaces>(random.chance(1, 4));
   if (random.chance(1, 4)) profile.thickness = std::ldexp(length, -random.integer(8, 40));
   if (random.chance(1, 10)) profile.least_size = near(random, random.any_of(lengths));
   if (random.chance(1, 10)) profile.greatest_size = near(random, random.any_of(lengths));
@@ -101,6 +104,7 @@ RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
   tracer.sees_beyond_greatest = random.chance(1, 4);
   tracer.excludes_limits = random.chance(1, 2);
   tracer.answers_element = random.chance(1, 8);
+  tracer.culls_backs = random.chance(3, 4);
   if (random.chance(1, 2))
     tracer.profile.questions = {QuestionKind::first, QuestionKind::shadow, QuestionKind::range, QuestionKind::all,
                                 QuestionKind::count};
@@ -165,7 +169,8 @@ double size_of(const SuiteCase& of, scene::ElementRef element, double way) {
 
 /// Whether the element is a solid to the tracer, and so may be answered at the origin.
 bool is_answered_at_origin(const RightTracer& tracer, const SuiteCase& of, scene::ElementRef element) {
-  const bool is_solid = element.tipo == model::Tipo::soy_esfera || is_closed(tracer, of, element);
+  const bool is_solid = element.tipo == model::Tipo::soy_esfera || is_closed(tracer, of, element) ||
+                        (element.tipo == model::Tipo::soy_plano && tracer.profile.half_spaces);
   return tracer.profile.inside == Inside::origin && is_solid;
 }
 
@@ -178,6 +183,8 @@ std::optional<Claim> nudged(Random& random, const RightTracer& tracer, const Sui
   const double length = length_of(1, of.the_case.rays[ray].rayo.v().xyz());
   const double unit = tracer.profile.measure == Measure::length ? 1 : 1 / length, way = truth.t * length;
   double size = size_of(of, *claim.element, way);
+  const bool is_plane = claim.element->tipo == model::Tipo::soy_plano;
+  if (*claim.t == 0 && is_plane) return std::nullopt;  // it has no size there
   if (*claim.t != 0 || !is_answered_at_origin(tracer, of, *claim.element)) {
     if (truth.resultado != model::Resultado::hit) return std::nullopt;
     for (const scene::ElementRef element : truth.elementos) size = std::min(size, size_of(of, element, way));

@@ -29,7 +29,10 @@ enum ProfileKey : std::size_t {
   normal_length,
   faces,
   uv,
-  questions
+  questions,
+  error,
+  half_spaces,
+  back_faces
 };
 constexpr std::string_view profile_keys[] = {"format",
                                              "tipos",
@@ -49,7 +52,10 @@ constexpr std::string_view profile_keys[] = {"format",
                                              "normal_length",
                                              "faces",
                                              "uv",
-                                             "questions"};
+                                             "questions",
+                                             "error",
+                                             "half_spaces",
+                                             "back_faces"};
 constexpr std::size_t required_keys = 7;
 
 /// The words of the types, and then those of the kinds of bodies.
@@ -65,6 +71,14 @@ void read_bound(Reader& in, std::string_view what, double& bound) {
   const std::size_t at = in.offset();
   bound = in.number(what);
   if (bound < 0) in.fail(at, fmt::format("{} is {}", what, bound), "expected a number that is not negative");
+}
+
+void read_error(Reader& in, double& error) {
+  const std::size_t at = in.offset();
+  error = in.number("error");
+  if (!(error >= usual_error && error <= greatest_error))
+    in.fail(at, fmt::format("error is {}", error),
+            fmt::format("expected units of rounding, from {} to {}", usual_error, greatest_error));
 }
 
 void read_questions(Reader& in, std::string_view what, std::vector<QuestionKind>& read) {
@@ -126,6 +140,14 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
       return;
     case questions:
       return read_questions(in, what, profile.questions);
+    case error:
+      return read_error(in, profile.error);
+    case half_spaces:
+      profile.half_spaces = in.boolean(what);
+      return;
+    case back_faces:
+      profile.back_faces = read_word<BackFaces>(in, what, back_faces_words);
+      return;
   }
 }
 

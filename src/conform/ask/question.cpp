@@ -74,7 +74,7 @@ std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::s
     const model::Rayo& rayo = of.the_case.rays[ray].rayo;
     std::string line;
     append(line, rayo.p().xyz());
-    append(line, rayo.v().xyz());
+    if (of.question != QuestionKind::closest) append(line, rayo.v().xyz());
     if (of.question == QuestionKind::range) append(line, of.ranges[ray].begin);
     if (has_range(of.question)) append(line, of.ranges[ray].end);
     text.append(line, 1).append("\n");

@@ -117,12 +117,15 @@ double read_end(const QuestionLine& line, std::size_t word) {
 
 /// Reads a ray, and its range where the question has some.
 scene::Query read_ray(const QuestionLine& line, QuestionKind kind, std::vector<AskedRange>& ranges) {
-  glm::dvec3 p, v;
+  glm::dvec3 p, v(0, 0, 1);
   NumberReader numbers(line, 0);
   numbers.read(p);
-  numbers.read(v);
+  std::size_t next = 3;
+  if (kind != QuestionKind::closest) {
+    numbers.read(v);
+    next = 6;
+  }
   AskedRange range;
-  std::size_t next = 6;
   if (kind == QuestionKind::range) range.begin = read_end(line, next++);
   if (has_range(kind)) {
     range.end = read_end(line, next++);

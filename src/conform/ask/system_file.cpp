@@ -224,6 +224,12 @@ Profile read_profile(const std::string& name_or_file, const std::string& systems
   return read_profile(io::read_source(name_or_file));
 }
 
+void require_claimed(const Profile& profile, QuestionKind question) {
+  if (std::ranges::find(profile.questions, question) != profile.questions.end()) return;
+  throw std::runtime_error(fmt::format("{} does not claim the question {}; expected one of its profile's questions",
+                                       profile.system, word(question)));
+}
+
 Profile read_profile(const io::Source& source) {
   return is_of_system(source) ? read_system(source, "").profile : read_profile_file(source);
 }

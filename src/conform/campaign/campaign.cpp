@@ -7,6 +7,7 @@
 #include "conform/ask/profile_reader.hpp"
 #include "conform/families/digest.hpp"
 #include "conform/report/report_parts.hpp"
+#include "durero/conform/ask/system_file.hpp"
 #include "durero/conform/families/suite_file.hpp"
 #include "durero/conform/format_versions.hpp"
 #include "durero/io/json/json_writer.hpp"
@@ -31,11 +32,12 @@ enum CampaignKey : std::size_t {
   solids,
   numbers,
   time,
-  faces
+  faces,
+  question
 };
-constexpr std::string_view keys[] = {"format",  "version", "system",   "seed",  "rays_of_a_shard",
-                                     "shards",  "profile", "families", "types", "solids",
-                                     "numbers", "time",    "faces"};
+constexpr std::string_view keys[] = {"format",  "version", "system",   "seed",    "rays_of_a_shard",
+                                     "shards",  "profile", "families", "types",   "solids",
+                                     "numbers", "time",    "faces",    "question"};
 constexpr std::size_t required = 6;
 
 /// The offsets of the values that are checked after all was read.
@@ -119,6 +121,9 @@ void read_member(Reader& in, CampaignKey key, Campaign& read, CampaignPlaces& pl
       return;
     case faces:
       read.faces = io::json::whole_number(in, what, 1, most_faces, "a number of faces");
+      return;
+    case question:
+      read.question = read_word<QuestionKind>(in, what, question_words);
   }
 }
 
@@ -167,24 +172,27 @@ std::string identity(const Campaign& campaign, const Profile& profile) {
   out.member("types", type_words(options.tipos, options.bodies)).member("caps", word(options.caps));
   out.member("numbers", word(campaign.numbers)).member("time", campaign.time);
   if (campaign.faces != usual_faces) out.member("faces", campaign.faces);
+  if (campaign.question != QuestionKind::first) out.member("question", word(campaign.question));
   out.key("families").begin_array();
   for (const Family* family : campaign.families) out.value(family->name);
   out.end_array();
   for (const ProfileLine& line : profile_lines(profile)) {
-    if (line.claim != "questions") out.member(line.claim, line.value);  // a campaign asks for first hits alone
+    if (line.claim != "questions") out.member(line.claim, line.value);  // what else it claims decides nothing
   }
   out.end_object();
   return digest_text(digest(text));
 }
 
 SuiteOptions suite_options(const Campaign& campaign, const Profile& profile) {
+  require_claimed(profile, campaign.question);
   return {.families = campaign.families,
           .seed = campaign.seed,
           .tipos = campaign.tipos.value_or(profile.tipos),
           .bodies = campaign.bodies.value_or(profile.bodies),
           .caps = campaign.caps.value_or(profile.caps),
           .numbers = campaign.numbers,
-          .faces = campaign.faces};
+          .faces = campaign.faces,
+          .question = campaign.question};
 }
 
 std::vector<CasePlace> cases_of_shard(const Campaign& campaign, const SuiteOptions& options, std::uint64_t shard) {
@@ -201,7 +209,10 @@ std::vector<CasePlace> cases_of_shard(const Campaign& campaign, const SuiteOptio
 
 SuiteCase suite_case(SuiteOptions options, const CasePlace& place) {
   options.rays = place.number * rays_of(*place.family) + place.rays;
-  return suite_case(options, *place.family, place.number);
+  SuiteCase of = suite_case(options, *place.family, place.number);
+  answer(of);
+  ask_question(of, options);
+  return of;
 }
 
 }  // namespace durero::conform

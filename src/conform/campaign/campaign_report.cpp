@@ -49,7 +49,6 @@ Claim claim_of(const FailedRay& failed, const SuiteCase& of) {
 Finding finding_of(const FailedRay& failed, const Family& family, Verdict verdict, const SuiteOptions& options,
                    const Profile& profile) {
   SuiteCase of = suite_case(options, {&family, failed.number, failed.ray + 1});
-  answer(of);
   of = with_ray_alone(of, failed.ray);
   const Claim claim = claim_of(failed, of);
   const ClaimJudgement is = judge(of, 0, claim, profile);

@@ -47,7 +47,10 @@ std::uint64_t digest_of(const Claim& claim, std::uint64_t before) {
   if (claim.punto) {
     for (const double x : {claim.punto->x, claim.punto->y, claim.punto->z}) add(std::bit_cast<std::uint64_t>(x));
   }
-  return digest(bytes, before);
+  if (claim.count) add(*claim.count);
+  std::uint64_t all = digest(bytes, before);
+  for (const Claim& behind : claim.behind) all = digest_of(behind, all);
+  return all;
 }
 
 std::vector<std::uint64_t> ulps_of(const Tally& tally) {

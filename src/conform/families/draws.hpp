@@ -16,7 +16,7 @@ class Draws : public Random {
   const CaseOptions& options() const { return options_; }
   bool allows(model::Tipo tipo) const;
   /// Whether some kind of bodies is asked for.
-  bool allows_bodies() const { return !options_.bodies.empty() || options_.tipos.empty(); }
+  bool allows_bodies() const { return options_.has_bodies && (!options_.bodies.empty() || options_.tipos.empty()); }
   /// One of the kinds of bodies that are asked for; any where none is named.
   BodyKind any_body_kind() {
     return options_.bodies.empty() ? static_cast<BodyKind>(below(body_count)) : any_of(options_.bodies);

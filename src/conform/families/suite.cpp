@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "conform/families/asked_points.hpp"
 #include "conform/families/asked_ranges.hpp"
 #include "conform/families/scattered.hpp"
 
@@ -19,6 +20,7 @@ CaseOptions of_cases(const SuiteOptions& options) {
   return {.numbers = options.numbers,
           .tipos = options.tipos,
           .bodies = options.bodies,
+          .has_bodies = options.question != QuestionKind::closest,  // the distance knows the types alone
           .caps = options.caps,
           .faces = options.faces};
 }
@@ -78,6 +80,10 @@ void ask_question(SuiteCase& of, const SuiteOptions& options) {
     case QuestionKind::all:
     case QuestionKind::count:
       return answer(of);
+    case QuestionKind::closest:
+      put_points_near(of, options.numbers, random);
+      answer(of);
+      return turn_to_nearest(of);
   }
 }
 
@@ -85,6 +91,8 @@ void answer(SuiteCase& of) {
   const auto& [scene, rays] = of.the_case;
   if (of.question == QuestionKind::range)
     of.truths = truths_within(scene, rays, of.ranges);
+  else if (of.question == QuestionKind::closest)
+    of.truths = truths_of_nearest(scene, rays);
   else
     of.truths = is_about_all(of.question) ? truths_with_all(scene, rays) : truths(scene, rays);
 }

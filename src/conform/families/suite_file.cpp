@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "conform/families/suite_text.hpp"
 #include "durero/io/source.hpp"
@@ -80,6 +81,7 @@ FamilySummary write_family(const OutputDirectory& to, const SuiteOptions& option
     SuiteCase of = suite_case(options, family, number);
     answer(of);
     counted[number] = summary(of);
+    ask_question(of, options);
     for (const File& file : case_files(of, counted[number].count))
       to.add_file(fmt::format("{}{}", of.name(), file.ending), file.text);
   });
@@ -92,6 +94,8 @@ FamilySummary write_family(const OutputDirectory& to, const SuiteOptions& option
 
 std::vector<FamilySummary> write_suite(const std::string& directory, const SuiteOptions& options,
                                        const std::function<void()>& before_case) {
+  if (options.question == QuestionKind::closest)
+    throw std::invalid_argument("a suite of nearest points; expected durero conform run, which asks them");
   OutputDirectory to(directory);
   std::vector<FamilySummary> families;
   for (const Family* family : chosen_families(options))

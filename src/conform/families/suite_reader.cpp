@@ -38,9 +38,9 @@ const Family* read_family(Reader& in) {
 }
 
 SuiteOptions read_options(const io::Source& source) {
-  enum Key : std::size_t { format, version, seed, rays, numbers, caps, tipos, families, faces };
-  constexpr std::array<std::string_view, 9> keys{"format", "version", "seed",     "rays", "numbers",
-                                                 "caps",   "tipos",   "families", "faces"};
+  enum Key : std::size_t { format, version, seed, rays, numbers, caps, tipos, families, faces, question };
+  constexpr std::array<std::string_view, 10> keys{"format", "version", "seed",     "rays",  "numbers",
+                                                  "caps",   "tipos",   "families", "faces", "question"};
   const io::json::Document document(source);
   Reader in(document);
   require_version(in, suite_format);
@@ -68,6 +68,9 @@ SuiteOptions read_options(const io::Source& source) {
         return in.array("families", [&] { options.families.push_back(read_family(in)); });
       case faces:
         options.faces = io::json::whole_number(in, "faces", 1, most_faces, "a number of faces");
+        return;
+      case question:
+        options.question = read_word<QuestionKind>(in, "question", question_words);
         return;
     }
   });
@@ -164,6 +167,7 @@ SuiteCase read_case(const std::string& directory, const SuiteOptions& options, c
   of.the_case.scene = with_bodies(std::move(of.the_case.scene), of.bodies);
   answer(of);
   counted = summary(of);
+  ask_question(of, options);
   for (const File& file : case_files(of, counted.count)) require_text(source(file.ending), file.text);
   return of;
 }

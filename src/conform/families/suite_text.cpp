@@ -4,6 +4,8 @@
 #include <span>
 
 #include "conform/families/family_table.hpp"
+#include "durero/conform/ask/claims_file.hpp"
+#include "durero/conform/ask/ranges_file.hpp"
 #include "durero/conform/format_versions.hpp"
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/json/scene_file.hpp"
@@ -85,6 +87,32 @@ std::string hits_text(const std::vector<scene::Hit>& hits, const scene::Scene& s
   return text;
 }
 
+/// The exact answer to a question that is not the first hit, as a program claims it. A stretch inside a surface from
+/// the start begins at t = 0.
+Claim exact_claim(const SuiteCase& of, std::size_t ray) {
+  using Outcome = Claim::Outcome;
+  const auto& [hit, ambiguity, permissible, all] = of.truths[ray];
+  const auto claim_of = [](const scene::Hit& at) {
+    return Claim{.outcome = Outcome::hit, .element = at.elementos.front(), .t = at.t, .punto = at.punto};
+  };
+  if (of.question == QuestionKind::count)
+    return {.outcome = all.empty() ? Outcome::miss : Outcome::hit, .count = all.size()};
+  if (hit.resultado == model::Resultado::miss) return {.outcome = Outcome::miss};
+  const bool is_from_start = hit.resultado == model::Resultado::no_minimum;
+  if (of.question == QuestionKind::shadow)
+    return {.outcome = is_from_start || hit.t <= of.ranges[ray].end ? Outcome::hit : Outcome::miss};
+  if (of.question != QuestionKind::all) return claim_of(is_from_start ? permissible.front() : hit);
+  Claim first = claim_of(all.front());
+  for (const scene::Hit& behind : std::span(all).subspan(1)) first.behind.push_back(claim_of(behind));
+  return first;
+}
+
+std::string claims_text(const SuiteCase& of) {
+  std::string text;
+  for (std::size_t ray = 0; ray < of.truths.size(); ++ray) text += claim_json(of, ray, exact_claim(of, ray)) + '\n';
+  return text;
+}
+
 void write_summary(Writer& out, const FamilySummary& of, NumberFormat numbers) {
   const Range range = parameter(*of.family, numbers);
   out.new_line().begin_object();
@@ -105,9 +133,12 @@ std::vector<File> case_files(const SuiteCase& of, const Count& counted) {
   const auto& [scene, rays] = of.the_case;
   std::vector<scene::Hit> hits;
   for (const ExactAnswer& truth : of.truths) hits.push_back(truth.hit);
-  return {{scene_ending, io::scene_text(scene)},    {rays_ending, io::rays_text(rays, scene)},
-          {".rays.npy", io::rays_npy(rays)},        {".hits.jsonl", hits_text(hits, scene)},
-          {".hits.npy", io::hits_npy(hits, scene)}, {sidecar_ending, sidecar_text(of, counted)}};
+  std::vector<File> files = {{scene_ending, io::scene_text(scene)},    {rays_ending, io::rays_text(rays, scene)},
+                             {".rays.npy", io::rays_npy(rays)},        {".hits.jsonl", hits_text(hits, scene)},
+                             {".hits.npy", io::hits_npy(hits, scene)}, {sidecar_ending, sidecar_text(of, counted)}};
+  if (has_range(of.question)) files.push_back({ranges_ending, ranges_text(of.question, of.ranges)});
+  if (of.question != QuestionKind::first) files.push_back({".claims.jsonl", claims_text(of)});
+  return files;
 }
 
 std::string suite_text(const SuiteOptions& options, const std::vector<FamilySummary>& families) {
@@ -127,6 +158,7 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
   }
   out.end_array();
   if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});
+  if (options.question != QuestionKind::first) out.member("question", word(options.question));
   out.new_line().key("families").begin_array();
   for (const FamilySummary& of : families) write_summary(out, of, options.numbers);
   out.end_array().end_object();

@@ -13,6 +13,7 @@ namespace durero::conform {
 inline constexpr std::string_view scene_ending = ".scene.json";
 inline constexpr std::string_view rays_ending = ".rays.txt";
 inline constexpr std::string_view sidecar_ending = ".case.json";
+inline constexpr std::string_view ranges_ending = ".ranges.txt";
 
 struct File {
   std::string_view ending;

@@ -2,12 +2,12 @@
 /// The allowance is the amount by which the data of an element and a ray may be off; this file derives exactly how far
 /// such errors move a point against the surface.
 ///
-/// With u = 16ε and δ = u·M + the thickness that the system declares + the cost of the least subnormal, each coordinate
-/// of the origin, of t·v, of a centre or a vertex, and each length, is off by at most δ; each coordinate of a unit
-/// vector by u; a proportion k by u·max(1, k). A point given by coordinates off by δ is off by at most √3·δ, and a
-/// point p + t·v by 2√3·δ against a fixed surface. A claimed t, or point, is besides rounded once to the system's
-/// format, and its length is divided by |v| with one rounding: ≤ √3·(1/16 + 1/16)·δ, 0.22·δ. Together with the centre
-/// this gives 3√3·δ + 0.22·δ < 5.42·δ: below, *the ray's share*.
+/// With u = 16ε, or the multiple of ε that the profile claims, and δ = u·M + the thickness that the system declares +
+/// the cost of the least subnormal, each coordinate of the origin, of t·v, of a centre or a vertex, and each length, is
+/// off by at most δ; each coordinate of a unit vector by u; a proportion k by u·max(1, k). A point given by coordinates
+/// off by δ is off by at most √3·δ, and a point p + t·v by 2√3·δ against a fixed surface. A claimed t, or point, is
+/// besides rounded once to the system's format, and its length is divided by |v| with one rounding: ≤ √3·(1/16 +
+/// 1/16)·δ, 0.22·δ. Together with the centre this gives 3√3·δ + 0.22·δ < 5.42·δ: below, *the ray's share*.
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,11 @@ constexpr double least(NumberFormat format) { return format == NumberFormat::bin
 /// The precision that a system claims.
 struct Precision {
   NumberFormat format;
-  double thickness = 0;  ///< Profile::thickness
+  double thickness = 0;        ///< Profile::thickness
+  double error = usual_error;  ///< Profile::error
 };
 
+inline Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
 inline double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 inline Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
@@ -92,15 +94,16 @@ Dyadic magnitude(const Shape& shape, const model::Rayo& rayo, const Dyadic& way)
 
 /// The greatest errors that the data of one element and a ray may have.
 struct Allowance {
-  Dyadic u;      ///< 16ε, the error of a coordinate of a unit vector
+  Dyadic u;      ///< the error of a coordinate of a unit vector
   Dyadic delta;  ///< δ, the error of a position's coordinate and of a length
 
   /// The last summand pays for subnormals: a subnormal result is rounded by half the least number, whatever its size. A
   /// coordinate is off by that directly, and t·v by that times v.
   Allowance(const Precision& precision, const Dyadic& M, const model::Rayo& rayo)
-      : u(16 * unit(precision.format)),
+      : u(Dyadic(precision.error) * Dyadic(unit(precision.format))),
         delta(u * M + Dyadic(precision.thickness) +
-              Dyadic(16) * Dyadic(least(precision.format)) * Dyadic(std::max(1.0, largest(rayo.v().xyz())))) {}
+              Dyadic(precision.error) * Dyadic(least(precision.format)) *
+                  Dyadic(std::max(1.0, largest(rayo.v().xyz())))) {}
 
   /// The multiple of δ.
   Dyadic times(const Dyadic& multiple) const { return multiple * delta; }

@@ -276,7 +276,7 @@ ClaimJudgement judgement_of_all(const ClaimContext& trial, const Claim& claim) {
 }
 
 Verdict verdict_of_count(const ClaimContext& trial, const Claim& claim) {
-  const std::uint64_t count = claim.count.value();
+  const std::uint64_t count = claim.count.value_or(0);
   if (count == trial.truth.all.size()) return Verdict::exact;
   if (count < least_count(trial)) return Verdict::wrong_count;
   std::size_t most = trial.profile.inside == Inside::origin ? trial.solids_around_origin().size() : 0;

@@ -16,7 +16,7 @@ namespace durero::conform {
 /// The judgement on a list. Precondition: the claim is a hit or a miss.
 ClaimJudgement judgement_of_all(const ClaimContext& trial, const Claim& claim);
 
-/// The verdict on the number of hits. Precondition: the claim has one.
+/// The verdict on the number of hits. Precondition: the claim has one, or is a miss.
 Verdict verdict_of_count(const ClaimContext& trial, const Claim& claim);
 
 }  // namespace durero::conform

@@ -137,6 +137,11 @@ bool is_near_origin(const ClaimContext& trial, const ClaimedPoint& place, scene:
                                       [&](const auto& shape) { return is_small(squared, shape, squared_way); });
 }
 
+double error_in_ulps(double claimed, double right, NumberFormat format) {
+  right = rounded(right, format);
+  return std::isfinite(right) ? std::abs(claimed - right) / last_place(right, format) : infinity;
+}
+
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {
   if (!trial.has_hit()) return 0;
   const NumberFormat format = trial.profile.format;
@@ -144,8 +149,7 @@ double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& p
     const glm::dvec3& right = trial.truth.hit.punto;
     return largest(*claim.punto - right) / last_place(largest(right), format);
   }
-  const double right = rounded(number_of_truth(trial), format);
-  return std::isfinite(right) ? std::abs(*claim.t - right) / last_place(right, format) : infinity;
+  return error_in_ulps(*claim.t, number_of_truth(trial), format);
 }
 
 double backward_error(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place) {

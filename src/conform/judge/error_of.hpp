@@ -16,6 +16,8 @@ bool is_near_surface(const ClaimContext& trial, const ClaimedPoint& place, scene
 /// Whether the place is within 0.001 of the element's size of the ray's origin.
 bool is_near_origin(const ClaimContext& trial, const ClaimedPoint& place, scene::ElementRef element);
 
+/// The error of a number, in units of the last place of the right one, rounded to the format.
+double error_in_ulps(double claimed, double right, NumberFormat format);
 /// The errors of a claimed hit as ClaimJudgement::ulps and ClaimJudgement::backward define them.
 double ulps(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);
 double backward_error(const ClaimContext& trial, const Claim& claim, const ClaimedPoint& place);

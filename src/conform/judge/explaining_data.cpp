@@ -24,6 +24,7 @@ std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& p
   const ClaimContext trial(finding.of, 0, profile, facts);
   if (!place(trial, claim)) return std::nullopt;
   if (claim.punto) return claim.punto;
+  if (finding.of.question == QuestionKind::closest) return finding.of.truths[0].hit.punto;
   const glm::dvec3 &p = trial.ray.rayo.p().xyz(), &v = trial.ray.rayo.v().xyz();
   const double unit_of_t = profile.measure == Measure::length ? std::hypot(v.x, v.y, v.z) : 1;
   return p + *claim.t / unit_of_t * v;
@@ -49,6 +50,7 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
 /// profile; the number of a hit, which is rounded, nearly.
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   const bool is_miss = claim.outcome == Claim::Outcome::miss;
+  if (of.question == QuestionKind::closest) return is_right(of, claim, profile);
   if (of.question == QuestionKind::shadow || is_about_all(of.question) || (is_miss && has_range(of.question)))
     return judge(of, 0, claim, profile).verdict == Verdict::exact;
   if (!is_miss) return is_right(of, claim, profile);

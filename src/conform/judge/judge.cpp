@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "conform/judge/allowance.hpp"
+#include "conform/judge/closest.hpp"
 #include "conform/judge/crossings.hpp"
 #include "conform/judge/error_of.hpp"
 #include "conform/judge/limits.hpp"
@@ -174,9 +175,10 @@ Verdict of_shadow(const ClaimContext& trial, const Claim& claim) {
 ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
   const bool is_answer = claim.outcome == Claim::Outcome::hit || claim.outcome == Claim::Outcome::miss;
   if (trial.question == QuestionKind::shadow && is_answer) return {.verdict = of_shadow(trial, claim)};
+  if (trial.question == QuestionKind::closest && is_answer) return judgement_of_closest(trial, claim);
   if (trial.question == QuestionKind::all && is_answer) return judgement_of_all(trial, claim);
   if (trial.question == QuestionKind::count && is_answer) {
-    if (!claim.count) return {.clause = "no answer: no count"};
+    if (!claim.count && claim.outcome == Claim::Outcome::hit) return {.clause = "no answer: no count"};
     return {.verdict = verdict_of_count(trial, claim)};
   }
   switch (claim.outcome) {

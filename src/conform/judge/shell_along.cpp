@@ -40,7 +40,8 @@ bool may_hold_at(const Along& shell, const Parameter& t) {
          std::all_of(shell.bounds.begin(), shell.bounds.end(), [&](const auto& b) { return sign_at(b, t) >= 0; });
 }
 
-/// The parameters t ≥ from, ascending and without repetition, where a condition of the shell may begin to hold: `from`, and every root ahead.
+/// The parameters t ≥ from, ascending and without repetition, where a condition of the shell may begin to hold: `from`,
+/// and every root ahead.
 std::vector<Parameter> beginnings(const Along& shell, const Parameter& from) {
   std::vector<Parameter> all{from};
   const auto take = [&](const Quadratic<Dyadic>& f) {
@@ -118,8 +119,8 @@ bool may_hold_between(const Along& shell, const Parameter& a, const Parameter* b
 bool goes_through(const Along& shell, const Parameter& begin, const Parameter& end) {
   const auto is_hollow = [&](const Parameter& t) { return !shell.hollow || sign_at(*shell.hollow, t) > 0; };
   const auto is_on = [](const Quadratic<Dyadic>& wall, const Parameter& t) { return sign_at(wall, t) == 0; };
-  const bool is_through = (is_on(shell.outer, begin) && is_on(shell.inner, end)) ||
-                          (is_on(shell.inner, begin) && is_on(shell.outer, end));
+  const bool is_through =
+      (is_on(shell.outer, begin) && is_on(shell.inner, end)) || (is_on(shell.inner, begin) && is_on(shell.outer, end));
   return !shell.filled && is_through && is_hollow(begin) && is_hollow(end);
 }
 

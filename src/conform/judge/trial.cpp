@@ -66,6 +66,7 @@ scene::ElementRef ClaimContext::body(scene::ElementRef element) const {
 
 bool ClaimContext::is_solid(scene::ElementRef element) const {
   if (element.tipo == model::Tipo::soy_esfera) return true;
+  if (element.tipo == model::Tipo::soy_plano) return profile.half_spaces;
   return profile.caps == Caps::solid &&
          std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) { return solid.wall == element; });
 }
@@ -83,6 +84,8 @@ std::vector<scene::ElementRef> ClaimContext::solids_around_origin() const {
   };
   // A body stands among the spheres.
   for (std::uint32_t i = 0; i < scene.shapes<scene::Sphere>().size(); ++i) add({scene::Sphere::tipo, i});
+  for (std::uint32_t i = 0; profile.half_spaces && i < scene.shapes<scene::Plane>().size(); ++i)
+    add({scene::Plane::tipo, i});
   if (profile.caps == Caps::open) return around;
   for (const Solid& solid : solids) add(solid.wall);
   return around;

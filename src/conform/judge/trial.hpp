@@ -37,7 +37,7 @@ struct ClaimContext {
   }
 
   /// The format and the thickness of surfaces that the profile declares.
-  Precision precision() const { return {profile.format, profile.thickness}; }
+  Precision precision() const { return {profile.format, profile.thickness, profile.error}; }
   /// The elements as the system is asked about them: with solids where its profile closes walls with discs.
   AskedElements elements() const {
     return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>(), bodies};
@@ -53,8 +53,8 @@ struct ClaimContext {
   /// Whether the condition holds for some element that the claim may be about.
   template <class Holds>
   bool any_named(const Claim& claim, Holds holds) const;
-  /// Whether the element is a solid to the system, and so has an inside: a sphere, a body, or a wall that
-  /// discs close.
+  /// Whether the element is a solid to the system, and so has an inside: a sphere, a body, a wall that discs close, or a
+  /// plane where planes are half-spaces.
   bool is_solid(scene::ElementRef element) const;
   /// The solids inside which the origin lies for some data within the allowance.
   std::vector<scene::ElementRef> solids_around_origin() const;

@@ -8,6 +8,7 @@
 #include "conform/judge/scene_tree.hpp"
 #include "durero/composed/solid.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/distance/distances.hpp"
 #include "durero/trace/search.hpp"
 
 namespace durero::conform {
@@ -348,6 +349,17 @@ std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene
 std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays) {
   const SceneTruths of_scene(scene, rays.size());
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.with_all(rays[ray]); });
+}
+
+std::vector<ExactAnswer> truths_of_nearest(const scene::Scene& scene, std::span<const scene::Query> rays) {
+  const distance::Distances distances(scene);
+  return answers(rays.size(), [&](std::size_t ray) {
+    distance::DistanceWork work;
+    const scene::Proximity is = distances.nearest(rays[ray].rayo.p().xyz(), work);
+    const bool is_one = is.count == scene::NearestCount::one && is.elementos.size() == 1;
+    return ExactAnswer{{model::Resultado::hit, is.distance, is.point, is.elementos},
+                       is_one ? Ambiguity::none : Ambiguity::tie};
+  });
 }
 
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,

@@ -56,7 +56,7 @@ std::vector<Variation> variations(const Finding& finding, const Profile& profile
   varying.attempt(fmt::format("With the whole scene and the origin scaled by 2^{}", -size),
                   [&](Draft& changed) { scale(changed, -size); });
   const scene::Hit& hit = finding.of.truths[0].hit;
-  if (hit.resultado == model::Resultado::hit)
+  if (hit.resultado == model::Resultado::hit && finding.of.question != QuestionKind::closest)
     varying.attempt("With an origin that is eight times nearer to the first point",
                     [&](Draft& changed) { come_nearer(changed, hit.t); });
   return std::move(varying).result();

@@ -149,6 +149,9 @@ std::string truth_words(const SuiteCase& of, std::size_t ray, const Claim& claim
                          io::number_text(of.ranges[ray].end));
     case QuestionKind::all:
       return all_words(all, scene);
+    case QuestionKind::closest:
+      return fmt::format("{} at a distance of {}, point {}", element_names(hit.elementos, scene),
+                         io::number_text(hit.t), point_text(hit.punto));
     case QuestionKind::count:
       return fmt::format("{}{}{}", count_words(all.size()), all.empty() ? "" : ": ",
                          all.empty() ? "" : all_words(all, scene));

@@ -103,6 +103,9 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
   if (profile.faces) lines.push_back({"faces", "true"});
   if (profile.uv) lines.push_back({"uv", "true"});
   if (profile.watertight) lines.push_back({"watertight", "true"});
+  if (profile.half_spaces) lines.push_back({"half_spaces", "true"});
+  if (profile.back_faces != BackFaces::seen) lines.push_back({"back_faces", std::string(word(profile.back_faces))});
+  add_limit(lines, "error", profile.error, usual_error);
   add_limit(lines, "thickness", profile.thickness, 0);
   add_limit(lines, "least_t", profile.least_t, 0);
   add_limit(lines, "greatest_t", profile.greatest_t, infinity);

@@ -175,7 +175,7 @@ TEST_CASE("a hit may say its element alone, or nothing") {
 TEST_CASE("nothing of a malformed answer is believed") {
   check_malformed("", "the line is empty");
   check_malformed("miss e0", "a miss is miss alone");
-  check_malformed("Hit e0 4", "it begins with none of miss, hit and refused");
+  check_malformed("Hit e0 4", "it begins with none of miss, hit, count and refused");
   check_malformed("hit", "a hit is ELEMENT T or ELEMENT T X Y Z");
   check_malformed("hit e0", "a hit is ELEMENT T or ELEMENT T X Y Z");
   check_malformed("hit e0 1 2 3", "a hit is ELEMENT T or ELEMENT T X Y Z");
@@ -184,7 +184,7 @@ TEST_CASE("nothing of a malformed answer is believed") {
   check_malformed("hit e5 1", "the question has no such element", Caps::solid);
   check_malformed("hit e0 one", "T is no number");
   check_malformed("hit e0 1 2 3 z", "X Y Z are no three numbers");
-  check_malformed("\x1b[2Jmiss\n", "it begins with none of miss, hit and refused");
+  check_malformed("\x1b[2Jmiss\n", "it begins with none of miss, hit, count and refused");
 }
 
 TEST_CASE("a claim reads back from its text") {

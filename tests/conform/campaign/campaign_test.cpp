@@ -71,6 +71,25 @@ TEST_CASE("a campaign that says the least asks all families what the system's pr
   CHECK(of_whole.numbers == NumberFormat::binary64);
 }
 
+TEST_CASE("a campaign asks another question of a system that claims it, and is another by that") {
+  Profile profile = test::profile_of_all();
+  const std::string of_all = replaced(whole, "0.5", "0.5,\"question\":\"all\"");
+  const Campaign campaign = read(of_all);
+  CHECK(read(whole).question == QuestionKind::first);
+  CHECK(campaign.question == QuestionKind::all);
+  CHECK_THROWS_WITH(suite_options(campaign, profile),
+                    "tested does not claim the question all; expected one of its profile's questions");
+  const std::string of_first = identity(read(whole), profile);
+  profile.questions = {QuestionKind::first, QuestionKind::all};
+  CHECK(identity(read(whole), profile) == of_first);
+  CHECK(identity(campaign, profile) != of_first);
+  const SuiteOptions options = suite_options(campaign, profile);
+  const SuiteCase of = suite_case(options, cases_of_shard(campaign, options, 0).front());
+  CHECK(of.question == QuestionKind::all);
+  CHECK(of.truths.size() == of.the_case.rays.size());
+  CHECK(std::ranges::any_of(of.truths, [](const ExactAnswer& truth) { return truth.all.size() > 1; }));
+}
+
 TEST_CASE("what is wrong in a campaign is said at its place") {
   CHECK(refusal(whole, "embree", "embree4") == "nothing is wrong");
   CHECK(refusal(whole, "durero-campaign", "durero-suite") ==

@@ -433,3 +433,8 @@ TEST_CASE("a search asks for all hits and for counts, and finds what is wrong wi
     CHECK(fuzz(options, profile, asking([](auto& list) { merge(list, 1e-6, false); }), goes_on).failures > 0);
   }
 }
+
+TEST_CASE("a miss without a number is a count of none") {
+  CHECK(verdict(asked(ball(), QuestionKind::count), test::miss()) == Verdict::wrong_count);
+  CHECK(verdict(asked(ball({0, 0, 10}), QuestionKind::count), test::miss()) == Verdict::exact);
+}

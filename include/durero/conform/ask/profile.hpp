@@ -44,7 +44,8 @@ enum class QuestionKind {
   shadow,  ///< whether anything is hit at t ≤ the end of the ray's range, and no more
   range,   ///< the first hit within the ray's range
   all,     ///< every hit, in the order of t
-  count    ///< the number of all hits
+  count,   ///< the number of all hits
+  closest  ///< the nearest point of the scene to the ray's origin, and how far it is
 };
 
 /// The side to which the normals of a system point. The outward side of a sphere, and of an element with an axis, is
@@ -57,6 +58,12 @@ enum class NormalSide {
   either    ///< to one side or the other
 };
 
+/// Whether hits of triangles, discs and planes from their back are seen.
+enum class BackFaces {
+  seen,   ///< as those from the front
+  unseen  ///< they need not be: the system may leave them out, as renderers do that cull them
+};
+
 /// The length of a system's normals.
 enum class NormalLength { unit, any };
 
@@ -67,8 +74,10 @@ inline constexpr std::array<std::string_view, 3> measure_words = {"parameter", "
 inline constexpr std::array<std::string_view, 3> directions_words = {"any", "unit", "unchecked"};
 inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "nothing", "origin", "undefined"};
 inline constexpr std::array<std::string_view, 4> normal_words = {"none", "outward", "facing", "either"};
+inline constexpr std::array<std::string_view, 2> back_faces_words = {"seen", "unseen"};
 inline constexpr std::array<std::string_view, 2> normal_length_words = {"unit", "any"};
-inline constexpr std::array<std::string_view, 5> question_words = {"first", "shadow", "range", "all", "count"};
+inline constexpr std::array<std::string_view, 6> question_words = {"first", "shadow", "range",
+                                                                   "all",   "count",  "closest"};
 /// @}
 
 /// @{ The word of a value in files.
@@ -79,6 +88,7 @@ constexpr std::string_view word(Directions directions) {
   return directions_words[static_cast<std::size_t>(directions)];
 }
 constexpr std::string_view word(NormalSide side) { return normal_words[static_cast<std::size_t>(side)]; }
+constexpr std::string_view word(BackFaces faces) { return back_faces_words[static_cast<std::size_t>(faces)]; }
 constexpr std::string_view word(NormalLength length) { return normal_length_words[static_cast<std::size_t>(length)]; }
 constexpr std::string_view word(QuestionKind question) { return question_words[static_cast<std::size_t>(question)]; }
 constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
@@ -92,6 +102,11 @@ constexpr bool has_range(QuestionKind question) {
 constexpr bool is_about_all(QuestionKind question) {
   return question == QuestionKind::all || question == QuestionKind::count;
 }
+
+/// The declared backward error in units of rounding, where nothing else is claimed: the least that may be claimed.
+inline constexpr double usual_error = 16;
+/// The greatest that may be claimed.
+inline constexpr double greatest_error = 1 << 20;
 
 /// A sentence of the system's documentation that supports a claim.
 struct Citation {
@@ -110,6 +125,9 @@ struct Profile {
   Measure measure = Measure::parameter;     ///< the meaning of Claim::t
   Directions directions = Directions::any;  ///< the demand on v
   Inside inside = Inside::exit_point;       ///< undefined: a ray that may start inside a solid is outside
+  /// The declared backward error (verdict.hpp) in units of rounding: more than usual_error for a system that claims an
+  /// epsilon relative to the numbers of the question.
+  double error = usual_error;
   double thickness = 0;  ///< the thickness of surfaces: a length by which data may be off besides 16ε·M
   double least_t = 0;    ///< a nearer hit need not be seen, a nearer first hit is outside: in t, or t·|v| by `measure`
   double greatest_t = std::numeric_limits<double>::infinity();  ///< the same for a farther hit
@@ -117,6 +135,8 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();        ///< the greatest size inside the profile
   double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude of a coordinate
   bool names_elements = true;                                            ///< whether its hits name their element
+  bool half_spaces = false;                ///< whether a plane is a solid, all that lies behind it
+  BackFaces back_faces = BackFaces::seen;  ///< unseen: hits from the back of a flat element need not be seen
   bool watertight = false;  ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
   NormalSide normal = NormalSide::none;             ///< the side to which the normals of its hits point
   NormalLength normal_length = NormalLength::unit;  ///< the length of these normals

@@ -19,7 +19,9 @@
 /// of the hit besides is not judged. One that claims `range` may be asked `ranges N`, with two numbers T0 T1 behind
 /// each ray: the first hit at T0 ≤ t ≤ T1, with t > 0 and nothing where T0 > T1. One that claims `all` may be asked
 /// `crossings N`: every hit at t > 0, in the order of t. One that claims `count` may be asked `counts N`: how many
-/// these are. The system writes `system NAME VERSION`, then a line for each ray, in order:
+/// these are. One that claims `closest` may be asked `points N`, with PX PY PZ alone for each: the nearest point of the
+/// scene, answered as a hit whose T is its distance. The system writes `system NAME VERSION`, then a line for each ray,
+/// in order:
 ///
 ///   miss
 ///   hit ELEMENT T               - for an ELEMENT or a T that it cannot give, or both; a T may be nan, inf or -inf
@@ -69,7 +71,7 @@ Claim read_claim(std::string_view text, const scene::Scene& scene);
 struct Question {
   std::string scene_name;            ///< such as generic/0003
   scene::Scene scene;                ///< the elements, in the order of their lines
-  std::vector<scene::Query> rays{};  ///< in order; they start on no elements
+  std::vector<scene::Query> rays{};  ///< in order; they start on no elements; a point that is asked is an origin
   QuestionKind kind{};               ///< what is asked
   std::vector<AskedRange> ranges{};  ///< of shadow rays and of first hits within a range; otherwise none
 };

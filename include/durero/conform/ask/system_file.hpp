@@ -83,6 +83,8 @@ System find_system(std::string_view name, const std::string& systems, const std:
 /// The profile of a system of the folder, or of a file: a system's, or a profile alone,
 /// {"format":"durero-profile","version":1,"system":NAME,"profile":{…},"sources":[…]}.
 Profile read_profile(const std::string& name_or_file, const std::string& systems);
+/// Checks that the profile claims the question. Throws std::runtime_error.
+void require_claimed(const Profile& profile, QuestionKind question);
 /// The profile of such a file. Throws io::InputError.
 Profile read_profile(const io::Source& source);
 

@@ -3,7 +3,8 @@
 /// campaign is a file:
 ///
 ///   {"format":"durero-campaign","version":1,"system":"embree","seed":1,"rays_of_a_shard":1048576,"shards":1000,
-///    "families":["generic","tiny"],"types":["esfera"],"solids":false,"numbers":"binary32","time":10}
+///    "families":["generic","tiny"],"types":["esfera"],"solids":false,"numbers":"binary32","time":10,
+///    "question":"first"}
 ///
 /// The keys up to `shards` are required. Without `families` a campaign asks all; without `types` and `solids` those of
 /// the system's profile. `system` is a name, a system's file, or `command:PROGRAM`, which needs the key `profile` too.
@@ -38,6 +39,7 @@ struct Campaign {
   NumberFormat numbers = NumberFormat::binary32;    ///< the format of scenes and rays, except discs that close solids
   double time = 10;                                 ///< seconds for each ray
   std::size_t faces = usual_faces;                  ///< about so many faces has a mesh
+  QuestionKind question = QuestionKind::first;      ///< the question about the rays
 };
 
 /// The prefix of a system that is given as a program.
@@ -51,7 +53,8 @@ Campaign read_campaign(const io::Source& source);
 /// shards changes it: the shards that are there stay what they are.
 std::string identity(const Campaign& campaign, const Profile& profile);
 
-/// The options of the suite that has the campaign's cases; only its number of rays is another.
+/// The options of the suite that has the campaign's cases; only its number of rays is another. Throws
+/// std::runtime_error where the profile does not claim the question.
 SuiteOptions suite_options(const Campaign& campaign, const Profile& profile);
 
 /// A case of a shard.
@@ -66,7 +69,7 @@ struct CasePlace {
 /// shard < campaign.shards.
 std::vector<CasePlace> cases_of_shard(const Campaign& campaign, const SuiteOptions& options, std::uint64_t shard);
 
-/// The case at this place, without its truths.
+/// The case at this place, answered to the question of the options.
 SuiteCase suite_case(SuiteOptions options, const CasePlace& place);
 
 }  // namespace durero::conform

@@ -74,6 +74,7 @@ struct CaseOptions {
   NumberFormat numbers = NumberFormat::binary64;  ///< the format of scenes and rays, except discs that close solids
   std::vector<model::Tipo> tipos{};               ///< the types of elements; none, and no bodies: all
   std::vector<BodyKind> bodies{};                 ///< the kinds of bodies; none, and no types: all
+  bool has_bodies = true;                         ///< no bodies are drawn otherwise, whatever is named
   Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
   std::size_t faces = usual_faces;                ///< about so many faces has a mesh
 };

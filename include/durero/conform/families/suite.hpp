@@ -69,12 +69,14 @@ extern const Family own_family;
 SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays);
 
 /// Answers the rays of the case exactly. Each truth is that of truth(), the first hit, also of a shadow ray; where the
-/// question is the first hit within a range it is that of SceneTruths::within(), and where it is about all hits that of
-/// SceneTruths::with_all().
+/// question is the first hit within a range it is that of SceneTruths::within(), where it is about all hits that of
+/// SceneTruths::with_all(), and where it is the nearest point that of truths_of_nearest().
 void answer(SuiteCase& of);
 
 /// Makes the question of the options of a case of first hits, and answers it. The ends of ranges lie before, at and
-/// behind crossings, often by little, and are the same for the same options. Precondition: the case was answered.
+/// behind crossings, often by little. Points that the nearest is asked to take the place of the rays, near them and
+/// their crossings; each ray then goes from there to the nearest point. All is the same for the same options.
+/// Precondition: the case was answered.
 void ask_question(SuiteCase& of, const SuiteOptions& options);
 
 }  // namespace durero::conform

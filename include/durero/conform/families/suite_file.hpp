@@ -15,6 +15,9 @@
 ///   each
 ///                 ray why its answer may not be the only one and which others are permissible
 ///
+/// Where something else than the first hit is asked for, .claims.jsonl has the exact answers as claims, and .ranges.txt
+/// the ends of the rays, a line each.
+///
 /// The bytes depend on the options alone: not on the machine, nor on the number of threads.
 
 #include <array>
@@ -50,8 +53,8 @@ struct Suite {
 };
 
 /// Writes the suite on as many threads as the calling one may use. The directory appears whole or not at all; one that
-/// exists must be empty. Throws io::FileError. `before_case` is called before each case is made, on any of the threads;
-/// what it throws ends the work.
+/// exists must be empty. Throws io::FileError, and std::invalid_argument where nearest points are asked for.
+/// `before_case` is called before each case is made, on any of the threads; what it throws ends the work.
 std::vector<FamilySummary> write_suite(
     const std::string& directory, const SuiteOptions& options, const std::function<void()>& before_case = [] {});
 

@@ -92,6 +92,9 @@ class SceneTruths {
 std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays);
 /// SceneTruths::with_all() of each ray, likewise.
 std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays);
+/// The nearest point of the scene to the origin of each ray, likewise: as a hit at the place with the distance for t,
+/// of the elements that attain it. Several nearest points are a tie. Precondition: the scene has an element.
+std::vector<ExactAnswer> truths_of_nearest(const scene::Scene& scene, std::span<const scene::Query> rays);
 /// SceneTruths::within() of each ray, likewise. Precondition: there is a range for each ray.
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
                                        std::span<const AskedRange> ranges);
