@@ -34,7 +34,6 @@ struct Precision {
   double error = usual_error;  ///< Profile::error
 };
 
-inline Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }
 inline double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 inline Dyadic absolute(const Dyadic& a) { return number::sign(a) < 0 ? -a : a; }

@@ -63,7 +63,7 @@ Allowance allowance(const ClaimContext& trial, const Shape& shape, const Dyadic&
 
 /// The error of the distance from the element, where it is about `distance`; nothing where it may be any.
 std::optional<Dyadic> error_of_distance(const ClaimContext& trial, ElementRef element, double distance) {
-  return trial.elements().visit(element, [&](const auto& shape) {
+  return trial.elements().visit_shape(element, [&](const auto& shape) {
     const Allowance allowed = allowance(trial, shape, Dyadic(distance));
     std::optional<Dyadic> reach = reach_of_errors(shape, allowed);
     if (reach) *reach += allowed.times(2);
@@ -145,7 +145,7 @@ bool may_be_point_of(const ClaimContext& trial, ElementRef element, const Claime
                      const Dyadic& error) {
   const ClaimedPoint where = place_of_nearest(claimed);
   if (!may_lie_on(trial.elements(), element, where, trial.ray.rayo, trial.precision())) return false;
-  return trial.elements().visit(element, [&](const auto& shape) {
+  return trial.elements().visit_shape(element, [&](const auto& shape) {
     const Allowance allowed = allowance(trial, shape, where.way);
     const ClaimedNearest of_element{claimed.asked, claimed.distance.value_or(exact), claimed.point};
     return is_so_far(of_element, claimed.distance ? allowed.delta : std::max(error, allowed.delta)) &&
