@@ -69,7 +69,8 @@ TEST_CASE("Each format has an ending of its own, and where it is written reads t
     const bool is_of_meshes = format.ending == ".obj" || format.ending == ".ply" || format.ending == ".stl" ||
                               format.ending == ".gltf" || format.ending == ".glb";
     const scene::Scene& some = is_of_meshes ? mesh : scene;
-    const io::Imported back = format.read(io::Source("f", io::exported_scene("f" + std::string(format.ending), some, {}).text));
+    const io::Imported back =
+        format.read(io::Source("f", io::exported_scene("f" + std::string(format.ending), some, {}).text));
     CHECK(test::described(back.scene) == test::described(some));
     // An STL must have normals, and pbrt's sphere is put in its place.
     CHECK(back.lost.empty() == (format.ending != ".stl" && format.ending != ".pbrt"));

@@ -145,8 +145,8 @@ std::vector<ShellStretch> stretches_of(const Along& shell) {
   return found;
 }
 
-/// A body that is moved contains it moved in, and lies in it moved out: it is convex, so the ray enters and leaves it at
-/// one place each, before and behind the stretch in the inner one.
+/// A body that is moved contains it moved in, and lies in it moved out: it is convex, so the ray enters and leaves it
+/// at one place each, before and behind the stretch in the inner one.
 std::optional<std::vector<ShellStretch>> stretches_of(const AskedBody& body, const model::Rayo& rayo,
                                                       const Precision& precision) {
   const std::optional<BodyStretches> both = stretches_in(body, rayo, precision);

@@ -53,8 +53,8 @@ struct ClaimContext {
   /// Whether the condition holds for some element that the claim may be about.
   template <class Holds>
   bool any_named(const Claim& claim, Holds holds) const;
-  /// Whether the element is a solid to the system, and so has an inside: a sphere, a body, a wall that discs close, or a
-  /// plane where planes are half-spaces.
+  /// Whether the element is a solid to the system, and so has an inside: a sphere, a body, a wall that discs close, or
+  /// a plane where planes are half-spaces.
   bool is_solid(scene::ElementRef element) const;
   /// The solids inside which the origin lies for some data within the allowance.
   std::vector<scene::ElementRef> solids_around_origin() const;
