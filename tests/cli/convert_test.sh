@@ -314,7 +314,7 @@ has err 'durero: meshes/solid.obj: 1 triangle left out: the vertices lie on one 
 has err 'durero: converted.ply: 4 names of elements left out: PLY has none'
 run 0 convert converted.ply converted.stl
 refused 'scene.step: a format that is not known by this name; expected one that ends in .glb' convert scene.step a.json
-refused 'a.step: a format that is not known by this name; expected one that ends in .json' convert scene.json a.step
+refused 'a.step: a format that is not known by this name; expected one that ends in .glb' convert scene.json a.step
 absent a.step
 printf '{"format":"durero-scene","version":1,"elementos":[{"id":"e","tipo":"instancia","de":{"tipo":"esfera","centro":[0,0,0],"radio":1},"mapa":[[2,0,0,0],[0,1,0,0],[0,0,1,0]]}]}' >copy_of.json
 run 0 convert copy_of.json copy_of.nff

@@ -32,7 +32,11 @@ def test_claims_of_one_ray() -> None:
 
 
 def test_the_tracer_itself_is_exact_on_every_family() -> None:
+    of_bodies = [family.name for family in durero.conform.families() if family.name.startswith("bodies")]
+    assert len(of_bodies) == 9  # they are no types of the text, and judge() knows those alone
     for family in durero.conform.families():
+        if family.name in of_bodies:
+            continue
         for case in durero.conform.suite(family.name, rays=32):
             judgements = judge(case.scene, case.rays, case.scene.trace(case.rays))
             assert {judgement.verdict for judgement in judgements} <= {Verdict.exact, Verdict.skipped}

@@ -16,7 +16,7 @@ TEST_CASE("every verdict has a name of its own, and those that change the pictur
   }
   CHECK(name(Verdict::exact) == "exact");
   CHECK(name(Verdict::skipped) == "skipped");
-  CHECK(gross == 12);
+  CHECK(gross == 15);
   for (const Verdict verdict : {Verdict::exact, Verdict::right, Verdict::off, Verdict::skipped})
     CHECK_FALSE(is_gross(verdict));
 }
