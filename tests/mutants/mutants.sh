@@ -157,7 +157,7 @@ export MUTANTS="$list" MUTANTS_WORK="$work"
 jobs=${MUTANT_JOBS:-$(nproc 2>/dev/null || echo 1)}
 {
   printf '%s\n' "$chosen" | while read -r name; do field "$name" test; done | sort -u |
-    sed 's/["\\]/\\&/g; s/.*/"&"/' | xargs -P "$jobs" -n 1 sh "$0" "$build" --baseline
+    xargs -d '\n' -P "$jobs" -n 1 sh "$0" "$build" --baseline
   baseline=$?
   printf '%s\n' "$chosen" | xargs -P "$jobs" -n 1 sh "$0" "$build" --one
   [ $? = 0 ] && [ "$baseline" = 0 ]
