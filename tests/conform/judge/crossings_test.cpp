@@ -200,6 +200,7 @@ TEST_CASE("a list of all hits has each crossing once, in order") {
   CHECK(verdict(ball(), of_ball({})) == Verdict::missed);
   CHECK(verdict(ball(), of_ball({3, 3, 5})) == Verdict::doubled);
   CHECK(verdict(ball(), of_ball({3, 3})) == Verdict::missed);
+  CHECK(verdict(ball(), of_ball({5, 5})) == Verdict::missed);
   CHECK(verdict(ball(), of_ball({3, 5, 5})) == Verdict::doubled);
   CHECK(verdict(ball(), of_ball({3, 4, 5})) == Verdict::misplaced);
   CHECK(verdict(ball(), of_ball({3, 5.0001})) == Verdict::off);
