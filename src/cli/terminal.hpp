@@ -10,7 +10,7 @@
 
 namespace durero::cli {
 
-/// What a person does at a terminal.
+/// An action of a person at a terminal.
 struct TerminalInput {
   /// The kinds of it.
   enum class Kind {

@@ -197,8 +197,8 @@ class TerminalView {
   std::string exact_t(const model::Rayo& ray, const scene::Hit& hit) const {
     for (const scene::ElementRef element : hit.elementos)
       if (tracer_.is_by_text() || tracer_.scene().body(element) != nullptr) return fmt::format("{}", hit.t);
-    const auto crossings = surface::exact::all_hits(tracer_.scene(), ray);
-    return number::decimal_text(number::Surd(crossings.front().segment.begin.value()), digits);
+    const surface::exact::Reach reach = surface::exact::reach(tracer_.scene(), hit.elementos.front(), ray);
+    return number::decimal_text(number::Surd(reach.first()), digits);
   }
 
   SceneTracer tracer_;

@@ -33,7 +33,7 @@ struct RoundEnd {
   double radius;  ///< from 0
 };
 
-/// What of surfaces is rounded that a text gives by their ends.
+/// Roundings of surfaces that a text gives by their ends.
 struct EndRoundings {
   std::size_t axes = 0;         ///< whose other end is not quite where the text says
   std::size_t proportions = 0;  ///< whose wide radius is not quite the text's

@@ -222,6 +222,19 @@ def test_a_scene_without_a_camera_is_seen_whole(durero, scene):
     expect(seen["look_at"] == [70, 0, 0], f"a camera towards the sphere, not {seen}")
 
 
+def test_a_copy_elsewhere_changes_no_answer(durero, scene):
+    with open("copy.json", "w") as out:
+        out.write('{"format":"durero-scene","version":1,"camera":{"eye":[0,0,-5],"look_at":[0,0,10],"up":[0,1,0],"fov_y":40},'
+                  '"elementos":[{"id":"ball","tipo":"esfera","centro":[0,0,10],"radio":3},{"id":"copy","tipo":"instancia",'
+                  '"de":{"tipo":"esfera","centro":[0,0,0],"radio":1},"mapa":[[1,0,0,50],[0,2,0,0],[0,0,1,0]]}]}')
+    viewer = Viewer(durero, "copy.json")
+    viewer.frame()
+    first, second = status(viewer.after(b"\r"))
+    t, z = float(first.split("t = ")[1]), json.loads("[" + second[1:-1] + "]")[2]
+    expect(first.startswith("ball") and abs(t - (z + 5)) < 1e-3 * t, f"the t of the ball's point, not {first} {second}")
+    viewer.end()
+
+
 def test_it_needs_a_terminal(durero, scene):
     done = subprocess.run([durero, "view", scene], stdin=subprocess.DEVNULL, capture_output=True, text=True)
     expect(done.returncode == 2 and "is no terminal; expected one" in done.stderr and not done.stdout,

@@ -182,7 +182,7 @@ DrawnRay bodies_far(Draws& random, int log2_distance, BodySpan all) {
   return ordinary_at(random, random.any_of(all), log2_distance);
 }
 
-/// The same bodies at every scale.
+/// Bodies that are the same at every scale.
 AskedBodies bodies_scale(Draws& random, int log2_scale) {
   Draws always_the_same(0, random.options());
   AskedBodies all = bodies(always_the_same, 5);

@@ -72,7 +72,7 @@ std::optional<Parameter> earliest_of(const Shape& shape, const model::Rayo& rayo
   return first == all.end() ? std::nullopt : std::optional(*first);
 }
 
-/// Where the ray runs in a body that is moved out, and in one that is moved in, as far as its data may be off.
+/// Stretches of the ray in a body that is moved out, and in one that is moved in, as far as its data may be off.
 struct BodyStretches {
   std::optional<BodyStretch> out, in;
 };
@@ -87,7 +87,7 @@ std::optional<BodyStretches> stretches_in(const AskedBody& body, const model::Ra
   return BodyStretches{stretch_in(body, rayo, eta), stretch_in(body, rayo, -eta)};
 }
 
-/// The same of a body.
+/// The first such t of a body.
 std::optional<Parameter> earliest_of(const AskedBody& body, const model::Rayo& rayo, const Precision& precision,
                                      const Parameter& from) {
   const std::optional<BodyStretches> both = stretches_in(body, rayo, precision);

@@ -295,7 +295,7 @@ class GltfWriter {
     if (!stage.lights.empty() || !stage.directional_lights.empty()) write_lights(out);
     write_extensions(out);
   }
-  /// What is so near to the camera, of the way to what it looks at, is cut away by programs with depth buffers.
+  /// Programs with depth buffers cut away all that is nearer to the camera, as a share of its distance to look_at.
   static constexpr double nearest_share = 0x1p-10;
 
   void write_lights(json::Writer& out) {
