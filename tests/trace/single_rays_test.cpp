@@ -277,6 +277,24 @@ TEST_CASE("a ray does not meet the triangle that it starts on, and must be seen 
   CHECK(nearest.hits > 100);
 }
 
+TEST_CASE("a ray that starts on a triangle alone and leaves it is answered, in rows and in columns") {
+  Random random(12);
+  for (const std::size_t count : {1, 64}) {
+    SomeTriangles some;
+    some.put({std::array{single({-0.3, -0.7, 0.1}), single({0.9, -0.2, 0.3}), single({0.1, 0.8, -0.2})}});
+    const auto& [a, b, c] = some.scene.shapes<scene::Triangle>()[0].vertices;
+    const glm::dvec3 across = glm::cross(b - a, c - a);
+    std::vector<scene::Query> queries;
+    for (std::size_t i = 0; i < count; ++i)
+      queries.push_back({ray((a + b + c) / 3.0, across + 0.3 * random.direction()), {{model::Tipo::soy_triangulo, 0}}});
+    Answered nearest, any;
+    check_nearest(some, queries, 1, nearest);
+    check_any(some, queries, 1, any);
+    CHECK(nearest.misses == count);
+    CHECK(any.misses == count);
+  }
+}
+
 TEST_CASE("the nearest of several blocks is kept, and two hits that are not told apart are handed back") {
   SomeTriangles near, far;
   const auto triangle = [](double z) {
