@@ -202,7 +202,7 @@ WideBvh::WideBvh(const scene::Scene& scene) : scene_(&scene) {
     if (!trace::ordinary(shape)) return extraordinary_.push_back(e);
     const Box32 box = outwards(surface::box(shape));
     if (!box.finite()) return unbounded_.push_back(e);
-    items.push_back({box, e.index, e.tipo, fit && fits_block(shape)});
+    items.push_back({box, e, fit && fits_block(shape)});
   });
   if (!items.empty()) {
     LargeVector<Item> room(items.size());

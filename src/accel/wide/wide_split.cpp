@@ -1,47 +1,60 @@
-#include "accel/wide/wide_split.hpp"
-
+#define HWY_TARGET_INCLUDE "accel/wide/wide_split.cpp"  // as seen from src/
+#include "lanes/for_each_target.hpp"
+//
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
+#include "accel/wide/wide_split.hpp"
+
+// Vectors of 32 bytes are passed to functions that are always part of their caller.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+HWY_BEFORE_NAMESPACE();
 namespace durero::accel::wide {
+namespace HWY_NAMESPACE {
 namespace {
 
-/// x, y and z in lanes; the last lane means nothing. (Highway has no SSE2 target, so its vectors would have one lane
-/// here.)
+/// x, y and z in lanes; the last lane means nothing. (Highway has vectors of the machine's width, and these are of
+/// one.)
 using Lanes [[gnu::vector_size(16)]] = float;
 using Wholes [[gnu::vector_size(16)]] = std::int32_t;
-
-Lanes least(Lanes a, Lanes b) { return a < b ? a : b; }
-Lanes greatest(Lanes a, Lanes b) { return a > b ? a : b; }
-
-/// @{ The corners of an item's box. Whole lanes are read, within the item itself.
-static_assert(offsetof(Item, box) == 0 && offsetof(Box32, high) == sizeof(Corner) && sizeof(Item) >= 7 * sizeof(float));
-Lanes lanes_at(const Item& item, std::size_t byte) {
-  Lanes lanes;
-  std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&item) + byte, sizeof lanes);
-  return lanes;
-}
-Lanes low_of(const Item& item) { return lanes_at(item, 0); }
-Lanes high_of(const Item& item) { return lanes_at(item, sizeof(Corner)); }
-/// @}
-/// The centre of the item's box, rounded. It serves to split items, and bounds nothing. It does not overflow.
-Lanes middle_of(const Item& item) { return 0.5F * low_of(item) + 0.5F * high_of(item); }
-
 using Doubles [[gnu::vector_size(32)]] = double;
+/// Two corners in lanes: the low one, and the high one with its signs turned, so that a box grows by the least of both.
+using Corners [[gnu::vector_size(32)]] = float;
+using Masks [[gnu::vector_size(32)]] = std::int32_t;
+
+HWY_INLINE Corners corners_of(const Item& item) {
+  static_assert(sizeof(Item) == sizeof(Corners));
+  Corners corners;
+  std::memcpy(&corners, &item, sizeof corners);
+  return corners;
+}
+/// Writes the whole item that the corners are of; what is read as a vector soon must be written as one.
+HWY_INLINE void put(Corners corners, Item& item) { std::memcpy(static_cast<void*>(&item), &corners, sizeof corners); }
+HWY_INLINE Lanes first_of(Corners corners) { return __builtin_shufflevector(corners, corners, 0, 1, 2, 3); }
+HWY_INLINE Lanes second_of(Corners corners) { return __builtin_shufflevector(corners, corners, 4, 5, 6, 7); }
+/// The centre of the box, rounded. It serves to split items, and bounds nothing. It does not overflow.
+HWY_INLINE Lanes middle_of(Corners corners) {
+  const Corners halves = 0.5F * corners;
+  return first_of(halves) - second_of(halves);
+}
 
 /// A box that grows; empty at first, as Box32 is.
 struct GrowingBox {
-  Lanes low = Lanes{} + HUGE_VALF, high = Lanes{} - HUGE_VALF;
+  Corners corners = Corners{} + HUGE_VALF;
 
-  void join(Lanes other_low, Lanes other_high) {
-    low = least(low, other_low);
-    high = greatest(high, other_high);
+  HWY_INLINE void join(Corners other) { corners = corners < other ? corners : other; }
+  /// Joins a point of the first lanes.
+  HWY_INLINE void join(Lanes point) { join(both(point)); }
+  static HWY_INLINE Corners both(Lanes point) { return __builtin_shufflevector(point, -point, 0, 1, 2, 3, 4, 5, 6, 7); }
+  HWY_INLINE Box32 box() const {
+    return {{corners[0], corners[1], corners[2]}, {-corners[4], -corners[5], -corners[6]}};
   }
-  Box32 box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
   /// Box32::area. Precondition: the box is not empty.
-  double area() const {
-    const Doubles width = __builtin_convertvector(high, Doubles) - __builtin_convertvector(low, Doubles);
+  HWY_INLINE double area() const {
+    const Doubles width =
+        -__builtin_convertvector(second_of(corners), Doubles) - __builtin_convertvector(first_of(corners), Doubles);
     return width[0] * width[1] + width[1] * width[2] + width[2] * width[0];
   }
 };
@@ -51,7 +64,7 @@ class Bins {
  public:
   static constexpr std::size_t count = 16;
 
-  explicit Bins(const Box32& middles) {
+  HWY_INLINE explicit Bins(const Box32& middles) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       low_[axis] = middles.low[axis];
       const float scale = count * (1 - 0x1p-18F) / (middles.high[axis] - middles.low[axis]);
@@ -59,11 +72,11 @@ class Bins {
     }
   }
   /// Whether the centres differ along an axis, by so much that the bins' scale is finite.
-  bool differ(std::size_t axis) const { return scale_[axis] > 0; }
-  /// The item's bin along each axis; the first where the centres do not differ.
-  Wholes of(const Item& item) const {
-    const Lanes at = scale_ > 0.0F ? (middle_of(item) - low_) * scale_ : Lanes{};
-    return __builtin_convertvector(least(at, Lanes{} + static_cast<float>(count - 1)), Wholes);
+  HWY_INLINE bool differ(std::size_t axis) const { return scale_[axis] > 0; }
+  /// The bin of a centre along each axis; the first where the centres do not differ.
+  HWY_INLINE Wholes of(Lanes middle) const {
+    const Lanes at = scale_ > 0.0F ? (middle - low_) * scale_ : Lanes{}, last = Lanes{} + static_cast<float>(count - 1);
+    return __builtin_convertvector(at < last ? at : last, Wholes);
   }
 
  private:
@@ -75,16 +88,16 @@ struct Bin {
   GrowingBox box{};
   std::size_t count = 0;
 
-  void join(Lanes low, Lanes high) {
-    box.join(low, high);
+  HWY_INLINE void join(Corners item) {
+    box.join(item);
     ++count;
   }
-  void join(const Bin& other) {
-    box.join(other.box.low, other.box.high);
+  HWY_INLINE void join(const Bin& other) {
+    box.join(other.box.corners);
     count += other.count;
   }
   /// The SAH cost. Precondition: the bin has an item.
-  double cost() const { return box.area() * static_cast<double>(count); }
+  HWY_INLINE double cost() const { return box.area() * static_cast<double>(count); }
 };
 using Row = std::array<Bin, Bins::count>;
 
@@ -95,7 +108,7 @@ struct Split {
 };
 
 /// Keeps the cheapest split between two bins. A bin without items is skipped: the next bin gives the same split.
-void keep_best(Split& best, const Row& row, std::size_t axis) {
+HWY_INLINE void keep_best(Split& best, const Row& row, std::size_t axis) {
   std::array<double, Bins::count> before;  // each bin with items: the cost of those in front
   Bin first = row[0];
   for (std::size_t bin = 1; bin < Bins::count; ++bin) {
@@ -112,50 +125,58 @@ void keep_best(Split& best, const Row& row, std::size_t axis) {
   }
 }
 
-std::pair<ItemRange, ItemRange> in_the_middle(const ItemRange& part) {
-  const std::size_t half = part.size() / 2;
-  return {part_of(part.items.first(half), part.room.first(half)),
-          part_of(part.items.subspan(half), part.room.subspan(half))};
-}
-
-/// Selects lanes by a mask.
-Lanes either(Wholes mask, Lanes yes, Lanes no) { return mask != 0 ? yes : no; }
-
 /// Moves the items into the room, the first part from its beginning, the second from its end. Each item is written to
 /// both ends and only one end advances, which spares a branch that would be mispredicted.
-std::pair<ItemRange, ItemRange> parted(const ItemRange& part, const Bins& bins, const Row& row, const Split& split) {
+HWY_INLINE std::pair<ItemRange, ItemRange> parted(const ItemRange& part, const Bins& bins, const Row& row,
+                                                  const Split& split) {
   Item *begin = part.room.data(), *end = begin + part.room.size();
   GrowingBox first_middles, second_middles;
-  const GrowingBox nothing;
+  const Corners nothing = GrowingBox().corners;
+  const auto bound = static_cast<std::int32_t>(split.bin);
   for (const Item& item : part.items) {
-    const bool first = bins.of(item)[split.axis] < static_cast<std::int32_t>(split.bin);
-    *begin = item, end[-1] = item;
+    const Corners corners = corners_of(item);
+    const Lanes middle = middle_of(corners);
+    const bool first = bins.of(middle)[split.axis] < bound;
+    put(corners, *begin), put(corners, end[-1]);
     begin += first, end -= !first;
-    const Wholes mask = Wholes{} - static_cast<std::int32_t>(first);
-    const Lanes middle = middle_of(item);
-    first_middles.join(either(mask, middle, nothing.low), either(mask, middle, nothing.high));
-    second_middles.join(either(mask, nothing.low, middle), either(mask, nothing.high, middle));
+    const Masks mask = Masks{} - static_cast<std::int32_t>(first);
+    const Corners both = GrowingBox::both(middle);
+    first_middles.join(mask != 0 ? both : nothing);
+    second_middles.join(mask != 0 ? nothing : both);
   }
   GrowingBox first, second;
-  for (std::size_t bin = 0; bin < Bins::count; ++bin)
-    (bin < split.bin ? first : second).join(row[bin].box.low, row[bin].box.high);
+  for (std::size_t bin = 0; bin < Bins::count; ++bin) (bin < split.bin ? first : second).join(row[bin].box.corners);
   const auto size = static_cast<std::size_t>(begin - part.room.data());
   return {{part.room.first(size), part.items.first(size), first.box(), first_middles.box()},
           {part.room.subspan(size), part.items.subspan(size), second.box(), second_middles.box()}};
 }
 
-/// Splits a part in two, neither empty, by the least SAH cost. The split halves the items where all centres are one, or
-/// where `evenly` bounds the depth. Precondition: two items at least.
-std::pair<ItemRange, ItemRange> split(const ItemRange& part, bool evenly) {
+ItemRange bounded(Items items, Items room) {
+  GrowingBox all, middles;
+  for (const Item& item : items) {
+    const Corners corners = corners_of(item);
+    all.join(corners);
+    middles.join(middle_of(corners));
+  }
+  return {items, room, all.box(), middles.box()};
+}
+
+std::pair<ItemRange, ItemRange> in_the_middle(const ItemRange& part) {
+  const std::size_t half = part.size() / 2;
+  return {bounded(part.items.first(half), part.room.first(half)),
+          bounded(part.items.subspan(half), part.room.subspan(half))};
+}
+
+std::pair<ItemRange, ItemRange> halves(const ItemRange& part, bool evenly) {
   if (evenly) return in_the_middle(part);
   const Bins bins(part.middles);
   std::array<Row, 3> rows;
   for (const Item& item : part.items) {
-    const auto bin = bins.of(item);
-    const Lanes low = low_of(item), high = high_of(item);
-    rows[0][static_cast<std::size_t>(bin[0])].join(low, high);
-    rows[1][static_cast<std::size_t>(bin[1])].join(low, high);
-    rows[2][static_cast<std::size_t>(bin[2])].join(low, high);
+    const Corners corners = corners_of(item);
+    const auto bin = bins.of(middle_of(corners));
+    rows[0][static_cast<std::size_t>(bin[0])].join(corners);
+    rows[1][static_cast<std::size_t>(bin[1])].join(corners);
+    rows[2][static_cast<std::size_t>(bin[2])].join(corners);
   }
   Split best;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -164,16 +185,26 @@ std::pair<ItemRange, ItemRange> split(const ItemRange& part, bool evenly) {
 }
 
 }  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace durero::accel::wide
+HWY_AFTER_NAMESPACE();
 
-ItemRange part_of(Items items, Items room) {
-  GrowingBox all, middles;
-  for (const Item& item : items) {
-    const Lanes middle = middle_of(item);
-    all.join(low_of(item), high_of(item));
-    middles.join(middle, middle);
-  }
-  return {items, room, all.box(), middles.box()};
+#if HWY_ONCE
+namespace durero::accel::wide {
+namespace {
+
+HWY_EXPORT(bounded);
+HWY_EXPORT(halves);
+
+/// Splits a part in two, neither empty, by the least SAH cost. The split halves the items where all centres are one, or
+/// where `evenly` bounds the depth. Precondition: two items at least.
+std::pair<ItemRange, ItemRange> split(const ItemRange& part, bool evenly) {
+  return HWY_DYNAMIC_DISPATCH(halves)(part, evenly);
 }
+
+}  // namespace
+
+ItemRange part_of(Items items, Items room) { return HWY_DYNAMIC_DISPATCH(bounded)(items, room); }
 
 Parts parts_of(const ItemRange& whole, bool evenly) {
   constexpr std::size_t enough = WideNode::width * WideNode::width;  // items for a node below
@@ -244,3 +275,4 @@ boost::container::static_vector<SplitTree::Number, WideNode::width> SplitTree::c
 }
 
 }  // namespace durero::accel::wide
+#endif

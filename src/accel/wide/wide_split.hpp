@@ -38,10 +38,19 @@ struct Box32 {
   }
 };
 
-/// An element and its box, which the builder sorts.
-struct Item {
-  Box32 box;
+/// An element and its box, which the builder sorts. It is read as one vector.
+struct alignas(32) Item {
+  Item() = default;
+  Item(const Box32& box, scene::ElementRef e, bool is_single)
+      : low(box.low),
+        index(e.index),
+        minus_high{-box.high[0], -box.high[1], -box.high[2]},
+        tipo(e.tipo),
+        single(is_single) {}
+
+  Corner low;           ///< of the box
   std::uint32_t index;  ///< of the element, among those of its type
+  Corner minus_high;    ///< of the box, each coordinate with its sign turned
   model::Tipo tipo;     ///< the element's type
   bool single;          ///< the element is a triangle that fits into a block (trace/triangle_block.hpp)
 };
