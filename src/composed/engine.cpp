@@ -11,7 +11,7 @@
 #include "durero/accel/box_tree.hpp"
 #include "durero/composed/figure.hpp"
 #include "durero/engine/prepared.hpp"
-#include "durero/scene/edit.hpp"
+#include "durero/scene/remainder.hpp"
 #include "durero/surface/exact.hpp"
 #include "durero/trace/ray.hpp"
 
@@ -26,65 +26,6 @@ using surface::exact::ElementPoint;
 using surface::exact::RayStretch;
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
-
-/// The elements of a scene that have no body, as a scene of their own. Only spheres have other places there than here:
-/// a body stands among them.
-class Plain {
- public:
-  explicit Plain(const scene::GroupedScene& input) : of_{input} {
-    scene::Scene& left = of_.scene;
-    std::vector<model::Elemento> bodies;
-    left.for_each([&](ElementRef e, const auto&) {
-      if (left.body(e) != nullptr) bodies.push_back(left.name(e));
-    });
-    for (const model::Elemento& name : bodies) left.apply_total(scene::Edit{model::Eliminar_Elemento{name}});
-    place_here_.resize(input.scene.shapes<scene::Sphere>().size(), none);
-    const auto spheres = static_cast<std::uint32_t>(left.shapes<scene::Sphere>().size());
-    for (std::uint32_t i = 0; i < spheres; ++i) {
-      const ElementRef there = input.scene.find(left.name({scene::Sphere::tipo, i}).name()).value();
-      place_there_.push_back(there.index);
-      place_here_[there.index] = i;
-    }
-  }
-
-  const scene::GroupedScene& scene() const { return of_; }
-
-  /// The query without the bodies that the ray starts on.
-  Query query(const Query& of) const {
-    Query own{of.rayo};
-    for (const ElementRef e : of.en) {
-      if (e.tipo != scene::Sphere::tipo) own.en.push_back(e);
-      if (e.tipo == scene::Sphere::tipo && place_here_[e.index] != none)
-        own.en.push_back({e.tipo, place_here_[e.index]});
-    }
-    std::ranges::sort(own.en);
-    return own;
-  }
-  std::vector<Query> queries(std::span<const Query> of) const {
-    std::vector<Query> own;
-    own.reserve(of.size());
-    for (const Query& each : of) own.push_back(query(each));
-    return own;
-  }
-
-  /// @{ The elements where they stand in the whole scene.
-  ElementRef element(ElementRef own) const {
-    return own.tipo == scene::Sphere::tipo ? ElementRef{own.tipo, place_there_[own.index]} : own;
-  }
-  scene::ElementSet elements(const scene::ElementSet& own) const {
-    scene::ElementSet there = own;
-    for (ElementRef& e : there) e = element(e);
-    std::ranges::sort(there);
-    return there;
-  }
-  /// @}
-
- private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-  scene::GroupedScene of_;
-  std::vector<std::uint32_t> place_here_, place_there_;  // of spheres
-};
 
 /// The bodies of a scene, those with a finite box in a tree.
 class BodyIndex {
@@ -211,7 +152,7 @@ class ComposedEngine final : public engine::Engine {
  public:
   ComposedEngine(const engine::EngineRow& row, std::string_view hierarchy, const scene::GroupedScene& input)
       : is_exact_(row.exact_bytes),
-        plain_(input),
+        plain_(input, [&](ElementRef e) { return input.scene.body(e) != nullptr; }),
         of_plain_(engine::prepared(row, hierarchy, plain_.scene())),
         bodies_(input.scene) {}
 
@@ -283,11 +224,11 @@ class ComposedEngine final : public engine::Engine {
   /// The exact parameter of a hit of those elements; nothing where the engine does not answer exactly.
   std::optional<Parameter> parameter(const Query& own, const scene::ElementSet& of_table) const {
     if (!is_exact_) return std::nullopt;
-    return surface::exact::reach(plain_.scene().scene, of_table[0], own.rayo, own.en).first();
+    return first_parameter(plain_.scene().scene, own, of_table[0]);
   }
 
   bool is_exact_;
-  Plain plain_;
+  scene::Remainder plain_;  // the elements without a body
   std::unique_ptr<const engine::Engine> of_plain_;
   BodyIndex bodies_;
 };
@@ -298,6 +239,12 @@ std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, std
                                                const scene::GroupedScene& input) {
   if (!input.scene.has_bodies()) return engine::prepared(row, hierarchy, input);
   return std::make_unique<const ComposedEngine>(row, hierarchy, input);
+}
+
+Parameter first_parameter(const scene::Scene& scene, const Query& query, ElementRef element) {
+  if (const scene::Body* const body = scene.body(element))
+    return figure(*body)->first(query.rayo, scene::Origin(query.en).contains(element)).t.value();
+  return surface::exact::reach(scene, element, query.rayo, query.en).first();
 }
 
 std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, const scene::Scene& scene) {

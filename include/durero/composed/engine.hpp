@@ -17,4 +17,9 @@ std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, std
 /// The engine of a scene without groups.
 std::unique_ptr<const engine::Engine> prepared(const engine::EngineRow& row, const scene::Scene& scene);
 
+/// The parameter at which a ray first meets an element, be it a body or not, exactly. Precondition: it meets it, and
+/// not at points as near to its origin as one likes.
+surface::exact::Parameter first_parameter(const scene::Scene& scene, const scene::Query& query,
+                                          scene::ElementRef element);
+
 }  // namespace durero::composed
