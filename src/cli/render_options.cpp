@@ -188,8 +188,6 @@ void check_together(const RenderOptions& options) {
          "--rays: of one integrator alone; expected --integrator whitted");
   refuse(options.wide.kind() != RayKind::lines && options.shadows == render::shadow_rule_names[1],
          "--shadows coloured: of rays that are lines alone; expected no --rays");
-  refuse(!options.with.empty() && options.shadows == render::shadow_rule_names[1],
-         "--shadows coloured: through elements of the program's own; expected no --with");
   check_together(options.wide, option_of_lines(options));
   if (options.preview || !options.samples) return;
   const double side = std::sqrt(*options.samples);

@@ -7,100 +7,49 @@
 
 #include "durero/io/json/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
+#include "mixed_engine.hpp"
+#include "surface_search.hpp"
 
 namespace durero::written {
 namespace {
 
-using algebra::Root;
-using number::Dyadic;
 using scene::ElementRef;
-
-struct Element {
-  ElementRef place;
-  Surface surface;
-};
-
-/// The search for the nearest elements that a ray meets, and for elements without a nearest point.
-class PieceSearch {
- public:
-  explicit PieceSearch(const scene::Query& query) : query_(query) {}
-
-  void ask(const Element& element) {
-    First first = element.surface.first(query_.rayo, scene::Origin(query_.en).contains(element.place));
-    if (auto* const root = std::get_if<Root>(&first)) meet(element.place, std::move(*root));
-    if (auto* const after = std::get_if<After>(&first)) approach(element.place, std::move(after->t));
-  }
-
-  /// The hit of the search. A point at t is nearest where no stretch begins before t: a stretch that begins behind t,
-  /// or at t itself, leaves it so.
-  scene::Hit hit() const {
-    const bool is_nearest = nearest_ && (without_.empty() || (bound_ && algebra::compare(*nearest_, *bound_) <= 0));
-    if (is_nearest) return at(*nearest_);
-    scene::Hit none;
-    none.resultado = without_.empty() ? model::Resultado::miss : model::Resultado::no_minimum;
-    none.elementos.assign(without_.begin(), without_.end());
-    return none;
-  }
-
- private:
-  void meet(ElementRef place, Root root) {
-    const auto order = nearest_ ? algebra::compare(root, *nearest_) : std::strong_ordering::less;
-    if (order > 0) return;
-    if (order < 0) {
-      nearest_ = std::move(root);
-      met_.clear();
-    }
-    met_.push_back(place);
-  }
-
-  void approach(ElementRef place, std::optional<Root> from) {
-    const bool is_less = without_.empty() || (bound_ && (!from || algebra::compare(*from, *bound_) < 0));
-    if (is_less) bound_ = std::move(from);
-    without_.push_back(place);
-  }
-
-  scene::Hit at(const Root& t) const {
-    const auto& p = query_.rayo.p().xyz();
-    const auto& v = query_.rayo.v().xyz();
-    scene::Hit hit;
-    hit.resultado = model::Resultado::hit;
-    hit.t = algebra::rounded_linear(Dyadic(), Dyadic(1), t);
-    for (int i = 0; i < 3; ++i) hit.punto[i] = algebra::rounded_linear(Dyadic(p[i]), Dyadic(v[i]), t);
-    hit.elementos.assign(met_.begin(), met_.end());
-    return hit;
-  }
-
-  const scene::Query& query_;
-  std::optional<Root> nearest_, bound_;  // bound_: nothing is 0, where without_ is not empty
-  scene::ElementSet met_, without_;
-};
 
 class WrittenEngine final : public engine::Engine {
  public:
-  explicit WrittenEngine(std::vector<Element> elements) : elements_(std::move(elements)) {}
+  explicit WrittenEngine(std::vector<SurfaceElement> elements) : elements_(std::move(elements)) {}
 
   void first_hits(std::span<const scene::Query> queries, std::span<scene::Hit> hits) const override {
     tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
-      PieceSearch search(queries[i]);
-      for (const Element& element : elements_) search.ask(element);
+      SurfaceSearch search(queries[i]);
+      for (const SurfaceElement& element : elements_) search.ask(element);
       hits[i] = search.hit();
     });
   }
 
   void occluded_segments(std::span<const scene::Query> queries, std::span<bool> occluded) const override {
     tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
-      occluded[i] = std::ranges::any_of(elements_, [&](const Element& element) {
-        return element.surface.hides(queries[i].rayo, scene::Origin(queries[i].en).contains(element.place));
+      occluded[i] = std::ranges::any_of(elements_, [&](const SurfaceElement& element) {
+        return element.surface.hides(queries[i].rayo, element.has_origin_of(queries[i]));
       });
     });
   }
 
+  std::optional<std::vector<surface::exact::ElementPoint>> points_between(
+      const scene::Scene& scene, const scene::Query& query, surface::exact::RayStretch stretch,
+      const surface::exact::Passes& passes) const override {
+    std::vector<surface::exact::ElementPoint> points;
+    if (!add_points(elements_, query, stretch, passes, points)) return std::nullopt;
+    std::ranges::stable_sort(points, {}, [&](const auto& each) { return scene.name(each.element); });
+    return points;
+  }
+
   glm::dvec3 normal(const scene::Scene&, ElementRef element, const glm::dvec3& point) const override {
-    return std::ranges::lower_bound(elements_, element, {}, &Element::place)->surface.normal(point);
+    return std::ranges::lower_bound(elements_, element, {}, &SurfaceElement::place)->surface.normal(point);
   }
 
  private:
-  std::vector<Element> elements_;  // ascending
+  std::vector<SurfaceElement> elements_;  // ascending
 };
 
 /// The attributes of an element that the program has a shape for.
@@ -141,12 +90,23 @@ Surface surface_of(const io::Source& source, const Text& text, const scene::Scen
   }
 }
 
+/// The elements that the text defines: all of them, or those of its own types, where all others are the program's.
 template <class SurfaceOf>
-std::unique_ptr<const engine::Engine> engine_of(const scene::Scene& scene, SurfaceOf surface) {
-  std::vector<Element> elements;
-  elements.reserve(scene.size());
-  scene.for_each([&](ElementRef place, const auto&) { elements.push_back({place, surface(place)}); });
-  return std::make_unique<const WrittenEngine>(std::move(elements));
+std::vector<SurfaceElement> surfaces_of(const scene::Scene& scene, const io::WrittenByName& elements, const Text& text,
+                                        SurfaceOf surface) {
+  std::vector<SurfaceElement> surfaces;
+  scene.for_each([&](ElementRef place, const auto&) {
+    const auto written = elements.find(scene.name(place).name());
+    const io::WrittenElement* const own = written == elements.end() ? nullptr : &written->second;
+    if (own != nullptr || text.declares_shapes()) surfaces.push_back({place, surface(place, own)});
+  });
+  return surfaces;
+}
+
+std::unique_ptr<const engine::Engine> engine_of(const scene::Scene& scene, const Text& text,
+                                                std::vector<SurfaceElement> surfaces) {
+  if (!text.declares_shapes()) return mixed_engine(scene, std::move(surfaces));
+  return std::make_unique<const WrittenEngine>(std::move(surfaces));
 }
 
 }  // namespace
@@ -165,25 +125,25 @@ std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const 
 
 std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const io::WrittenByName& elements,
                                                const Text& text) {
-  return engine_of(scene, [&](ElementRef place) {
-    const auto written = elements.find(scene.name(place).name());
-    return written == elements.end() ? surface_of(text, scene, place) : surface_of(text, written->second);
-  });
+  return engine_of(scene, text,
+                   surfaces_of(scene, elements, text, [&](ElementRef place, const io::WrittenElement* own) {
+                     return own == nullptr ? surface_of(text, scene, place) : surface_of(text, *own);
+                   }));
 }
 
 Written read(const io::Source& source, const Text& text) {
   std::vector<io::WrittenElement> own;
-  Written result{io::read_scene(source, text.types(), own), {}, nullptr};
+  const io::Bodies bodies = text.declares_shapes() ? io::Bodies::refused : io::Bodies::read;
+  Written result{io::read_scene(source, text.types(), own, bodies), {}, nullptr};
   for (io::WrittenElement& element : own) {
     std::string id = element.id;
     result.elements.emplace(std::move(id), std::move(element));
   }
-  const scene::Scene& scene = result.scene;
-  result.engine = engine_of(scene, [&](ElementRef place) {
-    const auto written = result.elements.find(scene.name(place).name());
-    return written == result.elements.end() ? surface_of(source, text, scene, place)
-                                            : surface_of(source, text, written->second);
-  });
+  result.engine = engine_of(
+      result.scene, text,
+      surfaces_of(result.scene, result.elements, text, [&](ElementRef place, const io::WrittenElement* element) {
+        return element == nullptr ? surface_of(source, text, result.scene, place) : surface_of(source, text, *element);
+      }));
   return result;
 }
 

@@ -2,12 +2,14 @@
 #include <functional>
 
 #include "durero/written/surface.hpp"
+#include "rough_roots.hpp"
 
 namespace durero::written {
 
 using algebra::Polynomial;
 using algebra::Root;
 using number::Dyadic;
+using number::RealBall;
 
 namespace {
 
@@ -23,14 +25,34 @@ Formula first_equation(const Condition& of) {
 }
 
 /// The polynomial p·(m + n·t) + q.
-Polynomial horner_step(const Polynomial& p, const Dyadic& m, const Dyadic& n, const Polynomial& q) {
-  Polynomial result(std::max(p.empty() ? 0 : p.size() + 1, q.size()));
+template <class N>
+std::vector<N> horner_step(const std::vector<N>& p, const N& m, const N& n, const std::vector<N>& q) {
+  std::vector<N> result(std::max(p.empty() ? 0 : p.size() + 1, q.size()), N(0.0));
   std::ranges::copy(q, result.begin());
   for (std::size_t i = 0; i < p.size(); ++i) {
-    result[i] += p[i] * m;
-    result[i + 1] += p[i] * n;
+    result[i] = brought_back(result[i] + p[i] * m);
+    result[i + 1] = brought_back(result[i + 1] + p[i] * n);
   }
   return result;
+}
+
+/// The polynomial in t along a ray, of coefficients [i][j][k] of xⁱ·yʲ·zᵏ.
+template <class N>
+std::vector<N> restricted(const std::vector<std::vector<std::vector<N>>>& coefficients, const model::Rayo& rayo) {
+  const std::array<N, 3> p{N(rayo.p().x()), N(rayo.p().y()), N(rayo.p().z())},
+      v{N(rayo.v().x()), N(rayo.v().y()), N(rayo.v().z())};
+  std::vector<N> whole;
+  for (std::size_t i = coefficients.size(); i-- > 0;) {
+    std::vector<N> in_y;
+    for (std::size_t j = coefficients[i].size(); j-- > 0;) {
+      std::vector<N> in_z;
+      const std::vector<N>& row = coefficients[i][j];
+      for (std::size_t k = row.size(); k-- > 0;) in_z = horner_step(in_z, p[2], v[2], {row[k]});
+      in_y = horner_step(in_y, p[1], v[1], in_z);
+    }
+    whole = horner_step(whole, p[0], v[0], in_y);
+  }
+  return whole;
 }
 
 /// The formula with the magnitude of each coefficient.
@@ -66,6 +88,10 @@ AlongRays::AlongRays(const Formula& formula) {
     if (row.size() <= k) row.resize(k + 1U);
     row[k] = Dyadic(number::Integer(numerator(coefficient) * (common / denominator(coefficient))), 0);
   }
+  for (const auto& in_y : coefficients_) {
+    rough_.emplace_back();
+    for (const InZ& row : in_y) rough_.back().emplace_back(row.begin(), row.end());
+  }
 }
 
 Dyadic AlongRays::at(const std::array<Dyadic, 3>& w) const {
@@ -84,21 +110,12 @@ Dyadic AlongRays::at(const std::array<Dyadic, 3>& w) const {
 }
 
 Polynomial AlongRays::along(const model::Rayo& rayo) const {
-  const std::array<Dyadic, 3> p{rayo.p().x(), rayo.p().y(), rayo.p().z()}, v{rayo.v().x(), rayo.v().y(), rayo.v().z()};
-  Polynomial whole;
-  for (std::size_t i = coefficients_.size(); i-- > 0;) {
-    Polynomial in_y;
-    for (std::size_t j = coefficients_[i].size(); j-- > 0;) {
-      Polynomial in_z;
-      const InZ& row = coefficients_[i][j];
-      for (std::size_t k = row.size(); k-- > 0;) in_z = horner_step(in_z, p[2], v[2], {row[k]});
-      in_y = horner_step(in_y, p[1], v[1], in_z);
-    }
-    whole = horner_step(whole, p[0], v[0], in_y);
-  }
+  Polynomial whole = restricted(coefficients_, rayo);
   algebra::normalise(whole);
   return whole;
 }
+
+std::vector<RealBall> AlongRays::roughly_along(const model::Rayo& rayo) const { return restricted(rough_, rayo); }
 
 Piece::Piece(const Condition& of) {
   Condition rest = always(true);
@@ -153,6 +170,14 @@ class RayOnPiece {
       if (!p.empty()) equations_.push_back(std::move(p));
     }
     std::ranges::sort(equations_, {}, &Polynomial::size);
+  }
+
+  std::optional<std::vector<Root>> all() {
+    if (is_nowhere()) return std::vector<Root>();
+    if (equations_.empty()) return std::nullopt;
+    std::vector<Root> roots = algebra::positive_roots(equations_[0]);
+    std::erase_if(roots, [&](const Root& root) { return !is_on(root); });
+    return roots;
   }
 
   First first() {
@@ -226,6 +251,18 @@ class RayOnPiece {
   std::vector<std::optional<Polynomial>> comparisons_;
 };
 
+bool Piece::may_meet(const model::Rayo& rayo, bool starts_on, RayPart part) const {
+  return std::ranges::all_of(equations_, [&](const AlongRays& equation) {
+    RoughPolynomial polynomial = equation.roughly_along(rayo);
+    if (starts_on && !polynomial.empty()) polynomial.erase(polynomial.begin());  // its first coefficient is 0 there
+    return may_have_root(polynomial, part);
+  });
+}
+
 First Piece::first(const model::Rayo& rayo, bool starts_on) const { return RayOnPiece(*this, rayo, starts_on).first(); }
+
+std::optional<std::vector<Root>> Piece::all(const model::Rayo& rayo, bool starts_on) const {
+  return RayOnPiece(*this, rayo, starts_on).all();
+}
 
 }  // namespace durero::written

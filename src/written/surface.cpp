@@ -88,6 +88,14 @@ bool is_before(const First& a, const First& b) {
   return order < 0 || (order == 0 && root_a && from_b);
 }
 
+/// Whether there is a point at some 0 < t < 1.
+bool is_before_one(const First& first) {
+  const Root one = DyadicSurd{1};
+  if (const auto* const at = std::get_if<Root>(&first)) return algebra::compare(*at, one) < 0;
+  const auto* const after = std::get_if<After>(&first);
+  return after != nullptr && (!after->t || algebra::compare(*after->t, one) < 0);
+}
+
 }  // namespace
 
 std::size_t Surface::pieces(const Condition& of) {
@@ -100,22 +108,47 @@ Surface::Surface(const Condition& of) {
   for (const Condition& piece : pieces) pieces_.emplace_back(piece);
 }
 
+bool Surface::starts_here(const Piece& piece, const model::Rayo& rayo, bool starts_on) const {
+  return starts_on && (pieces_.size() == 1 || piece.may_hold_near(rayo.p().xyz()));
+}
+
 First Surface::first(const model::Rayo& rayo, bool starts_on) const {
   First nearest;
   for (const Piece& piece : pieces_) {
-    const bool starts_here = starts_on && (pieces_.size() == 1 || piece.may_hold_near(rayo.p().xyz()));
-    First here = piece.first(rayo, starts_here);
+    const bool on = starts_here(piece, rayo, starts_on);
+    if (!piece.may_meet(rayo, on, RayPart::whole)) continue;
+    First here = piece.first(rayo, on);
     if (is_before(here, nearest)) nearest = std::move(here);
   }
   return nearest;
 }
 
 bool Surface::hides(const model::Rayo& rayo, bool starts_on) const {
-  const First first = this->first(rayo, starts_on);
-  const Root one = DyadicSurd{1};
-  if (const auto* const at = std::get_if<Root>(&first)) return algebra::compare(*at, one) < 0;
-  const auto* const after = std::get_if<After>(&first);
-  return after != nullptr && (!after->t || algebra::compare(*after->t, one) < 0);
+  return std::ranges::any_of(pieces_, [&](const Piece& piece) {
+    const bool on = starts_here(piece, rayo, starts_on);
+    return piece.may_meet(rayo, on, RayPart::to_one) && is_before_one(piece.first(rayo, on));
+  });
+}
+
+std::optional<std::vector<Root>> Surface::parameters(const model::Rayo& rayo, bool starts_on, RayPart part) const {
+  const bool is_segment = part == RayPart::to_one;
+  std::vector<Root> met;
+  for (const Piece& piece : pieces_) {
+    const bool on = starts_here(piece, rayo, starts_on);
+    if (!piece.may_meet(rayo, on, part)) continue;
+    auto here = piece.all(rayo, on);
+    if (here) {
+      std::ranges::move(*here, std::back_inserter(met));
+      continue;
+    }
+    const First first = piece.first(rayo, on);
+    if (is_segment ? is_before_one(first) : !std::holds_alternative<std::monostate>(first)) return std::nullopt;
+  }
+  if (is_segment) std::erase_if(met, [](const Root& t) { return !is_before_one(t); });
+  std::ranges::sort(met, [](const Root& a, const Root& b) { return algebra::compare(a, b) < 0; });
+  const auto again = std::ranges::unique(met, [](const Root& a, const Root& b) { return algebra::compare(a, b) == 0; });
+  met.erase(again.begin(), again.end());
+  return met;
 }
 
 glm::dvec3 Surface::normal(const glm::dvec3& w) const {

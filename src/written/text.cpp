@@ -92,6 +92,7 @@ struct Text::State {
     for (const zed::Section& each : specification.sections) {
       if (each.file != file) continue;
       section = each.name;
+      declares_shapes = declares_shapes || spec::text().find(each.name) != nullptr;
       for (const zed::Paragraph& paragraph : each.paragraphs)
         for (const Name& declared : zed::names_of(paragraph)) add_type(declared);
     }
@@ -108,6 +109,7 @@ struct Text::State {
     if (!parameters || !gives_points(declared)) return;
     has_points = true;
     const std::string word = declared.word.substr(prefix.size());
+    declares_shapes = declares_shapes || is_shape(word);
     auto attributes = attributes_of(*parameters);
     if (!attributes || is_shape(word)) return;
     check_keys(*attributes, *parameters, declared);
@@ -190,7 +192,7 @@ struct Text::State {
   zed::Typing typing;
   std::unique_ptr<Symbolic> symbolic;
   std::vector<io::WrittenType> types;
-  bool has_points = false;
+  bool has_points = false, declares_shapes = false;
   std::mutex asking;  // of `symbolic`, which counts its steps
 };
 
@@ -201,6 +203,7 @@ Text& Text::operator=(Text&&) noexcept = default;
 
 const std::string& Text::file() const { return state_->file; }
 const std::vector<io::WrittenType>& Text::types() const { return state_->types; }
+bool Text::declares_shapes() const { return state_->declares_shapes; }
 
 Surface Text::surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const {
   const std::scoped_lock lock(state_->asking);

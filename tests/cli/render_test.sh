@@ -211,8 +211,6 @@ refused 'render: --shadows grey: no such rule of shadows; expected one of opaque
   render scene.json -o new.png --shadows grey
 refused '--shadows coloured: of rays that are lines alone; expected no --rays' \
   render scene.json -o new.png --shadows coloured --rays cones
-refused "--shadows coloured: through elements of the program's own; expected no --with" \
-  render scene.json -o new.png --shadows coloured --with torus.tex
 absent new.png
 
 # A preview: k passes are the same picture whenever it ends, the file is whole at any time, and an interrupted one is kept.

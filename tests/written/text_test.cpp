@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "durero/io/pov/algebraic.hpp"
 #include "durero/io/source.hpp"
 #include "support/catch.hpp"
 #include "support/folder.hpp"
@@ -212,6 +213,30 @@ TEST_CASE("A text without points of a type is refused, and so is one that is wro
   CHECK(error_of(points, [&] {
           points.text().surface("cosa", {1.0});
         }).ends_with("puntos_cosa takes 2 arguments; expected 1, the attributes of cosa"));
+}
+
+TEST_CASE("A text declares shapes where it gives their points, or has a section in the place of the program's own") {
+  const auto declares = [](std::initializer_list<std::string> files) {
+    const test::Folder folder;
+    const std::string all = folder.file("all.tex");
+    {
+      std::ofstream out(all);
+      for (const std::string& file : files) out << std::ifstream(test::source_dir() + "/" + file).rdbuf() << '\n';
+    }
+    return Text(all).declares_shapes();
+  };
+  const std::string torus = "demo/surfaces/torus.tex";
+  CHECK_FALSE(declares({torus}));
+  CHECK(declares({"demo/surfaces/instances.tex"}));  // a section instancias
+  CHECK(declares({"spec/puntos.tex"}));
+  CHECK(declares({"spec/tipos.tex", torus}));
+  CHECK(declares({"spec/impresa/dibujo/superficies.tex"}));
+}
+
+TEST_CASE("The types of POV-Ray's surfaces are those that their text declares") {
+  const Text text(surfaces + "algebraic.tex");
+  const std::span<const io::WrittenType> types = io::algebraic_types();
+  CHECK((std::vector(types.begin(), types.end()) == text.types()));
 }
 
 }  // namespace

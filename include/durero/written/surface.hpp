@@ -16,6 +16,7 @@
 
 #include "durero/algebra/root.hpp"
 #include "durero/model/tipos.hpp"
+#include "durero/number/ball.hpp"
 #include "durero/written/formula.hpp"
 
 namespace durero::written {
@@ -27,6 +28,9 @@ struct After {
 /// The first meeting of a ray with a surface: none, at some t > 0, or without a least t.
 using First = std::variant<std::monostate, algebra::Root, After>;
 
+/// The part of a ray that is asked about: the parameters 0 < t < 1, or all t > 0.
+enum class RayPart : bool { to_one, whole };
+
 /// A polynomial in x, y and z with dyadic coefficients, arranged for Horner's rule.
 class AlongRays {
  public:
@@ -34,12 +38,15 @@ class AlongRays {
   explicit AlongRays(const Formula& formula);
   /// The polynomial in t along the ray.
   algebra::Polynomial along(const model::Rayo& rayo) const;
+  /// The same with coefficients that are known to about 50 bits.
+  std::vector<number::RealBall> roughly_along(const model::Rayo& rayo) const;
   /// Its value at a point.
   number::Dyadic at(const std::array<number::Dyadic, 3>& w) const;
 
  private:
   using InZ = algebra::Polynomial;
   std::vector<std::vector<InZ>> coefficients_;  // [i][j][k] of xⁱ·yʲ·zᵏ
+  std::vector<std::vector<std::vector<number::RealBall>>> rough_;
 };
 
 /// A part of a surface: the set { w : Punto | p₁ = 0 ∧ … ∧ clips }, of which there is at least one equation.
@@ -51,6 +58,10 @@ class Piece {
   /// The first meeting of the ray with the piece. A ray that starts on the piece sees the points at which the equations
   /// have the value that they have at its stored origin (puntos_desde); the clips stay as they are.
   First first(const model::Rayo& rayo, bool starts_on) const;
+  /// Whether the ray may meet the piece on a part of it: a quick answer. False is certain.
+  bool may_meet(const model::Rayo& rayo, bool starts_on, RayPart part) const;
+  /// All meetings of the ray with the piece, ascending. Nothing where the ray lies in it, as far as the equations go.
+  std::optional<std::vector<algebra::Root>> all(const model::Rayo& rayo, bool starts_on) const;
   /// Whether the equations may be true of a point whose rounding this is. False is certain.
   bool may_hold_near(const glm::dvec3& rounded) const;
 
@@ -100,12 +111,17 @@ class Surface {
   First first(const model::Rayo& rayo, bool starts_on) const;
   /// Whether the ray meets the surface at some 0 < t < 1.
   bool hides(const model::Rayo& rayo, bool starts_on) const;
+  /// The parameters of all points that the ray meets on a part of it, ascending, each once. Nothing where the ray lies
+  /// in a piece that it meets there.
+  std::optional<std::vector<algebra::Root>> parameters(const model::Rayo& rayo, bool starts_on, RayPart part) const;
 
   /// The direction in which the first equation of the piece that is nearest to a point grows most there, to some
   /// digits: a unit vector, or null where it grows in none.
   glm::dvec3 normal(const glm::dvec3& w) const;
 
  private:
+  bool starts_here(const Piece& piece, const model::Rayo& rayo, bool starts_on) const;
+
   std::vector<Piece> pieces_;
 };
 

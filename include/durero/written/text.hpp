@@ -30,6 +30,9 @@ class Text {
   /// Every type that a section of the file declares, as scene files are to have its elements; types with shapes of the
   /// program are not among them.
   const std::vector<io::WrittenType>& types() const;
+  /// Whether the file says itself what the points of a type are that the program has a shape for, or has a section in
+  /// the place of one of the program's own. Otherwise the program's formulas have the same points.
+  bool declares_shapes() const;
 
   /// The points of an element of that type, whose attributes have these values, in the order of the parameters. Throws
   /// NotInDomain where the text defines none for them, and io::InputError at the place of a definition that is no

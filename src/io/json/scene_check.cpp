@@ -121,24 +121,30 @@ void judge_scene(const Source& file, SceneCheck& check) {
   check.warnings = stage_warnings(check.scene.stage());
 }
 
+void count_bodies(SceneCheck& check) {
+  check.scene.for_each([&](scene::ElementRef element, const auto&) {
+    if (const scene::Body* body = check.scene.body(element)) ++check.written[std::string(scene::word_of(*body))];
+  });
+}
+
 }  // namespace
 
 SceneCheck check_scene(const Source& file) {
   SceneCheck check{.file = file.name()};
   check.scene = read_scene(file, check.errors, Bodies::read);
-  check.scene.for_each([&](scene::ElementRef element, const auto&) {
-    if (const scene::Body* body = check.scene.body(element)) ++check.written[std::string(scene::word_of(*body))];
-  });
+  count_bodies(check);
   judge_scene(file, check);
   return check;
 }
 
-SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge) {
+SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, Bodies bodies,
+                       const std::function<void()>& judge) {
   SceneCheck check{.file = file.name()};
   std::vector<WrittenElement> written;
-  check.scene = read_scene(file, types, written, check.errors);
+  check.scene = read_scene(file, types, written, check.errors, bodies);
   if (check.errors.empty()) {
     for (const WrittenElement& element : written) ++check.written[types[element.type].word];
+    count_bodies(check);
     try {
       judge();
     } catch (const InputError& error) {

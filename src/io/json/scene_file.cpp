@@ -243,14 +243,14 @@ scene::GroupedScene read_grouped_scene(const Source& source, Bodies bodies) {
   return SceneReader(nullptr, bodies).read(source);
 }
 
-scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
-                        std::vector<WrittenElement>& elements) {
-  return SceneReader(nullptr, WrittenElements{types, &elements}).read(source).scene;
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
+                        Bodies bodies) {
+  return SceneReader(nullptr, WrittenElements{types, &elements, bodies == Bodies::read}).read(source).scene;
 }
 
 scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
-                        std::vector<InputError>& errors) {
-  return SceneReader(&errors, WrittenElements{types, &elements}).read(source).scene;
+                        std::vector<InputError>& errors, Bodies bodies) {
+  return SceneReader(&errors, WrittenElements{types, &elements, bodies == Bodies::read}).read(source).scene;
 }
 
 ElementPlace element_place(const Source& source, std::string_view name) {

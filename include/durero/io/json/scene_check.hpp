@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/io/json/format_version.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/io/json/stage_check.hpp"
 #include "durero/io/json/written_elements.hpp"
 #include "durero/io/source.hpp"
@@ -46,9 +47,10 @@ struct SceneCheck {
 /// Reads the whole file and judges the scene. What is wrong with the file is found, not thrown.
 SceneCheck check_scene(const Source& file);
 
-/// The same of a scene whose elements may be of these types too. Where the file is right otherwise, `judge` is called:
-/// the InputError that it throws of this file is found, any other thrown on.
-SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, const std::function<void()>& judge);
+/// The same of a scene whose elements may be of these types too, and where bodies are read or refused. Where the file
+/// is right otherwise, `judge` is called: the InputError that it throws of this file is found, any other thrown on.
+SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, Bodies bodies,
+                       const std::function<void()>& judge);
 
 /// A finding for each element that breaks an invariant. A scene that was read breaks none, unless the program is wrong.
 std::vector<SceneDefect> broken_invariants(const Source& file, const model::Escena& escena);

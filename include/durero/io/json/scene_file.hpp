@@ -34,11 +34,11 @@ scene::Scene read_scene(const Source& source, std::vector<InputError>& errors, B
 /// Reads a scene whose elements may be of these types too; they go to `elements`, in the order of the file. In the
 /// scene each of them has its name and its material, and stands in the tables as a sphere, which says nothing of where
 /// it is. Throws InputError as read_scene(source) does.
-scene::Scene read_scene(const Source& source, std::span<const WrittenType> types,
-                        std::vector<WrittenElement>& elements);
+scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
+                        Bodies bodies = Bodies::refused);
 /// Reads what there is of one; the errors go to the others, as above.
 scene::Scene read_scene(const Source& source, std::span<const WrittenType> types, std::vector<WrittenElement>& elements,
-                        std::vector<InputError>& errors);
+                        std::vector<InputError>& errors, Bodies bodies = Bodies::refused);
 
 /// Where an element stands in its file.
 struct ElementPlace {

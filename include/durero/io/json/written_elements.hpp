@@ -31,12 +31,14 @@ using WrittenValue = std::variant<double, glm::dvec3, scene::Corners>;
 struct WrittenAttribute {
   std::string word;  ///< its key
   WrittenKind kind;  ///< what stands behind it
+  bool operator==(const WrittenAttribute&) const = default;
 };
 
 /// A type of elements, by its word in scene files.
 struct WrittenType {
   std::string word;                          ///< the value of `tipo`
   std::vector<WrittenAttribute> attributes;  ///< all of them are required
+  bool operator==(const WrittenType&) const = default;
 };
 
 /// An element of such a type, as it stands in a file, or in a script that adds it.
