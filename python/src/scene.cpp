@@ -332,7 +332,7 @@ std::pair<Scene, std::vector<std::string>> import_file(const std::string& path, 
                                                        std::optional<bool> in_meshes) {
   io::Imported read = [&] {
     const py::gil_scoped_release released;
-    return io::import_file(path, root, in_meshes);
+    return io::import_file(path, {.root = root}, in_meshes);
   }();
   return {Scene(scene::GroupedScene{std::move(read.scene), std::move(read.groups)}), std::move(read.lost)};
 }

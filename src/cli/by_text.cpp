@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <variant>
 
 #include "durero/io/json/scene_file.hpp"
+#include "durero/io/pov/algebraic.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/spec/spec.hpp"
 #include "durero/written/edited.hpp"
@@ -47,9 +49,29 @@ written::Written read_shapes_by_text(const io::Source& scene, const std::string&
   return read;
 }
 
+void require_surfaces(const std::string& scene, const std::string& text, const io::WrittenByName& surfaces) {
+  const written::Text read(text);
+  for (const auto& [name, element] : surfaces) {
+    const io::WrittenType& type = io::algebraic_types()[element.type];
+    const auto declared = std::ranges::find(read.types(), type);
+    if (declared == read.types().end())
+      throw std::invalid_argument(
+          fmt::format("{} declares no {} as POV-Ray's surfaces need it; expected a text such as "
+                      "demo/surfaces/algebraic.tex",
+                      text, type.word));
+    try {
+      read.surface(type.word, element.values);
+    } catch (const written::NotInDomain& refused) {
+      throw std::invalid_argument(fmt::format("{}: {} is not in the domain of puntos_{}; expected {}", scene, name,
+                                              refused.type, refused.expected));
+    }
+  }
+}
+
 io::SceneCheck check_by_text(const io::Source& scene, const std::string& text) {
   const written::Text read_text(text);
-  return io::check_scene(scene, read_text.types(), [&] { written::read(scene, read_text); });
+  const io::Bodies bodies = read_text.declares_shapes() ? io::Bodies::refused : io::Bodies::read;
+  return io::check_scene(scene, read_text.types(), bodies, [&] { written::read(scene, read_text); });
 }
 
 std::unique_ptr<io::EditedScene> edited_by_text(const io::Source& scene, const std::string& text) {

@@ -21,6 +21,10 @@ written::Written read_by_text(const io::Source& scene, const std::string& text);
 written::Written read_shapes_by_text(const io::Source& scene, const std::string& text);
 /// @}
 
+/// Checks that a text declares the types of the algebraic surfaces of an imported scene, and what the points of each
+/// are. Throws std::invalid_argument where it does not, and io::InputError where the text is wrong.
+void require_surfaces(const std::string& scene, const std::string& text, const io::WrittenByName& surfaces);
+
 /// Checks a scene by the text of a file, which must define the points of each element.
 io::SceneCheck check_by_text(const io::Source& scene, const std::string& text);
 

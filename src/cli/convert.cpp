@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "by_text.hpp"
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/exported_files.hpp"
@@ -12,6 +13,7 @@
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
+#include "durero/io/pov/algebraic.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/text/shown.hpp"
@@ -25,12 +27,13 @@ namespace {
 struct ConvertOptions {
   std::string from, to;
   std::string root;       // of the files that `from` may name; empty: its own folder
+  std::string with;       // a Z text that says what elements are; empty: none
   std::string triangles;  // how they come in: `mesh`, `single`, or empty: as the format has them
   bool quiet = false, binary = false, survey = false;
 };
 
 io::Imported read_any(const ConvertOptions& options) {
-  return io::import_file(options.from, options.root,
+  return io::import_file(options.from, {.root = options.root, .keeps_surfaces = !options.with.empty()},
                          options.triangles.empty() ? std::nullopt : std::optional(options.triangles == "mesh"));
 }
 
@@ -48,8 +51,9 @@ io::Exported write_any(const ConvertOptions& options, const io::Imported& read) 
   return io::exported_scene(options.to, read.scene, read.groups, options.binary);
 }
 
-io::Exported write_scene_file(const ConvertOptions&, const io::Imported& read) {
-  return {io::scene_text(read.scene, read.groups), {}};
+io::Exported write_scene_file(const ConvertOptions& options, const io::Imported& read) {
+  if (!options.with.empty()) require_surfaces(options.from, options.with, read.surfaces);
+  return {io::scene_text(read.scene, read.groups, {io::algebraic_types(), &read.surfaces}), {}};
 }
 
 /// Reads a scene, and writes it to the other file.
@@ -98,6 +102,10 @@ void add_import(CLI::App& app, int& status) {
   auto* const output = command->add_option("-o,--output", options->to, "Scene file (JSON) to write, NAME.json");
   output->required();
   add_ways_to_read(*command, *options);
+  command->add_option(
+      "--with", options->with,
+      "Z text that declares algebraic surfaces, such as demo/surfaces/algebraic.tex: those of POV-Ray are "
+      "kept, and the scene is one of that text");
   command
       ->add_flag_callback(
           "--survey",
@@ -113,7 +121,8 @@ void add_import(CLI::App& app, int& status) {
       exit_status("it is written, what is left out is named on the standard error; or all of a folder are read",
                   "some of a folder are not", "the call or the file is bad") +
       examples({"import still-life.nff -o imported.json", "import bunny.obj -o bunny.json --triangles single",
-                "import rooms/red/scene.xml -o red.json --root rooms", "import scenes --survey"}));
+                "import rooms/red/scene.xml -o red.json --root rooms",
+                "import rings.pov -o rings.json --with demo/surfaces/algebraic.tex", "import scenes --survey"}));
   command->callback([options, &status] {
     status = options->survey ? survey(options->from, options->root, options->quiet) : import_scene(*options);
   });

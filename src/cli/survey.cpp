@@ -116,7 +116,7 @@ int survey(const std::string& folder, const std::string& root, bool quiet) {
   std::optional<Progress> progress(std::in_place, quiet, "import");
   for (const std::string& file : files) {
     try {
-      for (const std::string& line : io::read_any_format(file, root).lost) add_loss_of(losses, line, file);
+      for (const std::string& line : io::read_any_format(file, {.root = root}).lost) add_loss_of(losses, line, file);
       ++read;
     } catch (const io::InputError& error) {
       add_reason(stops, without_quotes(error.message()), error.what());

@@ -80,20 +80,22 @@ Exported exported_scene(const std::string& path, const scene::Scene& scene, cons
   return format.write_with_files(scene, groups, std::filesystem::path(path).stem().string());
 }
 
-Imported read_any_format(const std::string& path, const std::string& root) {
+Imported read_any_format(const std::string& path, const Reading& how) {
+  const std::string& root = how.root;
   const Format& format = format_to_read(path);
   std::error_code error;
   if (!root.empty() && !std::filesystem::is_directory(root, error)) throw FileError(root, "no folder", "expected one");
   Source source = format.has_lines ? read_lines(path) : read_source(path);
   source.set_root(root);
+  source.set_keeps_surfaces(how.keeps_surfaces);
   if (!SceneFolder(source).holds_scene())
     throw FileError(path, "lies elsewhere", fmt::format("expected a file in {} or beneath it", text::shown(root)));
   return format.read(source);
 }
 
-Imported import_file(const std::string& path, const std::string& root, std::optional<bool> in_meshes) {
+Imported import_file(const std::string& path, const Reading& how, std::optional<bool> in_meshes) {
   const bool are_gathered = in_meshes.value_or(format_to_read(path).is_mesh);
-  Imported read = read_any_format(path, root);
+  Imported read = read_any_format(path, how);
   return are_gathered ? gathered(std::move(read), path) : std::move(read);
 }
 

@@ -145,4 +145,27 @@ refused 'root.tex:8:21: raizcuadrada is defined by no equation that gives its va
 refused 'trace: --engine excludes --with; ' trace scene.json rays.txt --with "$spec/puntos.tex" --engine fast
 refused 'render: --hierarchy excludes --with; ' render scene.json -o bad.png --with "$spec/puntos.tex" --hierarchy hand
 absent bad.png
+# POV-Ray's tori and polynomials come in with a text that declares them.
+run 0 import "$surfaces/rings.pov" -o rings.json --with "$surfaces/algebraic.tex"
+empty err
+run 0 check rings.json --with "$surfaces/algebraic.tex"
+has out ' 1 cuartica, 1 interseccion, 6 toro_oblicuo'
+printf '0 0.9 -9 0 0 1\n-2.4 0.3 -9 0 0 1\n0 0.1 -9 0 0 1\n0 9 0 0 -1 0\n' >rings.txt
+run 0 trace rings.json rings.txt --with "$surfaces/algebraic.tex"
+has out '"elementos":["a6"]'
+has out '"elementos":["s1"]'
+has out '"elementos":["b1"]'
+run 0 render rings.json -o rings.png --size 16x10 --shadows coloured --with "$surfaces/algebraic.tex"
+refused "$surfaces/torus.tex declares no toro_oblicuo as POV-Ray's surfaces need it; expected a text such as" \
+  import "$surfaces/rings.pov" -o none.json --with "$surfaces/torus.tex"
+absent none.json
+printf 'torus { 1, 0 }\n#version 3.7;' >thin.pov
+refused 'thin.pov: a1 is not in the domain of puntos_toro_oblicuo; expected menor ∈ Rmas' \
+  import thin.pov -o none.json --with "$surfaces/algebraic.tex"
+printf 'poly { 1.5, <1,2> }\n#version 3.7;' >thin.pov
+refused 'thin.pov:1:8: a poly of degree 1.5; expected a whole number from 2 to 35' import thin.pov -o none.json
+absent none.json
+run 0 import "$surfaces/rings.pov" -o without.json
+has err 'rings.pov: 7 surfaces of degree two to four left out: a scene has such by a Z text alone (--with)'
+
 finish

@@ -2,6 +2,7 @@
 #version 3.7;
 sphere { 0, 1 pigment { marble } normal { bumps 0.5 } }
 torus { 2, 0.5 }
+poly { 5, <0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1> }
 blob { threshold 0.5 sphere { 0, 1, 1 } }
 lathe { linear_spline 2, <1, 0>, <1, 1> }
 isosurface { function { x } contained_by { box { -1, 1 } } }

@@ -42,12 +42,12 @@ TEST_CASE("A file is read with the files below its folder, or below a root") {
   io::write_file(folder.file("a/b/ball.pov"), "#include \"../set.inc\" sphere { 0, R }");
   const std::string ball = folder.file("a/b/ball.pov");
   CHECK_THROWS_WITH(io::read_any_format(ball), Catch::Matchers::Contains("no file \"../set.inc\""));
-  CHECK(io::read_any_format(ball, folder.file("a")).scene.size() == 1);
-  CHECK_THROWS_WITH(io::read_any_format(ball, folder.file("c")), folder.file("c") + ": no folder; expected one");
-  CHECK_THROWS_WITH(io::read_any_format(folder.file("a/set.pov"), folder.file("a")),
+  CHECK(io::read_any_format(ball, {folder.file("a")}).scene.size() == 1);
+  CHECK_THROWS_WITH(io::read_any_format(ball, {folder.file("c")}), folder.file("c") + ": no folder; expected one");
+  CHECK_THROWS_WITH(io::read_any_format(folder.file("a/set.pov"), {folder.file("a")}),
                     Catch::Matchers::Contains("No such file"));
   std::filesystem::create_directory(folder.file("c"));
-  CHECK_THROWS_WITH(io::read_any_format(ball, folder.file("c")),
+  CHECK_THROWS_WITH(io::read_any_format(ball, {folder.file("c")}),
                     ball + ": lies elsewhere; expected a file in \"" + folder.file("c") + "\" or beneath it");
 }
 

@@ -2,8 +2,8 @@
 """povray_trace.py DURERO [SEED]: POV-Ray's own trace() meets the objects of random texts where `durero import` has put
 them.
 
-Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, solids of them by
-union, merge, intersection and difference, all moved by transformations of every kind, made by macros and loops, and
+Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, tori, quadrics and
+quartics (by demo/surfaces/algebraic.tex), solids of the first by union, merge, intersection and difference, all moved by transformations of every kind, made by macros and loops, and
 placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
 than its own tolerance, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
 passes where one of these has its answer. Exit status 77 (skipped) where POV-Ray is absent (Debian: povray).
@@ -19,6 +19,7 @@ import sys
 import tempfile
 
 TEXTS, RAYS, OBJECTS = 5, 2000, 14
+ALGEBRAIC = str(pathlib.Path(__file__).resolve().parents[2] / "demo/surfaces/algebraic.tex")
 CLOSE = 2e-6  # of POV-Ray's points, whose smallest tolerance is a millionth
 MOST_BESIDE_EDGES = TEXTS * RAYS // 100
 
@@ -66,11 +67,28 @@ class Text:
             return f"cylinder {{ {self.point()}, {self.point()}, {self.number(0.2, 1)} }}"
         return f"cone {{ {self.point()}, {self.number(0.5, 1.2)}, {self.point()}, {self.rng.choice(['0', '0.2', '0.75'])} }}"
 
+    def algebraic(self):
+        """The zeros of a polynomial."""
+        kind = self.rng.randint(0, 2)
+        if kind == 0:
+            return f"torus {{ {self.number(0.6, 1.5)}, {self.number(0.1, 0.8)} sturm }}"
+        if kind == 1:
+            return f"quadric {{ {self.point(1)}, {self.point(0.5)}, {self.point(0.5)}, {self.number(-1, -0.2)} }}"
+        coefficients = [self.number(-0.1, 0.1) for _ in range(35)]
+        for place in 0, 20, 30:  # of the fourth powers, so that it has an end
+            coefficients[place] = self.number(0.5, 2)
+        coefficients[34] = self.number(-2, -0.5)
+        return self.rng.choice([f"quartic {{ <{', '.join(coefficients)}> sturm }}",
+                                f"poly {{ 4, <{', '.join(coefficients)}> sturm }}",
+                                f"cubic {{ <{', '.join(coefficients[:20])}> sturm }}"])
+
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 9)
+        kind = self.rng.randint(0, 11)
         if kind <= 2:
             return self.solid()
+        if kind >= 10:
+            return self.algebraic()
         if kind == 3:
             return f"cylinder {{ {self.point()}, {self.point()}, {self.number(0.2, 1)} open }}"
         if kind == 4:
@@ -144,7 +162,7 @@ def by_povray(folder, asked):
 
 def by_durero(durero, folder, asked):
     (folder / "rays.txt").write_text("".join(" ".join(f"{x:.17g}" for x in ray) + "\n" for ray in asked))
-    done = subprocess.run([durero, "trace", "scene.json", "rays.txt"], cwd=folder, capture_output=True, text=True, check=True)
+    done = subprocess.run([durero, "trace", "scene.json", "rays.txt", "--with", ALGEBRAIC], cwd=folder, capture_output=True, text=True, check=True)
     return [answer.get("point") for answer in map(json.loads, done.stdout.splitlines())]
 
 
@@ -169,10 +187,10 @@ def main(durero, seed="1"):
             objects = Text(rng).objects()
             (folder / "scene.inc").write_text(MACROS + "#declare All = union {\n" + objects + "\n}\n")
             (folder / "scene.pov").write_text("#version 3.7;\n" + MACROS + objects + "\n")
-            imported = subprocess.run([durero, "import", "scene.pov", "-o", "scene.json"], cwd=folder, capture_output=True, text=True)
+            imported = subprocess.run([durero, "import", "scene.pov", "-o", "scene.json", "--with", ALGEBRAIC], cwd=folder, capture_output=True, text=True)
             if imported.returncode != 0:
                 sys.exit(f"seed {seed}, text {number}: {imported.stderr}")
-            left_out = [line for line in imported.stderr.splitlines() if "left out" in line and "nothing is in it" not in line]
+            left_out = [line for line in imported.stderr.splitlines() if "left out" in line and not re.search("nothing is in it|attributes? left out", line)]
             if left_out:
                 sys.exit(f"seed {seed}, text {number}: {left_out}")
             asked = rays(rng)

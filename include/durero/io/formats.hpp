@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/io/json/written_elements.hpp"
 #include "durero/io/source.hpp"
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
@@ -18,6 +19,13 @@ struct Imported {
   scene::Scene scene;             ///< what could be kept
   std::vector<std::string> lost;  ///< to be shown to the user; empty where all was kept
   scene::Groups groups = {};      ///< of its elements; JSON, glTF, OBJ, STL and POV-Ray have some
+  WrittenByName surfaces = {};    ///< those of algebraic_types(), which a Z text says the points of
+};
+
+/// What a file is read with.
+struct Reading {
+  std::string root = {};        ///< the folder that holds the files which it may name; without one its own
+  bool keeps_surfaces = false;  ///< whether elements of types that a Z text declares are kept
 };
 
 /// A file that a text names, to stand in the same folder.
@@ -65,14 +73,13 @@ const Format& format_to_write_bytes(const std::string& path);
 Exported exported_scene(const std::string& path, const scene::Scene& scene, const scene::Groups& groups,
                         bool as_bytes = false);
 
-/// Reads a file in the format that its name tells. The files that it names lie in the root or beneath it; without one,
-/// in its own folder or beneath that. Throws InputError, and FileError, also where the root is no folder or does not
-/// hold the file.
-Imported read_any_format(const std::string& path, const std::string& root = {});
+/// Reads a file in the format that its name tells. The files that it names lie in the root or beneath it. Throws
+/// InputError, and FileError, also where the root is no folder or does not hold the file.
+Imported read_any_format(const std::string& path, const Reading& how = {});
 
 /// The same with its triangles gathered into meshes, or each an element; without the choice as its format has them: a
 /// format of meshes gives meshes.
-Imported import_file(const std::string& path, const std::string& root = {}, std::optional<bool> in_meshes = {});
+Imported import_file(const std::string& path, const Reading& how = {}, std::optional<bool> in_meshes = {});
 
 /// @{ The endings of those formats, as a sentence lists them: ".json or .nff".
 std::string endings_to_read();

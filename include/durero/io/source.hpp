@@ -65,6 +65,10 @@ class Source {
   const std::string& root() const noexcept { return root_; }
   /// Gives that folder.
   void set_root(std::string folder) { root_ = std::move(folder); }
+  /// Whether elements of types that a Z text declares are kept.
+  bool keeps_surfaces() const noexcept { return keeps_surfaces_; }
+  /// Says whether they are.
+  void set_keeps_surfaces(bool keeps) noexcept { keeps_surfaces_ = keeps; }
   /// Its bytes, as they were given; valid as long as the source.
   std::string_view text() const noexcept { return text_; }
 
@@ -81,6 +85,7 @@ class Source {
   std::string name_;
   std::string text_;
   std::string root_{};
+  bool keeps_surfaces_ = false;
   std::shared_ptr<Counted> counted_;
 };
 

@@ -11,6 +11,7 @@
 #include "pov_light.hpp"
 #include "pov_look.hpp"
 #include "pov_shapes.hpp"
+#include "pov_surfaces.hpp"
 
 namespace durero::io {
 
@@ -28,6 +29,7 @@ struct PovObject {
   std::string text{};  ///< of what it consists of, without attributes
   std::optional<PovShape> shape{};
   std::optional<std::array<glm::dvec3, 2>> box{};  ///< its corners
+  std::optional<PovSurface> surface{};
   std::optional<PovLight> light{};
   std::vector<PovObject> parts{};
   ObjectMaterial look{};

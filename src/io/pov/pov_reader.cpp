@@ -33,10 +33,9 @@ constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
                            holders[] = {"mesh",  "mesh2",        "polygon",    "union", "object",
                                         "merge", "intersection", "difference", "box",   "prism"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "blob",           "cubic",   "height_field", "isosurface",
-                                       "julia_fractal", "lathe",          "lemon",   "ovus",         "poly",
-                                       "parametric",    "quadric",        "quartic", "sor",          "sphere_sweep",
-                                       "text",          "superellipsoid", "torus"};
+constexpr std::string_view others[] = {"bicubic_patch", "blob",  "height_field",  "isosurface", "julia_fractal",
+                                       "lathe",         "lemon", "ovus",          "parametric", "sor",
+                                       "sphere_sweep",  "text",  "superellipsoid"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
@@ -51,7 +50,8 @@ constexpr std::string_view looks[] = {"texture", "pigment", "finish", "normal", 
                                        "interior_texture"};
 
 bool is_object(std::string_view word) {
-  return is_one_of(PovShapes::words, word) || is_one_of(holders, word) || is_one_of(others, word);
+  return is_one_of(PovShapes::words, word) || is_one_of(holders, word) || is_one_of(pov_surface_words, word) ||
+         is_one_of(others, word);
 }
 
 std::string expected_of(std::string_view word, std::initializer_list<Words> lists) {
@@ -73,7 +73,9 @@ bool is_place_of(const scene::AnyShape& shape, const PovPlace& at) {
 /// that it is of.
 class PovReader {
  public:
-  explicit PovReader(const Source& source) : program_(source), in_(program_) { scene_.put_off_audits(); }
+  explicit PovReader(const Source& source) : program_(source), in_(program_), keeps_surfaces_(source.keeps_surfaces()) {
+    scene_.put_off_audits();
+  }
 
   Imported read() {
     scene::Group all;
@@ -100,7 +102,7 @@ class PovReader {
     stage_.make_linear();
     scene_.audit();
     std::vector<std::string> lost = losses();
-    return {std::move(scene_), std::move(lost), std::move(groups_)};
+    return {std::move(scene_), std::move(lost), std::move(groups_), std::move(surfaces_)};
   }
 
  private:
@@ -128,12 +130,15 @@ class PovReader {
       object.is_left_out = true;
       return object;
     }
-    const std::size_t from = is_shape || is_one_of(solid_words, object.word) ? object.at : in_.offset();
+    const bool is_whole = is_shape || is_one_of(solid_words, object.word) || is_one_of(pov_surface_words, object.word);
+    const std::size_t from = is_whole ? object.at : in_.offset();
     if (is_shape) {
       object.shape = shapes_.read(object.word);
       object.is_left_out = object.shape->has_hole;
       if (object.shape->has_hole) ++left_out_["disc with a hole"];
-    } else if (object.word == "box")
+    } else if (is_one_of(pov_surface_words, object.word))
+      read_surface(object);
+    else if (object.word == "box")
       object.box = solids_.box();
     else if (object.word == "mesh2" || object.word == "polygon" || object.word == "prism")
       read_triangles(object);
@@ -142,6 +147,13 @@ class PovReader {
     object.text = in_.passed(from);
     read_attributes(object);
     return object;
+  }
+
+  void read_surface(PovObject& object) {
+    object.surface = read_pov_surface(in_, object.word);
+    object.is_left_out = !keeps_surfaces_ || !object.surface;
+    if (object.surface && !keeps_surfaces_) ++only_by_text_;
+    if (!object.surface) ++left_out_["poly of degree five or more"];
   }
 
   /// An `object` holds one.
@@ -220,6 +232,7 @@ class PovReader {
     const PovTransform here = object.moved.then(by);
     if (object.light) return stage_.add(*object.light, here);
     if (object.shape) return add_shape(object, look, here, into);
+    if (object.surface) return add_surface(*object.surface, look, here, into);
     if (object.word == "object") return add(object.parts.front(), look, here, into);
     if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);
     scene::Group own;
@@ -273,11 +286,17 @@ class PovReader {
     add_body(solids_.body(object, look, by), look, into);
   }
 
-  void add_body(scene::Body body, const ObjectMaterial& look, scene::Group& into) {
-    const std::string name = numbered('b', bodies_);
+  /// Adds an element that no table holds, on which no texture lies.
+  std::string add_stand_in(char letter, std::size_t& count, const ObjectMaterial& look) {
+    std::string name = numbered(letter, count);
     if (!look.is_told) ++counts_.bare;
-    if (look.at) looks_.leave_out_texture();  // no texture lies on a solid
+    if (look.at) looks_.leave_out_texture();
     scene_.add(model::Elemento{name}, scene::stand_in, look.at ? std::nullopt : look.material);
+    return name;
+  }
+
+  void add_body(scene::Body body, const ObjectMaterial& look, scene::Group& into) {
+    const std::string name = add_stand_in('b', bodies_, look);
     scene_.set_body(scene_.find(name).value(), std::move(body));
     into.elementos.insert(name);
   }
@@ -306,6 +325,12 @@ class PovReader {
       own.elementos.insert(scene::name_of(disc.operation).name());
     }
     add_group(name, std::move(own), into);
+  }
+
+  void add_surface(const PovSurface& surface, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
+    const std::string name = add_stand_in('a', algebraic_, look);
+    surfaces_.emplace(name, WrittenElement{name, surface.type, 0, placed_surface(surface, by), {}});
+    into.elementos.insert(name);
   }
 
   /// Adds what a map makes of a shape that is then of no type: a copy of it, and of its caps.
@@ -400,6 +425,8 @@ class PovReader {
     add_loss(lost, counts_.colored_shadows, "object", "objects",
              "that light goes through: its shadow is that of a stone");
     for (const auto& [word, count] : left_out_) add_loss(lost, count, word, word, "left out: a scene has none");
+    add_loss(lost, only_by_text_, "surface", "surfaces",
+             "of degree two to four left out: a scene has such by a Z text alone (--with)");
     add_loss(lost, counts_.solids, "solid", "solids", "left out: a part of it bounds nothing that a scene has");
     add_loss(lost, counts_.clipped, "object", "objects", "left out: clipped_by");
     for (const auto& [clause, count] : refused_)
@@ -420,7 +447,9 @@ class PovReader {
   NumberedMaterials materials_{scene_};
   Counts counts_;
   std::array<std::size_t, std::tuple_size_v<scene::Shapes>> numbered_{};
-  std::size_t meshes_ = 0, unions_ = 0, bodies_ = 0;
+  std::size_t meshes_ = 0, unions_ = 0, bodies_ = 0, algebraic_ = 0, only_by_text_ = 0;
+  bool keeps_surfaces_;
+  WrittenByName surfaces_;
   std::map<std::string, std::size_t> left_out_;
   std::map<std::string, std::size_t> refused_;
   std::map<std::string, bool> shadowless_;  // and whether they have a twin

@@ -1,0 +1,19 @@
+#pragma once
+/// The types of elements that POV-Ray's algebraic surfaces become. No table of the program has them: the Z text
+/// demo/surfaces/algebraic.tex says what their points are.
+
+#include <cstddef>
+#include <span>
+
+#include "durero/io/json/written_elements.hpp"
+
+namespace durero::io {
+
+/// @{ The places of the types: a torus that an affine map has moved, and any surface of degree four at most.
+inline constexpr std::size_t moved_torus = 0, quartic = 1;
+/// @}
+
+/// The types, with the attributes that the text gives them.
+std::span<const WrittenType> algebraic_types();
+
+}  // namespace durero::io
