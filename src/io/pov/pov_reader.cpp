@@ -153,7 +153,8 @@ class PovReader {
     object.surface = read_pov_surface(in_, object.word);
     object.is_left_out = !keeps_surfaces_ || !object.surface;
     if (object.surface && !keeps_surfaces_) ++only_by_text_;
-    if (!object.surface) ++left_out_["poly of degree five or more"];
+    if (object.surface) return;
+    ++left_out_[object.word == "poly" ? "poly of degree five or more" : "torus that passes through itself, in part,"];
   }
 
   /// An `object` holds one.

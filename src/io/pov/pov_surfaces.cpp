@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "durero/io/pov/algebraic.hpp"
@@ -47,6 +48,18 @@ Coefficients quadric(PovWords& in) {
   in.comma();
   terms[{0, 0, 0}] = in.number("the constant of quadric");
   return terms;
+}
+
+/// Whose tube may be wider than its circle: of such a one a word tells which parts there are. By `union` and
+/// `difference` these are all.
+std::optional<PovSurface> torus(PovWords& in) {
+  const double major = in.number("the radius of torus");
+  in.comma();
+  const double minor = in.number("the radius of the tube of torus");
+  const bool is_part = in.at("merge") || in.at("intersection");
+  if (is_part || in.at("union") || in.at("difference")) in.pass();
+  if (is_part && std::abs(minor) > std::abs(major)) return std::nullopt;
+  return PovSurface{moved_torus, {{"mayor", major}, {"menor", minor}}};
 }
 
 int degree_of_poly(PovWords& in) {
@@ -103,11 +116,7 @@ std::span<const WrittenType> algebraic_types() {
 }
 
 std::optional<PovSurface> read_pov_surface(PovWords& in, std::string_view word) {
-  if (word == "torus") {
-    const double major = in.number("the radius of torus");
-    in.comma();
-    return PovSurface{moved_torus, {{"mayor", major}, {"menor", in.number("the radius of the tube of torus")}}};
-  }
+  if (word == "torus") return torus(in);
   Coefficients terms;
   int degree = 2;
   if (word == "quadric") {

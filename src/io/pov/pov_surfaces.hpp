@@ -27,7 +27,8 @@ struct PovSurface {
 /// The words of such surfaces.
 inline constexpr std::array<std::string_view, 5> pov_surface_words{"torus", "quadric", "cubic", "quartic", "poly"};
 
-/// Reads the numbers of the surface of that word, from behind its {. Nothing of a poly of degree five or more.
+/// Reads the numbers of the surface of that word, from behind its {. Nothing of a poly of degree five or more,
+/// and of a part of a torus that passes through itself.
 std::optional<PovSurface> read_pov_surface(PovWords& in, std::string_view word);
 
 /// The attributes of a surface where a transformation puts it, in step with those of its type.

@@ -88,3 +88,15 @@ TEST_CASE("Surfaces stand in groups, but in no solid, and above degree four in n
   CHECK(read.groups.table().contains("u1"));
   CHECK(std::ranges::count(read.lost, "1 solid left out: a part of it bounds nothing that a scene has") == 1);
 }
+
+TEST_CASE("Of a torus that passes through itself all parts are kept, or none") {
+  for (const std::string& all : {"union", "difference", ""})
+    CHECK(import_text("torus { 0.5, 1 " + all + " pigment { rgb 1 } }").surfaces.size() == 1);
+  for (const std::string& part : {"merge", "intersection"}) {
+    const io::Imported read =
+        import_text("torus { 0.5, 1 " + part + " pigment { rgb 1 } } torus { 1, 0.5 " + part + " }");
+    CHECK(read.surfaces.size() == 1);
+    CHECK(std::ranges::count(read.lost, "1 torus that passes through itself, in part, left out: a scene has none") ==
+          1);
+  }
+}
