@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -71,6 +72,7 @@ struct Ray {
   bool is_shadow = false;                                           // whether anything is hit there
   bool is_about_all = false;                                        // all hits are asked for, or
   bool is_count = false;                                            // their number
+  bool is_point = false;                                            // the nearest point to p is asked for
 };
 
 struct Scene {
@@ -78,6 +80,36 @@ struct Scene {
   std::vector<Element> elements;
   std::vector<Ray> rays;
 };
+
+// The points of all triangles, each once, and of each triangle the numbers of its three points.
+struct Mesh {
+  std::vector<Vec> points;
+  std::vector<std::array<unsigned, 3>> faces;
+};
+inline Mesh mesh_of(const Scene& scene) {
+  Mesh mesh;
+  std::map<Vec, unsigned> numbers;
+  for (const Element& e : scene.elements) {
+    std::array<unsigned, 3> face{};
+    for (int i = 0; i < 3; ++i) {
+      const auto [place, is_new] = numbers.try_emplace(e.vec(3 * i), unsigned(mesh.points.size()));
+      if (is_new) mesh.points.push_back(e.vec(3 * i));
+      face[i] = place->second;
+    }
+    mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
+// For systems that ask of segments: a power of two f so that no point is beyond p + f v.
+inline double segment(const Mesh& mesh, const Ray& ray) {
+  double farthest = 0;
+  for (const Vec& point : mesh.points) {
+    const Vec away = point - ray.p;
+    farthest = std::fmax(farthest, std::hypot(away[0], away[1], away[2]));
+  }
+  return std::exp2(std::ceil(std::log2(2 * farthest / std::hypot(ray.v[0], ray.v[1], ray.v[2]))));
+}
 
 inline double read_number(std::istream& in) {
   std::string word;
@@ -91,7 +123,8 @@ inline bool read(Scene& scene) {
   std::string line, word;
   bool has_begins = false;
   const auto is_head = [&] {
-    return word == "rays" || word == "shadows" || word == "ranges" || word == "crossings" || word == "counts";
+    return word == "rays" || word == "shadows" || word == "ranges" || word == "crossings" || word == "counts" ||
+           word == "points";
   };
   if (!std::getline(std::cin, line)) return false;
   std::istringstream(line) >> word >> scene.name;
@@ -106,6 +139,7 @@ inline bool read(Scene& scene) {
         ray.is_shadow = word == "shadows";
         ray.is_count = word == "counts";
         ray.is_about_all = ray.is_count || word == "crossings";
+        ray.is_point = word == "points";
       }
       has_begins = word == "ranges";
       break;
@@ -119,6 +153,7 @@ inline bool read(Scene& scene) {
     std::getline(std::cin, line);
     std::istringstream in(line);
     for (double& x : ray.p) x = read_number(in);
+    if (ray.is_point) continue;
     for (double& x : ray.v) x = read_number(in);
     if (has_begins) ray.begin = read_number(in);
     if (has_begins || ray.is_shadow) ray.end = read_number(in);
@@ -128,6 +163,10 @@ inline bool read(Scene& scene) {
 
 inline void miss() { std::puts("miss"); }
 inline void hit(const std::string& element, double t) { std::printf("hit %s %.17g\n", element.c_str(), t); }
+// A hit of which the point alone is known.
+inline void hit_at(const std::string& element, Vec point) {
+  std::printf("hit %s - %.17g %.17g %.17g\n", element.c_str(), point[0], point[1], point[2]);
+}
 // A hit with its normal, and perhaps u and v of a triangle.
 inline void hit(const std::string& element, double t, Vec normal, const double* uv = nullptr) {
   std::printf("hit %s %.17g normal %.17g %.17g %.17g", element.c_str(), t, normal[0], normal[1], normal[2]);

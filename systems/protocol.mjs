@@ -73,7 +73,7 @@ export function unit(v) {
   return scaled.map((x) => x / length);
 }
 
-const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+export const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 
 // How far from p the last of its points can be that a ray along the unit vector u meets.
 function farthest(e, p, u) {
@@ -89,9 +89,31 @@ function farthest(e, p, u) {
 
 // A power of two f for systems that ask of segments: none of the elements is beyond p + f v.
 export function segment(elements, p, v) {
-  const most = Math.max(...elements.map((e) => farthest(e, p, unit(v))));
-  return 2 ** Math.ceil(Math.log2((2 * most) / Math.hypot(...v)));
+  return past(Math.max(...elements.map((e) => farthest(e, p, unit(v)))), v);
 }
+
+// A power of two f: f v is longer than that distance.
+export const past = (far, v) => 2 ** Math.ceil(Math.log2((2 * far) / Math.hypot(...v)));
+
+// Their points, each once, and of each triangle the numbers of its three points: one mesh of them all.
+function mesh(elements) {
+  const numbers = new Map(), points = [];
+  const numberOf = (vertex) => {
+    const key = vertex.join();
+    if (!numbers.has(key)) numbers.set(key, points.push(vertex) - 1);
+    return numbers.get(key);
+  };
+  return [points, elements.map((e) => e.vertices.map(numberOf))];
+}
+
+// load(elements) of a system that has meshes: build(points, faces) answers with the number of a face for its name.
+export const ofFaces = (build) => (elements) => {
+  const ask = build(...mesh(elements));
+  return (...question) => {
+    const claim = ask(...question);
+    return claim && [elements[claim[0]]?.name ?? "-", ...claim.slice(1)];
+  };
+};
 
 // The hit of least t; nothing of none. For systems that answer of one element at a time.
 export const nearest = (hits) => hits.reduce((a, b) => (a && a[1] <= b[1] ? a : b), undefined);
@@ -99,32 +121,44 @@ export const nearest = (hits) => hits.reduce((a, b) => (a && a[1] <= b[1] ? a : 
 const refusal = (why) => "refused " + String(why).replace(/\s+/g, " ").slice(0, 200);
 const number = (x) => (Number.isFinite(x) ? String(x) : Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf");
 const written = (x) => (x === undefined ? "-" : number(x));
-const shown = ([name, t, punto]) => ["hit", name, written(t), ...(punto ?? []).map(number)].join(" ");
+const besidesOf = ({ normal, front, uv } = {}) => [
+  ...(normal ? ["normal", ...normal.map(number)] : []),
+  ...(front === undefined ? [] : [front ? "front" : "back"]),
+  ...(uv ? ["uv", ...uv.map(number)] : []),
+];
+const shown = ([name, t, punto, besides]) =>
+  ["hit", name, written(t), ...(punto ?? []).map(number), ...besidesOf(besides)].join(" ");
+
+// The question that a line asks: an origin and a direction, or a point, and the numbers behind them.
+const parts = (n) => (n.length < 6 ? [n] : [n.slice(0, 3), n.slice(3, 6), ...n.slice(6)]);
 
 // Answers until the questions end. load(elements) is a function of an origin and a direction to undefined for a miss,
-// or to [name, t], or [name, t, point].
-export async function serve(system, version, load) {
+// or to [name, t], or [name, t, point], behind which may stand { normal, front, uv } or some of it. Of a system that
+// answers ranges, others.ranges(elements) is the same of an origin, a direction and two ends; of one that answers
+// nearest points, others.points(elements) is a function of a point to [name, distance, point].
+export async function serve(system, version, load, others = {}) {
+  const loads = { ...others, rays: load };
   const write = (lines) => writeSync(1, lines.join("\n") + "\n");
   write([`system ${system} ${version}`]);
-  let elements = [], first, left = 0, claims = [];
+  let elements = [], ask, left = 0, claims = [];
   for await (const line of createInterface({ input: process.stdin })) {
+    const word = line.split(/\s+/)[0];
     if (left) {
-      const n = line.trim().split(/\s+/).map(Number);
       try {
-        const claim = first(n.slice(0, 3), n.slice(3, 6));
+        const claim = ask(...parts(line.trim().split(/\s+/).map(Number)));
         claims.push(claim ? shown(claim) : "miss");
       } catch (why) {
         claims.push(refusal(why));
       }
       if (--left === 0) write(claims.splice(0));
-    } else if (line.startsWith("scene")) {
+    } else if (word === "scene") {
       elements = [];
-    } else if (line.startsWith("rays")) {
+    } else if (loads[word]) {
       left = Number(line.split(/\s+/)[1]);
       try {
-        first = elements.length ? load(elements) : () => undefined;
+        ask = elements.length ? loads[word](elements) : () => undefined;
       } catch (why) {
-        first = () => { throw why; };
+        ask = () => { throw why; };
       }
     } else {
       elements.push(element(line));

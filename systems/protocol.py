@@ -106,8 +106,42 @@ def unit(v):
 
 def segment(elements, p, v):
     """A power of two f for systems that ask of segments: none of the elements is beyond p + f v."""
-    farthest = max(element.farthest(p, unit(v)) for element in elements)
+    return past(max(element.farthest(p, unit(v)) for element in elements), v)
+
+
+def past(farthest, v):
+    """A power of two f: f v is longer than that distance."""
     return 2.0 ** math.ceil(math.log2(2.0 * farthest / math.hypot(*v)))
+
+
+def mesh(elements):
+    """Their points, each once, and of each triangle the numbers of its three points: one mesh of them all."""
+    numbers = {}
+    faces = [tuple(numbers.setdefault(vertex, len(numbers)) for vertex in element.vertices) for element in elements]
+    return list(numbers), faces
+
+
+def of_faces(build):
+    """load(elements) of a system that has meshes: build(points, faces) answers with the number of a face for its name."""
+
+    def load(elements):
+        ask = build(*mesh(elements))
+        return lambda *question: named(elements, ask(*question))
+
+    return load
+
+
+def named(elements, claim):
+    if isinstance(claim, list):
+        return [named(elements, one) for one in claim]
+    if not isinstance(claim, tuple):
+        return claim
+    return (None if claim[0] is None else elements[claim[0]].name, *claim[1:])
+
+
+def rays_of_faces(build):
+    """load(elements) of such a system that is asked ray by ray: build(points, faces)(p, v) is None or (face, t), see each()."""
+    return of_faces(lambda points, faces: each(build(points, faces)))
 
 
 def refusal(why):
@@ -155,65 +189,71 @@ def shown(claim):
     return " ".join(words)
 
 
-def shadow_lines(load_shadows, elements, rays):
+def listed(hits):
+    """Those without a number stay in the order in which they are."""
+    return " ; ".join(map(shown, sorted(hits, key=lambda hit: 0 if hit[1] is None else hit[1]))) or "miss"
+
+
+def counting(load_all):
+    def load(elements):
+        ask = load_all(elements)
+        return lambda p, v: len(ask(p, v))
+
+    return load
+
+
+def parts(line):
+    """The points and vectors of a question, and the numbers behind them."""
+    n = [float(word) for word in line.split()]
+    return [tuple(n[i : i + 3]) for i in (0, 3) if i < len(n)] + n[6:]
+
+
+def lines_of(load, elements, questions, write):
+    """The answers of a system that is asked one question after another."""
+    lines = []
     try:
-        is_hit = load_shadows(elements)
-        return ["hit" if is_hit(tuple(n[:3]), tuple(n[3:6]), n[6]) else "miss" for n in rays]
+        ask = load(elements)
+    except Exception as why:
+        return [refusal(why)] * len(questions)
+    for question in questions:
+        try:
+            lines.append(write(ask(*question)))
+        except Exception as why:
+            lines.append(refusal(why))
+    return lines
+
+
+def lines_of_rays(load, elements, rays):
+    try:
+        return list(map(shown, load(elements)(rays) if elements else [None] * len(rays)))
     except Exception as why:
         return [refusal(why)] * len(rays)
 
 
-def range_lines(load_ranges, elements, rays):
-    try:
-        first = load_ranges(elements)
-        return [shown(first(tuple(n[:3]), tuple(n[3:6]), n[6], n[7])) for n in rays]
-    except Exception as why:
-        return [refusal(why)] * len(rays)
-
-
-def all_lines(load_all, elements, rays, is_count):
-    try:
-        hits_of = load_all(elements)
-        lines = []
-        for n in rays:
-            hits = sorted(hits_of(tuple(n[:3]), tuple(n[3:6])), key=lambda hit: hit[1])
-            lines.append(f"count {len(hits)}" if is_count else " ; ".join(map(shown, hits)) or "miss")
-        return lines
-    except Exception as why:
-        return [refusal(why)] * len(rays)
-
-
-def serve(system, version, load, load_shadows=None, load_ranges=None, load_all=None):
+def serve(system, version, load, load_shadows=None, load_ranges=None, load_all=None, load_count=None,
+          load_closest=None):
     """Answers until the questions end: load(elements) is a function of the rays to their answers, see each().
 
     Of a system that answers shadow rays, load_shadows(elements)(p, v, end) is whether anything is hit up to the end; of
     one that answers ranges, load_ranges(elements)(p, v, begin, end) is the first hit between the two ends; of one that
-    answers all hits and their number, load_all(elements)(p, v) has them, in any order.
+    answers all hits and their number, load_all(elements)(p, v) has them, in any order, or load_count(elements)(p, v) is
+    their number; of one that answers nearest points, load_closest(elements)(p) is (name, distance, point).
     """
+    others = {"shadows": (load_shadows, lambda is_hit: "hit" if is_hit else "miss"), "ranges": (load_ranges, shown),
+              "crossings": (load_all, listed), "counts": (load_count or counting(load_all), lambda number: f"count {number}"),
+              "points": (load_closest, shown)}
     print("system", system, version, file=answers, flush=True)
     elements = []
     for line in sys.stdin:
         word = line.split(None, 1)[0]
         if word == "scene":
             elements = []
-        elif word in ("shadows", "ranges", "crossings", "counts"):
-            rays = [[float(number) for number in sys.stdin.readline().split()] for _ in range(int(line.split()[1]))]
-            if word == "shadows":
-                lines = shadow_lines(load_shadows, elements, rays)
-            elif word == "ranges":
-                lines = range_lines(load_ranges, elements, rays)
-            else:
-                lines = all_lines(load_all, elements, rays, word == "counts")
-            print(*lines, sep="\n", file=answers, flush=True)
-        elif word != "rays":
+        elif word != "rays" and word not in others:
             elements.append(Element(line))
         else:
-            rays = []
-            for _ in range(int(line.split()[1])):
-                numbers = [float(number) for number in sys.stdin.readline().split()]
-                rays.append((tuple(numbers[:3]), tuple(numbers[3:])))
-            try:
-                claims = load(elements)(rays) if elements else [None] * len(rays)
-            except Exception as why:
-                claims = [refusal(why)] * len(rays)
-            print(*map(shown, claims), sep="\n", file=answers, flush=True)
+            questions = [parts(sys.stdin.readline()) for _ in range(int(line.split()[1]))]
+            if word == "rays":
+                lines = lines_of_rays(load, elements, questions)
+            else:
+                lines = lines_of(others[word][0], elements, questions, others[word][1])
+            print(*lines, sep="\n", file=answers, flush=True)

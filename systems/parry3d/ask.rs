@@ -1,4 +1,5 @@
 //! Asks parry by the cast of a ray on a compound of the elements, in the format that the argument names: f32 or f64.
+#[path = "../protocol.rs"]
 mod protocol;
 use protocol::Element;
 

@@ -1,4 +1,6 @@
-//! The question protocol: reads questions, writes answers.
+//! The question protocol: reads questions, writes answers. Not every program needs all of it.
+#![allow(dead_code)]
+use std::collections::HashMap;
 use std::io::{BufRead, Lines, StdinLock, Write, stdin, stdout};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -16,6 +18,25 @@ fn element(line: &str) -> Element {
     let mut words = line.split_whitespace();
     let mut word = || words.next().unwrap().to_string();
     Element { tipo: word(), name: word(), n: numbers(words) }
+}
+
+/// The points of triangles, each once, and of each triangle the numbers of its three points.
+pub fn mesh(elements: &[Element]) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    let (mut points, mut numbers) = (Vec::new(), HashMap::new());
+    let mut number = |n: &[f64]| {
+        let point = [n[0] + 0.0, n[1] + 0.0, n[2] + 0.0]; // no -0
+        *numbers.entry(point.map(f64::to_bits)).or_insert_with(|| {
+            points.push(point);
+            points.len() as u32 - 1
+        })
+    };
+    let faces = elements.iter().map(|e| [number(&e.n[..3]), number(&e.n[3..6]), number(&e.n[6..])]).collect();
+    (points, faces)
+}
+
+/// A miss, or a hit of the element at t.
+pub fn claim(hit: Option<(usize, f64)>, elements: &[Element]) -> String {
+    hit.map_or("miss".to_string(), |(i, t)| format!("hit {} {}", elements[i].name, t.to_string().to_lowercase()))
 }
 
 fn rays(count: usize, lines: &mut Lines<StdinLock>) -> Vec<Vec<f64>> {
