@@ -1,4 +1,4 @@
-"""Asks Embree 4 by rtcIntersect1, and of shadow rays by rtcOccluded1."""
+"""Asks Embree 4 by rtcIntersect1, and of shadow rays by rtcOccluded1; the argument `mesh` makes one geometry of triangles."""
 
 import ctypes
 import math
@@ -10,6 +10,7 @@ import protocol  # isort: skip
 from rtcore import (CONE_LINEAR_CURVE, FLAGS, FLOAT3, FLOAT4, INDEX, NONE, NORMAL, OF_FORMAT, ORIENTED_DISC_POINT, ROBUST,
                     SPHERE_POINT, TRIANGLE, UCHAR, UINT, UINT3, VERSION, VERTEX, RayHit, rtc)
 
+is_mesh = sys.argv[1:] == ["mesh"]
 OPEN = 3  # The curve has neighbours at both ends, and so no caps.
 device = rtc.rtcNewDevice(None)
 
@@ -39,6 +40,11 @@ def shape(element):
     return geometry(CONE_LINEAR_CURVE, (VERTEX, FLOAT4, ends), (INDEX, UINT, [1]), (FLAGS, UCHAR, [OPEN]))
 
 
+def one_mesh(elements):
+    points, faces = protocol.mesh(elements)
+    return geometry(TRIANGLE, (VERTEX, FLOAT3, points), (INDEX, UINT3, faces))
+
+
 class Scene:
     """A scene, and a ray that is asked again and again."""
 
@@ -59,7 +65,7 @@ class Scene:
         rtc.rtcIntersect1(self.scene, self.set(p, v, begin, end), None)
         if self.hit.geomID == NONE:
             return None
-        met = self.elements[self.hit.geomID]
+        met = self.elements[self.hit.primID if is_mesh else self.hit.geomID]
         *normal, u, v = self.hit.normal_u_v
         besides = {"normal": normal, "uv": (u, v)} if met.tipo == "triangulo" else {"normal": normal}
         return met.name, self.hit.tfar, besides
@@ -72,8 +78,7 @@ class Scene:
 def scene_of(elements):
     scene = rtc.rtcNewScene(device)
     rtc.rtcSetSceneFlags(scene, ROBUST)
-    for element in elements:
-        handle = shape(element)
+    for handle in [one_mesh(elements)] if is_mesh else map(shape, elements):
         rtc.rtcAttachGeometry(scene, handle)
         rtc.rtcReleaseGeometry(handle)
     rtc.rtcCommitScene(scene)

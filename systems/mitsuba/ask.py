@@ -1,4 +1,4 @@
-"""Asks Mitsuba 3 by Scene.ray_intersect, in the variant that the first argument names."""
+"""Asks Mitsuba 3 by Scene.ray_intersect, in the variant that the first argument names; after `mesh` of one mesh."""
 
 import os
 import sys
@@ -19,11 +19,11 @@ def to_world(element):
     return mitsuba.ScalarTransform4f([[x[i], y[i], z[i], element.centro[i]] for i in range(3)] + [[0, 0, 0, 1]])
 
 
-def triangle(element):
-    mesh = mitsuba.Mesh(element.name, 3, 1)
+def mesh_of(name, points, faces):
+    mesh = mitsuba.Mesh(name, len(points), len(faces))
     parameters = mitsuba.traverse(mesh)
-    parameters["vertex_positions"] = [x for vertex in element.vertices for x in vertex]
-    parameters["faces"] = [0, 1, 2]
+    parameters["vertex_positions"] = [x for point in points for x in point]
+    parameters["faces"] = [i for face in faces for i in face]
     parameters.update()
     return mesh
 
@@ -36,7 +36,7 @@ def shape(element):
         return {"type": "cylinder", "radius": element.radio, **ends}
     if element.tipo == "disco":
         return {"type": "disk", "to_world": to_world(element)}
-    return triangle(element)
+    return mesh_of(element.name, element.vertices, [(0, 1, 2)])
 
 
 def claims_of_packet(scene, rays):
@@ -70,6 +70,16 @@ def load(elements):
     return protocol.each(first)
 
 
+def first_of_mesh(points, faces):
+    scene = mitsuba.load_dict({"type": "scene", "mesh": mesh_of("mesh", points, faces)})
+
+    def first(p, v):
+        hit = scene.ray_intersect(mitsuba.Ray3f(p, v))
+        return (hit.prim_index, hit.t, {"normal": hit.n}) if hit.is_valid() else None
+
+    return first
+
+
 def load_shadows(elements):
     scene = scene_of(elements)
 
@@ -81,4 +91,6 @@ def load_shadows(elements):
     return is_hit
 
 
-protocol.serve("Mitsuba", f"{mitsuba.__version__} {variant}", load, load_shadows)
+is_mesh = sys.argv[2:] == ["mesh"]
+protocol.serve("Mitsuba", f"{mitsuba.__version__} {variant}", protocol.rays_of_faces(first_of_mesh) if is_mesh else load,
+               load_shadows)

@@ -1,4 +1,5 @@
-"""Asks MuJoCo by mj_ray for the first geom of a scene whose geoms are all of the world body."""
+"""Asks MuJoCo by mj_ray for the first geom of a scene whose geoms are all of the world body; the argument `mesh` makes one
+geom of all triangles, of which it does not say which is met."""
 
 import math
 import os
@@ -31,9 +32,19 @@ def add(element, world):
                        quat=[w, x, y, z])
 
 
+def add_mesh(elements, spec):
+    points, faces = protocol.mesh(elements)
+    spec.add_mesh(name="mesh", uservert=[x for point in points for x in point], userface=[i for face in faces for i in face],
+                  inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL)
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname="mesh", contype=0, conaffinity=0)
+
+
 def load(elements):
+    is_mesh = sys.argv[1:] == ["mesh"]
     spec = mujoco.MjSpec()
-    for element in elements:
+    if is_mesh:
+        add_mesh(elements, spec)
+    for element in [] if is_mesh else elements:
         add(element, spec.worldbody)
     model = spec.compile()
     data = mujoco.MjData(model)
@@ -44,7 +55,7 @@ def load(elements):
         if math.hypot(*v) < mujoco.mjMINVAL:
             raise ValueError("mj_ray would end the process: vector length is too small")
         x = mujoco.mj_ray(model, data, numpy.array(p), numpy.array(v), None, True, -1, geom)
-        return (elements[geom[0]].name, x) if geom[0] >= 0 else None
+        return (None if is_mesh else elements[geom[0]].name, x) if geom[0] >= 0 else None
 
     return protocol.each(first)
 

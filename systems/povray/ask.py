@@ -1,7 +1,8 @@
 """Asks POV-Ray: a scene of its language a question, which traces each ray to each element and writes the points.
 
 str() writes digits behind the point, so points are scaled by a power of two first: what is written is exact to 1e-25 of
-the largest coordinate. Of several elements the one whose point is nearest is first.
+the largest coordinate. Of several elements the one whose point is nearest is first. The argument `mesh` makes one mesh of
+all triangles, of which it does not say which is met.
 """
 import math
 import os
@@ -53,6 +54,8 @@ def object_of(tipo, w):
         return "disc{%s,%s,%s}" % (c, d, w[6])
     if tipo == "triangulo":
         return "triangle{%s,%s,%s}" % (c, d, vector(w[6:9]))
+    if tipo == "mesh":
+        return "mesh{%s}" % " ".join(object_of("triangulo", w[i : i + 9]) for i in range(0, len(w), 9))
     distance = sum(float(w[i]) * float(w[3 + i]) for i in range(3))
     return "plane{%s,%r}" % (d, distance)
 
@@ -118,6 +121,8 @@ def answer_of(lines, elements, ray, scale):
 
 
 def answer(elements, rays):
+    if sys.argv[1:] == ["mesh"]:
+        elements = [("mesh", "-", [number for _, _, w in elements for number in w])]
     scale = scale_of(elements, rays)
     lines, error = run(elements, rays, scale)
     count = len(elements)

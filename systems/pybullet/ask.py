@@ -1,4 +1,5 @@
-"""Asks Bullet by pybullet's rayTest, of a segment that no element is beyond."""
+"""Asks Bullet by pybullet's rayTest, of a segment that no element is beyond; the argument `mesh` makes one body of all
+triangles, of which it does not say which is met."""
 
 import os
 import sys
@@ -12,11 +13,15 @@ import pybullet
 STATIC, UNSEEN = 0, -1
 
 
+def mesh(vertices, faces):
+    shape = pybullet.createCollisionShape(pybullet.GEOM_MESH, vertices=vertices, indices=[i for face in faces for i in face],
+                                          flags=pybullet.GEOM_FORCE_CONCAVE_TRIMESH)
+    return pybullet.createMultiBody(STATIC, shape)
+
+
 def body(element):
     if element.tipo == "triangulo":
-        shape = pybullet.createCollisionShape(pybullet.GEOM_MESH, vertices=element.vertices, indices=[0, 1, 2],
-                                              flags=pybullet.GEOM_FORCE_CONCAVE_TRIMESH)
-        return pybullet.createMultiBody(STATIC, shape)
+        return mesh(element.vertices, [(0, 1, 2)])
     if element.tipo == "esfera":
         shape = pybullet.createCollisionShape(pybullet.GEOM_SPHERE, radius=element.radio)
         return pybullet.createMultiBody(STATIC, shape, UNSEEN, element.centro)
@@ -33,7 +38,10 @@ def body(element):
 
 def load(elements):
     pybullet.resetSimulation()
-    names = {body(element): element.name for element in elements}
+    if sys.argv[1:] == ["mesh"]:
+        names = {mesh(*protocol.mesh(elements)): None}
+    else:
+        names = {body(element): element.name for element in elements}
 
     def first(p, v):
         f = protocol.segment(elements, p, v)
