@@ -109,8 +109,9 @@ class Asked {
     btCollisionWorld::ClosestRayResultCallback result(from, to);
     world_.rayTest(from, to, result);
     if (!result.hasHit()) return miss();
+    const btVector3& n = result.m_hitNormalWorld;
     hit(of_->elements[std::size_t(result.m_collisionObject->getUserIndex())].name,
-        double(result.m_closestHitFraction) * L);
+        double(result.m_closestHitFraction) * L, {n.x(), n.y(), n.z()});
   }
 
  private:

@@ -49,13 +49,15 @@ def load(elements):
     model = spec.compile()
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
-    geom = numpy.zeros(1, numpy.int32)
+    geom, normal = numpy.zeros(1, numpy.int32), numpy.zeros(3)
 
     def first(p, v):
         if math.hypot(*v) < mujoco.mjMINVAL:
             raise ValueError("mj_ray would end the process: vector length is too small")
-        x = mujoco.mj_ray(model, data, numpy.array(p), numpy.array(v), None, True, -1, geom)
-        return (None if is_mesh else elements[geom[0]].name, x) if geom[0] >= 0 else None
+        x = mujoco.mj_ray(model, data, numpy.array(p), numpy.array(v), None, True, -1, geom, normal)
+        if geom[0] < 0:
+            return None
+        return None if is_mesh else elements[geom[0]].name, x, {"normal": tuple(normal)}
 
     return protocol.each(first)
 

@@ -45,8 +45,8 @@ def load(elements):
 
     def first(p, v):
         f = protocol.segment(elements, p, v)
-        hit, _, fraction, *_ = pybullet.rayTest(p, [a + f * b for a, b in zip(p, v)])[0]
-        return (names[hit], f * fraction) if hit >= 0 else None
+        hit, _, fraction, _, normal = pybullet.rayTest(p, [a + f * b for a, b in zip(p, v)])[0]
+        return (names[hit], f * fraction, {"normal": normal}) if hit >= 0 else None
 
     return protocol.each(first)
 
