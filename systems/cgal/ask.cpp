@@ -18,7 +18,10 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 static Point point(const Vec& a) { return {a[0], a[1], a[2]}; }
-static Vec vec(const Point& a) { return {CGAL::to_double(a.x()), CGAL::to_double(a.y()), CGAL::to_double(a.z())}; }
+static Vec vec(const Point& a) {
+  return {CGAL::to_double(CGAL::exact(a.x())), CGAL::to_double(CGAL::exact(a.y())),
+          CGAL::to_double(CGAL::exact(a.z()))};
+}
 
 // A ray within the plane of a triangle meets a stretch of it.
 template <class Met>
