@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,9 +44,9 @@ class System:
         return says.removeprefix("system "), answer, "status %d, %s" % (ended.returncode, errors[0])
 
     def reproduce(self, program):
-        """What the program writes from what it got on."""
+        """What the program writes from what it got on, run where its packages are found: beside it."""
         with tempfile.TemporaryDirectory() as folder:
-            said = ""
+            program, said = shutil.copy(program, folder), ""
             for command in self.says["reproduce"]["run"]:
                 command = self.filled_in(command, program=program, built=folder + "/built")
                 ended = subprocess.run(command, capture_output=True, text=True, cwd=folder, timeout=120)
