@@ -19,6 +19,9 @@ FLOORS = {
     "occt": 0.9,
     "mujoco": 0.95,
     "mitsuba": 0.95,
+    "trimesh": 0.95,
+    "three-mesh-bvh": 0.95,
+    "cgal-epick": 0.95,
 }
 
 
