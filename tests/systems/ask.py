@@ -26,11 +26,12 @@ FLOORS = {
 
 
 def share_right(report):
-    """Of the generic family, among the rays that are judged."""
+    """Of the generic family, among the rays that are judged: a hit that is right, whatever normal it has."""
     family = next(f for f in json.loads(report.read_text())["families"] if f["family"] == "generic")
     verdicts = family["verdicts"]
     judged = sum(verdicts.values()) - verdicts["skipped"]
-    return (verdicts["exact"] + verdicts["right"]) / judged if judged else 0
+    right = sum(verdicts[name] for name in ("exact", "right", "wrong_normal", "wrong_uv"))
+    return right / judged if judged else 0
 
 
 def ask(durero, name, amount):
