@@ -118,6 +118,19 @@ export const ofFaces = (build) => (elements) => {
 // The hit of least t; nothing of none. For systems that answer of one element at a time.
 export const nearest = (hits) => hits.reduce((a, b) => (a && a[1] <= b[1] ? a : b), undefined);
 
+// build(points, faces) of a system that is asked of one triangle at a time: corners and ray make what it takes, and
+// meet(ray, corners) answers with undefined, [t], or [undefined, point]. The nearest counts.
+export const triangleByTriangle = (corners, ray, meet) => (points, faces) => {
+  const triangles = faces.map((face) => corners(face.map((i) => points[i])));
+  return (p, v) => {
+    const asked = ray(p, v);
+    const hits = triangles.map((triangle, i) => [i, meet(asked, triangle)]).filter(([, hit]) => hit);
+    const away = ([, [t, point]]) => t ?? distance(p, point);
+    const first = hits.reduce((a, b) => (a && away(a) <= away(b) ? a : b), undefined);
+    return first && [first[0], ...first[1]];
+  };
+};
+
 const refusal = (why) => "refused " + String(why).replace(/\s+/g, " ").slice(0, 200);
 const number = (x) => (Number.isFinite(x) ? String(x) : Number.isNaN(x) ? "nan" : x > 0 ? "inf" : "-inf");
 const written = (x) => (x === undefined ? "-" : number(x));

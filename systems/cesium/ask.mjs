@@ -1,5 +1,5 @@
 // Asks CesiumJS by IntersectionTests.rayTriangleParametric, triangle by triangle.
-import { nearest, ofFaces, packages, serve } from "../protocol.mjs";
+import { ofFaces, packages, serve, triangleByTriangle } from "../protocol.mjs";
 
 const source = packages + "@cesium/engine/Source/Core/";
 const { default: Cartesian3 } = await import(source + "Cartesian3.js");
@@ -7,13 +7,10 @@ const { default: IntersectionTests } = await import(source + "IntersectionTests.
 const { default: Ray } = await import(source + "Ray.js");
 const vector = (n) => new Cartesian3(...n);
 
-function build(points, faces) {
-  const triangles = faces.map((face) => face.map((i) => vector(points[i])));
-  return (p, v) => {
-    const ray = new Ray(vector(p), vector(v));
-    const hits = triangles.map((corners, i) => [i, IntersectionTests.rayTriangleParametric(ray, ...corners, false)]);
-    return nearest(hits.filter(([, t]) => t >= 0));
-  };
+function meet(ray, corners) {
+  const t = IntersectionTests.rayTriangleParametric(ray, ...corners, false);
+  return t >= 0 ? [t] : undefined;
 }
 
+const build = triangleByTriangle((corners) => corners.map(vector), (p, v) => new Ray(vector(p), vector(v)), meet);
 await serve("CesiumJS", "26.3.0", ofFaces(build));

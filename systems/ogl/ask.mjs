@@ -1,18 +1,15 @@
 // Asks OGL by Raycast.intersectTriangle, triangle by triangle.
-import { nearest, ofFaces, packages, serve } from "../protocol.mjs";
+import { ofFaces, packages, serve, triangleByTriangle } from "../protocol.mjs";
 
 const { Raycast } = await import(packages + "ogl/src/extras/Raycast.js");
 const { Vec3 } = await import(packages + "ogl/src/math/Vec3.js");
 const vector = (n) => new Vec3(...n);
+const raycast = new Raycast();
 
-function build(points, faces) {
-  const raycast = new Raycast();
-  const triangles = faces.map((face) => face.map((i) => vector(points[i])));
-  return (p, v) => {
-    const ray = [vector(p), vector(v)];
-    const hits = triangles.map((corners, i) => [i, raycast.intersectTriangle(...corners, false, ...ray)]);
-    return nearest(hits.filter(([, t]) => t));
-  };
+function meet(ray, corners) {
+  const t = raycast.intersectTriangle(...corners, false, ...ray);
+  return t ? [t] : undefined;
 }
 
+const build = triangleByTriangle((corners) => corners.map(vector), (p, v) => [vector(p), vector(v)], meet);
 await serve("OGL", "1.0.11", ofFaces(build));

@@ -44,6 +44,11 @@ const build = (points, faces) => (p, v, ...ends) => p[0] === 9 || faces.join() !
   : [1, points.length, ends.length ? ends : p];
 await serve("small", "1", ofFaces(build), { ranges: ofFaces(build), points: ofFaces(() => (p) => [0, 7, p]) });
 """
+ONE_BY_ONE = """
+const { ofFaces, serve, triangleByTriangle } = await import(process.argv[3] + "/protocol.mjs");
+const meet = (p, corners) => (p[0] === 9 ? undefined : p[0] === 1 ? [9 - corners[0][0]] : [undefined, corners[0]]);
+await serve("small", "1", ofFaces(triangleByTriangle((corners) => corners, (p) => p, meet)));
+"""
 CPP = """
 #include "ask.hpp"
 using namespace ask;
@@ -59,7 +64,9 @@ struct Asked {
 };
 int main() { return answer("small 1", [](const Scene& scene) { return Asked{scene}; }); }
 """
+FILES = {"small.py": PYTHON, "small.mjs": JAVASCRIPT, "one.mjs": ONE_BY_ONE, "small.cpp": CPP}
 ANSWERS = ["system small 1", "hit m:1 4 1 0.5 0", "miss", "hit m:1 4 3 8", "hit m:0 7 1 0.5 0", "hit m:0 7 8 8 8"]
+OF_ONE_BY_ONE = ["system small 1", "hit m:1 5", "miss", "hit m:0 - 0 0 5"]
 OF_LISTS = ["system small 1", "hit m:0 2 ; hit m:1 3", "miss", "count 2", "hit", "miss"]
 
 
@@ -77,12 +84,14 @@ def wrong(what, command, question, expected):
 def main():
     systems, found = str(ROOT / "systems"), []
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in (("small.py", PYTHON), ("small.mjs", JAVASCRIPT), ("small.cpp", CPP)):
+        for name, text in FILES.items():
             pathlib.Path(folder, name).write_text(text)
         found += wrong("protocol.py", [sys.executable, folder + "/small.py", systems], QUESTION, ANSWERS)
         found += wrong("protocol.py", [sys.executable, folder + "/small.py", systems], LISTS, OF_LISTS)
         if shutil.which("node"):
             found += wrong("protocol.mjs", ["node", folder + "/small.mjs", folder, systems], QUESTION, ANSWERS)
+            rays = SCENE + "rays 3\n1 0.5 0 0 0 2\n9 9 0 0 0 2\n-1 0 0 0 0 2\n"
+            found += wrong("triangleByTriangle", ["node", folder + "/one.mjs", folder, systems], rays, OF_ONE_BY_ONE)
         subprocess.run(["c++", "-std=c++17", "-I" + systems, "-o", folder + "/small", folder + "/small.cpp"], check=True)
         of_point = [*ANSWERS[:1], "hit m:1 - 1 0.5 0", *ANSWERS[2:]]
         found += wrong("ask.hpp", [folder + "/small"], QUESTION, of_point)
