@@ -3,6 +3,7 @@
 It answers `miss` to a ray with px < 0 and `hit - PX` to others, so that each answer tells which ray it is of.
 The x of a ray also says what the system does there: 1000 + n crashes, 2000 + n hangs.
 """
+import fcntl
 import os
 import signal
 import sys
@@ -36,6 +37,8 @@ if how == "complains":
 if how == "preamble":
     say(["loaded in 3 ms", "", "systemic warning"])
 say(["system fake 1.0 %s" % (os.getcwd() if how == "where" else how)])
+if how == "long":  # a pipe has room for the whole line, so that its rest is there when its beginning is read
+    fcntl.fcntl(1, 1031, 1 << 20)  # F_SETPIPE_SZ
 if how == "closes":
     os.close(1)
     time.sleep(60)

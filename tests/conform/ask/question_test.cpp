@@ -276,6 +276,9 @@ TEST_CASE("a question about all hits is answered by a list, and one about their 
   for (const char* bad : {"hit e0 4 ;", "hit e0 4 ; miss", "hit e0 4 ; e0 5", "; hit e0 4", "hit e0 4 ; hit e99 5",
                           "hit e0 4; hit e0 5", "count 2", "hit"})
     CHECK(read(bad).outcome == Outcome::unanswered);
+  CHECK(read("hit e0 4 ; hit e5 5").outcome == Outcome::hit);
+  for (const char* of_disc : {"hit e5 4 ; hit e0 5", "hit e0 4 ; hit e5 5", "hit e0 4 ; hit e1 5 ; hit e6 6"})
+    CHECK(read_answer(of_disc, of, Caps::solid).why.ends_with("the question has no such element"));
   of.question = QuestionKind::count;
   CHECK(question(of, Caps::open).find("\ncounts 2\n") != std::string::npos);
   CHECK(read("count 2") == Claim{.outcome = Outcome::hit, .count = 2});

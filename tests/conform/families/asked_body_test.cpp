@@ -67,6 +67,8 @@ TEST_CASE("sides that do not span space, or are no numbers, make no body") {
 
 TEST_CASE("a length is right however large the numbers are") {
   CHECK(length_of({3, 4, 0}) == 5);
+  CHECK(length_of({2, -3, 6}) == 7);
+  CHECK(length_of({0, 0, -7}) == 7);
   CHECK(length_of({3 * 0x1p1000, 4 * 0x1p1000, 0}) == 5 * 0x1p1000);
   CHECK(length_of({3 * 0x1p-1070, 4 * 0x1p-1070, 0}) == 5 * 0x1p-1070);
   CHECK(length_of({0, 0, 0}) == 0);

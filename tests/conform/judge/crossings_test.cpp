@@ -245,6 +245,19 @@ TEST_CASE("a tangent is a hit, two, or none") {
   CHECK(verdict(beside, of_ball({4})) != Verdict::exact);
 }
 
+TEST_CASE("a hit finds room at its own crossing alone, where another may be missed by a rim") {
+  const scene::Cylinder open{glm::dvec3(0, 0, 0), 1, glm::dvec3(0, 0, 1), 2};
+  const scene::ElementRef wall{scene::Cylinder::tipo, 0};
+  const SuiteCase leaves = asked(test::drafted({{"e0", open}}, {0, -3, 0}, {0, 2, 1}), QuestionKind::all);
+  CHECK(verdict(leaves, claim_of({{wall, 1}, {wall, 2}})) == Verdict::exact);
+  CHECK(verdict(leaves, claim_of({{wall, 1}})) == Verdict::right);
+  CHECK(verdict(leaves, claim_of({{wall, 1}, {wall, 1}})) == Verdict::doubled);
+  const SuiteCase enters = asked(test::drafted({{"e0", open}}, {0, -3, 3}, {0, 2, -1}), QuestionKind::all);
+  CHECK(verdict(enters, claim_of({{wall, 1}, {wall, 2}})) == Verdict::exact);
+  CHECK(verdict(enters, claim_of({{wall, 2}})) == Verdict::right);
+  CHECK(verdict(enters, claim_of({{wall, 2}, {wall, 2}})) == Verdict::doubled);
+}
+
 TEST_CASE("hits of several elements at one t are all there, in any order") {
   const scene::ElementRef second{scene::Sphere::tipo, 1};
   const SuiteCase two = asked(
