@@ -7,8 +7,8 @@
 
 #include <cstdlib>
 #include <functional>
-#include <set>
 
+#include "drawn_profile.hpp"
 #include "durero/conform/judge/judge.hpp"
 #include "durero/conform/report/report.hpp"
 #include "durero/conform/report/tally.hpp"
@@ -22,76 +22,6 @@ using namespace durero::conform;
 using namespace durero::test;
 
 namespace {
-
-/// A number of some kind, or its neighbour in one of the formats.
-double near(Random& random, double x) {
-  const double to = random.sign() * std::numeric_limits<double>::infinity();
-  switch (random.below(4)) {
-    case 0:
-      return x;
-    case 1:
-      return std::nextafter(x, to);
-    case 2:
-      return static_cast<double>(std::nextafter(static_cast<float>(x), static_cast<float>(to)));
-    default:
-      return x * (1 + random.signed_power(-52, -1));
-  }
-}
-
-/// The sizes and coordinates of the elements.
-std::vector<double> sizes(const SuiteCase& of) {
-  std::vector<double> all;
-  for (const NamedBody& body : of.bodies) all.insert(all.end(), {longest(body.body), length_of(body.body.sides[0])});
-  if (!all.empty()) return all;
-  of.the_case.scene.for_each([&](scene::ElementRef, const auto& shape) {
-    all.push_back(longest(shape));
-    if constexpr (requires { shape.radio; }) all.push_back(shape.radio);
-  });
-  return all;
-}
-
-std::vector<model::Tipo> tipos_of(const scene::Scene& scene, bool all) {
-  std::set<model::Tipo> tipos;
-  for (std::size_t i = 0; i < model::tipo_count && all; ++i) tipos.insert(static_cast<model::Tipo>(i));
-  scene.for_each([&](scene::ElementRef e, const auto&) { tipos.insert(e.tipo); });
-  return {tipos.begin(), tipos.end()};
-}
-
-std::vector<BodyKind> bodies_of(const SuiteCase& of, bool all) {
-  std::set<BodyKind> kinds;
-  for (std::size_t i = 0; i < body_count && all; ++i) kinds.insert(static_cast<BodyKind>(i));
-  for (const NamedBody& body : of.bodies) kinds.insert(body.body.kind);
-  return {kinds.begin(), kinds.end()};
-}
-
-/// Each clause of a profile is drawn, but for the limits on the distance.
-Profile drawn_profile(Random& random, const SuiteCase& of) {
-  const scene::Scene& scene = of.the_case.scene;
-  const std::vector<double> lengths = sizes(of);
-  Profile profile{.system = "right"};
-  profile.format = static_cast<NumberFormat>(random.below(2));
-  profile.tipos = tipos_of(scene, random.chance(1, 2));
-  profile.bodies = bodies_of(of, random.chance(1, 2));
-  profile.caps = random.chance(7, 8) == !of.solids.empty() ? Caps::solid : Caps::open;
-  profile.measure = static_cast<Measure>(random.below(3));
-  profile.directions = static_cast<Directions>(random.below(3));
-  profile.inside = static_cast<Inside>(random.below(4));
-  const double length = random.any_of(lengths);
-  if (random.chance(1, 4)) profile.error = std::ldexp(1, random.integer(5, 12));
-  profile.half_spaces = random.chance(1, 4);
-  profile.back_faces = static_cast<BackFaces>(random.chance(1, 4));
-  if (random.chance(1, 4)) profile.thickness = std::ldexp(length, -random.integer(8, 40));
-  if (random.chance(1, 10)) profile.least_size = near(random, random.any_of(lengths));
-  if (random.chance(1, 10)) profile.greatest_size = near(random, random.any_of(lengths));
-  if (random.chance(1, 10)) profile.greatest_coordinate = near(random, random.any_of(lengths));
-  profile.names_elements = random.chance(5, 6);
-  profile.watertight = random.chance(1, 2);
-  profile.normal = static_cast<NormalSide>(random.below(normal_words.size()));
-  profile.normal_length = static_cast<NormalLength>(random.below(2));
-  profile.faces = random.chance(1, 2);
-  profile.uv = random.chance(1, 2);
-  return profile;
-}
 
 RightTracer drawn_tracer(Random& random, const SuiteCase& of) {
   RightTracer tracer{.profile = drawn_profile(random, of)};
@@ -117,7 +47,7 @@ void draw_limits(Random& random, RightTracer& tracer, const std::vector<Met>& al
   for (const Met& met : all) numbers.push_back(distance(tracer, met));
   if (truth.hit.resultado == model::Resultado::hit) numbers.push_back(truth.hit.t);
   for (const scene::Hit& hit : truth.permissible) numbers.push_back(hit.t);
-  const auto limit = [&] { return std::abs(near(random, random.any_of(numbers))); };
+  const auto limit = [&] { return std::abs(near_number(random, random.any_of(numbers))); };
   if (random.chance(1, 3)) tracer.profile.least_t = limit();
   if (random.chance(1, 2)) tracer.profile.greatest_t = limit();
   if (tracer.profile.least_t > tracer.profile.greatest_t) std::swap(tracer.profile.least_t, tracer.profile.greatest_t);
@@ -198,7 +128,7 @@ std::optional<Claim> nudged(Random& random, const RightTracer& tracer, const Sui
 
 /// The end of a shadow ray at or beside a t, or anywhere, as the tracer is asked about it.
 double drawn_end(Random& random, double t) {
-  const double end = random.chance(1, 8) ? std::abs(random.number(-30, 30)) : std::abs(near(random, t));
+  const double end = random.chance(1, 8) ? std::abs(random.number(-30, 30)) : std::abs(near_number(random, t));
   return end > 0 && std::isfinite(end) ? end : 1;
 }
 
@@ -221,7 +151,7 @@ std::optional<Claim> shadow_claim(const RightTracer& tracer, const Claim& first,
 AskedRange drawn_range(Random& random, const std::vector<Met>& all) {
   const auto end = [&] {
     const bool is_beside = !all.empty() && random.chance(7, 8);
-    const double t = is_beside ? near(random, random.any_of(all).parameter()) : random.number(-30, 30);
+    const double t = is_beside ? near_number(random, random.any_of(all).parameter()) : random.number(-30, 30);
     return std::isfinite(t) ? std::abs(t) : 1;
   };
   const double begin = random.chance(1, 4) ? 0 : end();

@@ -131,13 +131,34 @@ bool may_be_foot(const Shape&, const Vec&, const Vec&, const Allowance&) {
 }
 /// @}
 
-/// The most that the nearest element of the truth may be away; nothing where it may be any way.
-std::optional<Dyadic> most_of_truth(const ClaimContext& trial) {
+/// The distances that the nearest element of the truth may have.
+struct TruthDistances {
+  Dyadic least, most;
+};
+
+/// Nothing where it may have any.
+std::optional<TruthDistances> distances_of_truth(const ClaimContext& trial) {
   const scene::Hit& truth = trial.truth.hit;
   if (!std::isfinite(truth.t)) return std::nullopt;
-  std::optional<Dyadic> most = error_of_distance(trial, truth.elementos.front(), truth.t);
-  if (most) *most += Dyadic(truth.t);
-  return most;
+  const std::optional<Dyadic> error = error_of_distance(trial, truth.elementos.front(), truth.t);
+  if (!error) return std::nullopt;
+  return TruthDistances{Dyadic(truth.t) - *error, Dyadic(truth.t) + *error};
+}
+
+/// Whether the nearest element may be nearer than the least distance at which the system sees something. Inside a solid
+/// that it answers the point itself of it is.
+bool may_be_too_near(const ClaimContext& trial, const std::optional<TruthDistances>& truth) {
+  const double least = trial.profile.least_t;
+  if (least == 0) return false;
+  const bool is_inside = trial.profile.inside == Inside::origin && !trial.solids_around_origin().empty();
+  return is_inside || !truth || truth->least < Dyadic(least);
+}
+
+/// Whether the system may see nothing: the nearest element may be beyond one of its limits.
+bool may_see_nothing(const ClaimContext& trial) {
+  const std::optional<TruthDistances> truth = distances_of_truth(trial);
+  const double greatest = trial.profile.greatest_t;
+  return may_be_too_near(trial, truth) || (std::isfinite(greatest) && (!truth || truth->most > Dyadic(greatest)));
 }
 
 /// Whether the claimed point may be the nearest of the element, whose distance is that up to an error.
@@ -162,20 +183,21 @@ bool may_be_nearest_of(const ClaimContext& trial, ElementRef element, const Clai
   if (claimed.distance && !is_within(*claimed.distance, exact, *error)) return false;
   if (claimed.point) return may_be_point_of(trial, element, claimed, exact, *error);
   if (claimed.distance) return true;
-  const std::optional<Dyadic> most = most_of_truth(trial);
-  return !most || Dyadic(exact) - *error <= *most;
+  const std::optional<TruthDistances> truth = distances_of_truth(trial);
+  return !truth || may_be_too_near(trial, truth) || Dyadic(exact) - *error <= truth->most;
 }
 
-/// Whether the claim is no farther than the nearest element of the truth, up to what data move it.
+/// Whether the claim is no farther than the nearest element of the truth, up to what data move it, or that may be too
+/// near to be seen.
 bool is_near_enough(const ClaimContext& trial, const ClaimedNearest& claimed) {
-  const std::optional<Dyadic> most = most_of_truth(trial);
-  if (!most) return true;
-  if (claimed.distance) return Dyadic(*claimed.distance) <= *most;
+  const std::optional<TruthDistances> truth = distances_of_truth(trial);
+  if (!truth || may_be_too_near(trial, truth)) return true;
+  if (claimed.distance) return Dyadic(*claimed.distance) <= truth->most;
   if (!claimed.point) return true;
   const ClaimedPoint where = place_of_nearest(claimed);
   const ElementRef nearest = trial.truth.hit.elementos.front();
   const Dyadic slack = number::shifted(delta(trial.elements(), nearest, where, trial.ray.rayo, trial.precision()), 1);
-  return squared_length(between(vec(claimed.asked), where.punto)) <= square(*most + slack);
+  return squared_length(between(vec(claimed.asked), where.punto)) <= square(truth->most + slack);
 }
 
 /// The elements that the claim may name, of which an unnamed point lies on some, and an unnamed distance is that of the
@@ -243,7 +265,8 @@ bool is_exact_nearest(const ClaimContext& trial, const Claim& claim) {
 }  // namespace
 
 ClaimJudgement judgement_of_closest(const ClaimContext& trial, const Claim& claim) {
-  if (claim.outcome == Claim::Outcome::miss) return {.verdict = Verdict::missed};
+  if (claim.outcome == Claim::Outcome::miss)
+    return {.verdict = may_see_nothing(trial) ? Verdict::right : Verdict::missed};
   if ((claim.t && !std::isfinite(*claim.t)) || (claim.punto && !is_of_numbers(*claim.punto)))
     return {.verdict = Verdict::non_finite};
   if (is_exact_nearest(trial, claim)) return {.verdict = Verdict::exact};

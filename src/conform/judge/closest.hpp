@@ -10,7 +10,8 @@
 /// rounding: by 1.84·δ together. The distance itself is rounded, to δ/16. Each point of a moved element is within h·δ
 /// of a point of the element, and the other way round, so that distances move by (h + √3 + 1/8)·δ, less than (h + 2)·δ,
 /// roundings of the program's own distance included; for a plane, which has no such h, this is the error of the
-/// distance. h is derived beside each shape.
+/// distance. h is derived beside each shape. A limit of the profile is compared with the distance that the system
+/// computes, and rounded to its format by δ/16 where the two are near one another, for which (h + 2)·δ has room, too.
 
 #include "conform/judge/trial.hpp"
 #include "durero/conform/judge/verdict.hpp"

@@ -217,6 +217,33 @@ TEST_CASE("inside a solid a system may answer the point itself, where it says so
   CHECK(is_failure(verdict(ball({0, 0, 0}), nearest(0, {0, 0, 0}), profile)));
 }
 
+TEST_CASE("what may be beyond a limit of the profile need not be found") {
+  Profile profile = test::profile_of_all();
+  profile.greatest_t = 3;
+  CHECK(verdict(ball({0, 0, 0}), test::miss(), profile) == Verdict::right);
+  CHECK(verdict(ball({0, 0, 0}), nearest(3, {0, 0, 3}), profile) == Verdict::exact);
+  profile.greatest_t = 3.0000001;
+  CHECK(verdict(ball({0, 0, 0}), test::miss(), profile) == Verdict::missed);
+  profile.greatest_t = std::numeric_limits<double>::infinity();
+  const scene::ElementRef second{scene::Sphere::tipo, 1};
+  const SuiteCase two =
+      near({{"e0", scene::Sphere{glm::dvec3(0, 0, 4), 1}}, {"e1", scene::Sphere{glm::dvec3(0, 0, -9), 1}}}, {0, 0, 0});
+  profile.least_t = 3;
+  CHECK(verdict(two, nearest(8, {0, 0, -8}, second), profile) == Verdict::right);
+  CHECK(verdict(two, test::miss(), profile) == Verdict::right);
+  Claim alone{.outcome = Outcome::hit, .element = second};
+  CHECK(verdict(two, alone, profile) == Verdict::right);
+  profile.least_t = 2.9999999;
+  CHECK(verdict(two, nearest(8, {0, 0, -8}, second), profile) == Verdict::wrong_element);
+  CHECK(verdict(two, test::miss(), profile) == Verdict::missed);
+  CHECK(verdict(two, alone, profile) == Verdict::wrong_element);
+  profile.inside = Inside::origin;
+  profile.least_t = 0.25;
+  CHECK(verdict(ball({0, 0, 4.5}), test::miss(), profile) == Verdict::right);
+  profile.inside = Inside::exit_point;
+  CHECK(verdict(ball({0, 0, 4.5}), test::miss(), profile) == Verdict::missed);
+}
+
 TEST_CASE("a question for nearest points has the points alone, and its rays go to the nearest") {
   const SuiteCase of = test::asked_cases(*find_family("generic"), QuestionKind::closest, NumberFormat::binary32, 1)[0];
   for (std::size_t i = 0; i < of.truths.size(); ++i) {
