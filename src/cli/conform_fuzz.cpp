@@ -26,6 +26,7 @@ using namespace conform;
 struct ConformFuzzOptions {
   SystemCall system;
   SuiteCall suite{.faces = fuzzed_faces};
+  std::string report;
   std::uint64_t steps = 0;
   double minutes = 1;
   double time = 10;
@@ -54,22 +55,31 @@ Fuzzing search(const ConformFuzzOptions& options, const System& system, const As
   return fuzz(fuzzing, system.profile, counted(ask, progress), goes_on);
 }
 
+/// The folder of the system's name in that of the option; empty without one.
+std::string folder_of(const ConformFuzzOptions& options, const System& system) {
+  return options.report.empty() ? "" : fmt::format("{}/{}", options.report, system.name);
+}
+
 int run(const ConformFuzzOptions& options) {
   const System system = system_of(options.system);
   require_present(system);
-  const Ask ask = asking(system, {.time = std::chrono::duration<double>(options.time)}, interrupted());
-  const Fuzzing found = search(options, system, ask);
-  const bool is_stopped = interrupted();
-  FuzzedCauses causes;
-  if (is_stopped) {
-    causes = guessed_causes(found, system.profile);
+  const std::string folder = folder_of(options, system);
+  if (!folder.empty()) require_room_for_reports(folder);
+  FuzzReport report{.title = system.title, .seed = options.suite.seed, .profile = system.profile};
+  const AskOptions asked{.time = std::chrono::duration<double>(options.time)};
+  const Ask ask = asking(system, asked, interrupted(), &report.version);
+  report.fuzzing = search(options, system, ask);
+  report.is_stopped = interrupted();
+  report.call = call_again(options, report.fuzzing.steps);
+  if (report.is_stopped) {
+    report.causes = guessed_causes(report.fuzzing, system.profile);
   } else {
     Progress progress(options.quiet, system.name + ": minimising", "questions");
-    causes = fuzzed_causes(found, system.profile, counted(ask, progress), {});
+    report.causes = fuzzed_causes(report.fuzzing, system.profile, counted(ask, progress), {});
   }
-  io::print(fmt::format("{}{}", is_stopped ? "stopped, so that nothing is made small: " : "",
-                        fuzz_text(found, causes, system.profile, call_again(options, found.steps))));
-  return found.failures > 0 ? 1 : 0;
+  io::print(fuzz_text(report));
+  if (!folder.empty()) write_fuzz_report(folder, report);
+  return report.fuzzing.failures > 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -88,13 +98,15 @@ void add_conform_fuzz(CLI::App& conform, int& status) {
   command->add_option("--timeout", options->time, "Seconds that a ray may take")
       ->check(number(0.001, 86400))
       ->capture_default_str();
+  command->add_option("--report", options->report,
+                      "The folder for what is found, in a folder of the system's name: search.json and search.html");
   add_quiet(*command, options->quiet);
   command->footer(
       "Questions of the families are changed at random, again and again, towards new places and larger errors. The\n"
       "seed and the steps find the same again. An interrupt ends the search and keeps what was found.\n\n" +
       exit_status("the system was right about all", "it was not", "the system is absent, or the call is bad") +
       examples({"conform fuzz embree --minutes 5",
-                "conform fuzz 'command:./my-tracer' --profile my-profile.json --steps 20000"}));
+                "conform fuzz 'command:./my-tracer' --profile my-profile.json --steps 20000 --report found"}));
   command->callback([options, minutes, &status] {
     options->has_minutes = minutes->count() > 0;
     status = run(*options);

@@ -36,6 +36,21 @@ has out ' --seed 2 --steps 400 --family rim,tiny --faces 80 --numbers binary64'
 checks=$((checks + 1))
 if cmp -s one out; then fail 'another seed found the same'; fi
 
+# A report is a page and JSON in a folder of the system's name.
+run 1 conform fuzz 'command:python3 ask.py' --profile blind.json --steps 400 --report found
+same one out
+has found/python3-ask.py/search.json '"system":"blind","title":"python3 ask.py","system_version":"Blind 1.0"'
+has found/python3-ask.py/search.json '"call":"durero conform fuzz '
+has found/python3-ask.py/search.json '"steps":400,'
+has found/python3-ask.py/search.html '<h1>python3 ask.py</h1>'
+has found/python3-ask.py/search.html ' --seed 1 --steps 400</pre>'
+has found/python3-ask.py/search.html '<h3>The cause is not known: esfera</h3>'
+: >file
+refused 'file/durero: cannot be made' conform fuzz durero --steps 10 --report file
+run 0 conform fuzz durero --steps 100 --report right
+has right/durero/search.html ': 0 wrong. durero 0.1.0 '
+has right/durero/search.json '"causes":[]'
+
 # A right system is found right, in a number of steps or in a time.
 run 0 conform fuzz durero-exact --steps 2000
 has out '2000 questions, '
@@ -47,7 +62,7 @@ checks=$((checks + 1))
 if grep -q 'steps 1000000000$' out; then fail 'the time did not end it'; fi
 
 # An interrupt ends the search and keeps what was found.
-"$durero" conform fuzz 'command:exec python3 ask.py' --profile blind.json --minutes 5 >out 2>err &
+"$durero" conform fuzz 'command:exec python3 ask.py' --profile blind.json --minutes 5 --report stopped >out 2>err &
 asked=$!
 sleep 2
 kill -INT $asked
@@ -57,6 +72,7 @@ called='an interrupted search'
 checks=$((checks + 1))
 [ "$got" = 1 ] || fail "$called: status $got, expected 1"
 has out 'stopped, so that nothing is made small: '
+has stopped/exec-python3-ask.py/search.json '"stopped":true'
 has out 'the same again: '
 has out '    missed: expected '
 refused 'no family has a scene of these types of elements' conform fuzz 'command:python3 ask.py' --profile blind.json --family apex --steps 10

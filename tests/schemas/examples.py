@@ -118,6 +118,11 @@ def check_conform():
     for path in [*pathlib.Path(".").glob("found/*/report.*"), *pathlib.Path("judged").glob("report.*")]:
         if path.suffix in (".json", ".sarif"):
             check("report" if path.suffix == ".json" else "sarif", path.read_text(), path)
+    run("conform", "fuzz", f"command:{sys.executable} wrong.py", "--profile", "durero", "--family", "generic", "--steps", 200,
+        "--report", "searched", status=1)
+    run("conform", "fuzz", "durero", "--family", "generic", "--steps", 20, "--report", "searched")
+    for path in pathlib.Path("searched").glob("*/search.json"):
+        check("search", path.read_text(), path)
     campaign = {"format": "durero-campaign", "version": 1, "system": "durero", "seed": 1, "rays_of_a_shard": 128,
                 "shards": 2, "families": ["inside", "rim"], "types": ["esfera"], "time": 5, "numbers": "binary64"}
     pathlib.Path("campaign.json").write_text(json.dumps(campaign))

@@ -171,12 +171,13 @@ RunEnd run_system(const System& system, const RunCases& cases, const RunOptions&
   return Run(system, cases, options, sink).finish(stop);
 }
 
-Ask asking(const System& system, const AskOptions& options, const std::atomic<bool>& stop) {
+Ask asking(const System& system, const AskOptions& options, const std::atomic<bool>& stop, std::string* says) {
   const auto asker = std::make_shared<Asker>(system, options, stop);
-  return [asker](const SuiteCase& of) {
+  return [asker, says](const SuiteCase& of) {
     constexpr std::array<std::size_t, 1> only{0};
     Claim claim;
     asker->ask(of, only, {&claim, 1});
+    if (says != nullptr) *says = asker->says();
     return claim;
   };
 }

@@ -1,8 +1,5 @@
 #include "durero/conform/report/fuzz_report.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -69,16 +66,6 @@ class FuzzedCauseCount {
   std::map<std::string, int> reduced_;
 };
 
-std::string fuzzed_cause_text(const FuzzedCause& cause, const Profile& profile) {
-  std::vector<std::string> verdicts;
-  for (const Verdict verdict : cause.verdicts) verdicts.push_back(verdict_words(verdict));
-  std::string text = fmt::format("\n{}\n  {} failure{}: {}; here question {}", cause.title, cause.alike,
-                                 cause.alike == 1 ? "" : "s", fmt::join(verdicts, ", "), cause.step);
-  const std::string_view cure = remedy(cause.trait);
-  if (!cure.empty()) text += fmt::format("; right {}", cure);
-  return text + "\n" + indented(least_text(cause.least, profile), "    ");
-}
-
 }  // namespace
 
 FuzzedCauses fuzzed_causes(const Fuzzing& fuzzing, const Profile& profile, const Ask& ask, const LeastLimits& limits) {
@@ -107,20 +94,6 @@ FuzzedCauses guessed_causes(const Fuzzing& fuzzing, const Profile& profile) {
     count.add(*kind, likely_cause(kind->finding, profile),
               [](const Finding& finding) { return LeastFinding{finding}; });
   return std::move(count).result(0);
-}
-
-std::string fuzz_text(const Fuzzing& fuzzing, const FuzzedCauses& causes, const Profile& profile,
-                      const std::string& call) {
-  std::string text =
-      fmt::format("{} questions, {} of them asked: {} wrong", fuzzing.steps, fuzzing.asked, fuzzing.failures);
-  if (fuzzing.failures > 0)
-    text += fmt::format(" in {} kinds, {} cause{}", fuzzing.failing.size(), causes.all.size(),
-                        causes.all.size() == 1 ? "" : "s");
-  text += fmt::format("\nthe same again: {}\n", call);
-  for (const FuzzedCause& cause : causes.all) text += fuzzed_cause_text(cause, profile);
-  if (causes.left_out > 0)
-    text += fmt::format("\n{} kinds were not examined: their number or the time was over\n", causes.left_out);
-  return text;
 }
 
 }  // namespace durero::conform

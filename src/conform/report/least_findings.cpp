@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
+#include "conform/ask/words.hpp"
 #include "conform/report/report_parts.hpp"
 #include "durero/conform/judge/minimise.hpp"
 #include "durero/conform/report/explanation.hpp"
@@ -62,8 +64,10 @@ void minimise_findings(Report& report, const Ask& ask, const LeastLimits& limits
 std::string in_hexadecimal(const std::string& question) {
   std::string text;
   std::istringstream lines(question);
-  for (std::string line; std::getline(lines, line);)
-    text += (line.starts_with("rays ") ? line : hexadecimal_line(line)) + "\n";
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_head = std::ranges::find(heads_of_rays, line.substr(0, line.find(' '))) != heads_of_rays.end();
+    text += (is_head ? line : hexadecimal_line(line)) + "\n";
+  }
   return text;
 }
 

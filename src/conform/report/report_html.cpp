@@ -2,38 +2,12 @@
 
 #include <cmath>
 
+#include "conform/report/html_parts.hpp"
 #include "conform/report/picture.hpp"
 #include "conform/report/report_parts.hpp"
 
 namespace durero::conform {
-
-std::string_view colour(Verdict verdict) {
-  if (is_gross(verdict)) return "#c62828";
-  if (verdict == Verdict::off) return "#ef6c00";
-  return verdict == Verdict::skipped ? "#9e9e9e" : "#2e7d32";
-}
-
 namespace {
-
-constexpr std::string_view style = R"(
-:root { color-scheme: light dark; font: 15px/1.5 system-ui, sans-serif; }
-body { max-width: 70rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: anywhere; }
-.wide { overflow-x: auto; } .wide th, .wide td { overflow-wrap: normal; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .15rem .6rem; text-align: right; border-bottom: 1px solid #8884; }
-th:first-child, td:first-child { text-align: left; }
-td.bad { color: #c62828; font-weight: 600; } td.off { color: #ef6c00; } td.zero { color: #8888; }
-pre { background: #8881; padding: .6rem; overflow-x: auto; font-size: 13px; }
-figure { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; width: 30rem; max-width: 100%; }
-figcaption { font-size: 13px; opacity: .75; }
-svg { width: 100%; background: #8881; } svg text { font-size: 11px; fill: currentColor; }
-.grid { stroke: #8884; } .element { fill: none; stroke: currentColor; stroke-opacity: .3; stroke-width: .7; }
-.ray { stroke-width: 1; }
-.cause { border-left: .25rem solid #c62828; padding-left: 1rem; margin: 2rem 0; } .cause h3 { margin: 0; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: .1rem 1rem; margin: .5rem 0; } dd { margin: 0; }
-@media (max-width: 40rem) { dl { display: block; } dt { font-weight: 600; } h1 { font-size: 1.4rem; } }
-summary { font-weight: 600; cursor: pointer; margin: .3rem 0; } .less { font-size: 13px; opacity: .8; }
-)";
 
 std::string cell(const FamilyTally& family, Verdict verdict) {
   const std::uint64_t count = family.of(verdict);
@@ -84,10 +58,6 @@ std::string causes_html(const Report& report) {
   return html;
 }
 
-std::string figure(const std::string& svg, const std::string& caption) {
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", svg, as_markup(caption));
-}
-
 std::string finding_html(const Report& report, const Finding& finding) {
   const ClaimJudgement& is = finding.judgement;
   std::string html =
@@ -119,20 +89,6 @@ std::string family_html(const Report& report, const FamilyTally& family) {
   return html;
 }
 
-std::string profile_html(const Profile& profile) {
-  std::string html = "<h2>The profile that was judged by</h2>\n<div class=\"wide\"><table>\n";
-  for (const ProfileLine& line : profile_lines(profile)) {
-    std::string why;
-    for (const Citation& source : profile.sources) {
-      if (source.claim != line.claim) continue;
-      why += fmt::format("<q>{}</q> ({}) ", as_markup(source.sentence), as_markup(source.place));
-    }
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td style=\"text-align:left\">{}</td></tr>\n", line.claim,
-                        as_markup(line.value), why);
-  }
-  return html + "</table></div>\n";
-}
-
 std::string skipped_html(const Tally& tally) {
   std::string html;
   for (const FamilyTally& family : tally.families()) {
@@ -146,15 +102,10 @@ std::string skipped_html(const Tally& tally) {
 }  // namespace
 
 std::string report_html(const Report& report) {
-  const std::string title = as_markup(report.title);
-  std::string html = fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>{0}: hits against the exact "
-      "answer</title>\n<meta name=\"viewport\" "
-      "content=\"width=device-width\"><style>{1}</style></head>\n<body>\n<h1>{0}</h1>\n<p>{2} rays: {3} gross, {4} "
-      "off, {5} skipped. "
-      "{6}</p>\n",
-      title, style, report.tally.rays(), report.tally.gross(), report.tally.of(Verdict::off),
-      report.tally.of(Verdict::skipped), as_markup(report.version));
+  std::string html =
+      page_head(report.title, "hits against the exact answer") +
+      fmt::format("<p>{} rays: {} gross, {} off, {} skipped. {}</p>\n", report.tally.rays(), report.tally.gross(),
+                  report.tally.of(Verdict::off), report.tally.of(Verdict::skipped), as_markup(report.version));
   html += causes_html(report) + "<h2>Verdicts</h2>\n" + table_html(report.tally);
   if (const std::string unasked = unasked_words(report); !unasked.empty())
     html += fmt::format("<p>{}.</p>\n", as_markup(unasked));
@@ -168,7 +119,7 @@ std::string report_html(const Report& report) {
   }
   if (const std::string left_out = left_out_words(report); !left_out.empty())
     html += fmt::format("<p>{}.</p>\n", as_markup(left_out));
-  return html + profile_html(report.profile) + skipped_html(report.tally) + "</body>\n</html>\n";
+  return html + profile_html(report.profile) + skipped_html(report.tally) + std::string(page_foot);
 }
 
 }  // namespace durero::conform

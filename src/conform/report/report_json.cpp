@@ -1,17 +1,9 @@
-#include <array>
-#include <cmath>
-
+#include "conform/report/json_parts.hpp"
 #include "conform/report/report_parts.hpp"
-#include "durero/conform/ask/question.hpp"
 #include "durero/conform/format_versions.hpp"
-#include "durero/conform/report/explanation.hpp"
-#include "durero/conform/report/least_findings.hpp"
-#include "durero/io/json/json_writer.hpp"
 
 namespace durero::conform {
 namespace {
-
-using io::json::Writer;
 
 void write_suite(Writer& out, const SuiteOptions& options) {
   out.key("suite").begin_object().member("version", suite_version).member("seed", options.seed);
@@ -23,44 +15,10 @@ void write_suite(Writer& out, const SuiteOptions& options) {
   out.end_object();
 }
 
-void write_profile(Writer& out, const Profile& profile) {
-  out.key("profile").begin_object();
-  for (const ProfileLine& line : profile_lines(profile)) out.member(line.claim, line.value);
-  out.end_object().new_line().key("sources").begin_array();
-  for (const Citation& source : profile.sources) {
-    out.new_line().begin_object().member("claim", source.claim).member("sentence", source.sentence);
-    out.member("place", source.place).end_object();
-  }
-  out.end_array();
-}
-
 template <class Count>
 void write_verdicts(Writer& out, Count count) {
   out.key("verdicts").begin_object();
   for (const Verdict verdict : verdicts) out.member(name(verdict), std::uint64_t{count(verdict)});
-  out.end_object();
-}
-
-void write_data(Writer& out, const Report& report, const ExplainingData& data) {
-  out.key("data").begin_object().member("epsilon", data.epsilon).member("M", data.M);
-  if (data.excluded) out.member("excluded", std::ldexp(1, *data.excluded));
-  out.member("most", std::ldexp(1, data.most));
-  if (data.nearest) {
-    constexpr std::array<std::size_t, 1> only{0};
-    out.member("off", data.nearest->off);
-    out.member("question", question_text(data.nearest->of, report.profile.caps, only));
-  }
-  out.end_object();
-}
-
-void write_least(Writer& out, const Report& report, const LeastFinding& least) {
-  const Finding& finding = least.finding;
-  const std::string question = whole_question_of(finding, report.profile);
-  out.new_line().key("least").begin_object().member("question", question);
-  out.member("hexadecimal", in_hexadecimal(question)).member("exact", exact_answer(finding.of, 0));
-  out.member("expected", truth_words(finding)).member("got", claim_words(finding));
-  out.member("ulps", finding.judgement.ulps).member("backward", finding.judgement.backward);
-  if (least.data) write_data(out, report, *least.data);
   out.end_object();
 }
 
@@ -72,20 +30,13 @@ void write_finding(Writer& out, const Report& report, const Finding& finding) {
   out.member("question", whole_question_of(finding, report.profile)).member("replay", replay(report, finding));
   if (!report.asked.empty()) out.member("minimise", minimising(report, finding));
   const auto least = report.least.find(FindingKey(finding));
-  if (least != report.least.end()) write_least(out, report, least->second);
+  if (least != report.least.end()) write_least(out, report.profile, least->second);
   out.end_object();
 }
 
 void write_share(Writer& out, const CauseShare& share) {
   out.key("ordinary").begin_object().member("failing", share.failing).member("rays", share.rays);
   out.member("at_least", share.least).member("at_most", share.greatest).end_object();
-}
-
-template <class Names>
-void write_names(Writer& out, std::string_view key, const Names& names) {
-  out.key(key).begin_array();
-  for (const auto& each : names) out.value(each);
-  out.end_array();
 }
 
 void write_cause(Writer& out, const Report& report, const Cause& cause) {

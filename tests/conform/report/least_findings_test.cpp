@@ -92,3 +92,12 @@ TEST_CASE("where the time is over nothing is left half done") {
   CHECK(report.least.empty());
   CHECK(report.not_minimised == findings_of(report));
 }
+
+TEST_CASE("a question in hexadecimal keeps the number of its rays, whatever is asked about them") {
+  for (const char* head : {"rays", "shadows", "ranges", "crossings", "counts", "points"}) {
+    const std::string text = fmt::format("scene a\nesfera e0 0 0 5 1\n{} 2\n0.5 1 -2\n", head);
+    CHECK(in_hexadecimal(text) == fmt::format("scene a\nesfera e0 0x0p+0 0x0p+0 0x1.4p+2 0x1p+0\n{} 2\n0x1p-1 0x1p+0 "
+                                              "-0x1p+1\n",
+                                              head));
+  }
+}

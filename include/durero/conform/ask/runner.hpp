@@ -66,7 +66,7 @@ using Ask = std::function<Claim(const SuiteCase&)>;
 
 /// A function that asks a system one ray after the other, in a process that it keeps between. The system and `stop`
 /// must outlive it. A ray that is asked when `stop` is set is unanswered. It throws std::runtime_error as run_system
-/// does.
-Ask asking(const System& system, const AskOptions& options, const std::atomic<bool>& stop);
+/// does. Where `says` is given, each answer puts the system's name and version there; it must outlive the function.
+Ask asking(const System& system, const AskOptions& options, const std::atomic<bool>& stop, std::string* says = nullptr);
 
 }  // namespace durero::conform

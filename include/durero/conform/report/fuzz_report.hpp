@@ -1,6 +1,6 @@
 #pragma once
 /// A report on fuzzing tells the causes of what was found, each by its worst failure made small, and the call that
-/// finds them again.
+/// finds them again. It is a text, JSON and a page of HTML.
 
 #include <set>
 #include <string>
@@ -34,9 +34,26 @@ FuzzedCauses fuzzed_causes(const Fuzzing& fuzzing, const Profile& profile, const
 /// The causes as the questions alone tell them, and as they were found: nobody is asked.
 FuzzedCauses guessed_causes(const Fuzzing& fuzzing, const Profile& profile);
 
-/// The report as a text: the counts, and each cause with its question, exact answer and explaining data. `call` finds
-/// the same again.
-std::string fuzz_text(const Fuzzing& fuzzing, const FuzzedCauses& causes, const Profile& profile,
-                      const std::string& call);
+/// What a search found of one system.
+struct FuzzReport {
+  std::string title{};      ///< the title of the system
+  std::string version{};    ///< its name and version as it says them; empty where it never answered
+  std::string call{};       ///< the call that finds the same again
+  std::uint64_t seed = 0;   ///< of the search
+  Profile profile{};        ///< the profile that it was judged by
+  Fuzzing fuzzing{};        ///< the failures
+  FuzzedCauses causes{};    ///< their causes
+  bool is_stopped = false;  ///< true where an interrupt ended the search: the failures stand as they were found
+};
+
+/// The report as a text: the counts, and each cause with its question, exact answer and explaining data.
+std::string fuzz_text(const FuzzReport& report);
+/// The report as JSON, {"format":"durero-search","version":1,…}.
+std::string fuzz_json(const FuzzReport& report);
+/// The report as a page of HTML that stands alone, with a picture of each cause.
+std::string fuzz_html(const FuzzReport& report);
+
+/// Writes search.json and search.html into the folder, which is made where there is none. Throws io::FileError.
+void write_fuzz_report(const std::string& folder, const FuzzReport& report);
 
 }  // namespace durero::conform
