@@ -35,7 +35,7 @@ double longest(const Shape& shape) {
 
 inline double longest(const conform::AskedBody& body) {
   const auto& [x, y, z] = body.sides;
-  return std::max({longest(body.centro), longest(x), longest(y), longest(z)});
+  return std::max({longest(body.centro), longest(x), longest(y), longest(z), body.radio});
 }
 
 /// Whether the model has such a shape, its unit vector aside.
@@ -77,6 +77,7 @@ class Mover {
     move(body.centro, u_ * M + thickness_);
     const bool by_length = random_->chance(1, 2);
     for (glm::dvec3& side : body.sides) move_side(side, by_length, M);
+    if (conform::has_radius(body.kind)) move(body.radio, u_ * M + thickness_);
     if (body.kind == conform::BodyKind::capsula) {
       const double radio = conform::length_of(body.sides[0]);
       const glm::dvec3 along = body.sides[1] / conform::length_of(body.sides[1]);

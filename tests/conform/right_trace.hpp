@@ -115,6 +115,7 @@ class RightTrace {
   conform::AskedBody rounded(conform::AskedBody body) const {
     body.centro = rounded(body.centro);
     for (glm::dvec3& side : body.sides) side = rounded(side);
+    body.radio = rounded(body.radio);
     return body;
   }
   template <class Shape>

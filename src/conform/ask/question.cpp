@@ -44,6 +44,7 @@ std::string body_line(const model::Elemento& name, const AskedBody& body) {
   std::string line = fmt::format("{} {}", word(body.kind), name.name());
   append(line, body.centro);
   for (const glm::dvec3& side : body.sides) append(line, side);
+  if (has_radius(body.kind)) append(line, body.radio);
   return line + '\n';
 }
 

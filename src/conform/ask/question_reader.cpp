@@ -78,7 +78,11 @@ void read_body(const QuestionLine& line, BodyKind kind, scene::Scene& scene) {
   NumberReader numbers(line, 2);
   numbers.read(body.centro);
   for (glm::dvec3& side : body.sides) numbers.read(side);
+  constexpr std::size_t place_of_radius = 14;
+  if (has_radius(kind)) numbers.read(body.radio);
   numbers.end();
+  if (has_radius(kind) && !(body.radio > 0))
+    line.fail(place_of_radius, text::shown(line.words[place_of_radius]), "expected a radius that is positive");
   if (!is_body(body)) line.fail(5, "the sides lie in a plane", "expected three that span space");
   if (!add_body(scene, name, body)) line.fail(1, text::shown(name.name()), "expected a name that is no element's");
 }

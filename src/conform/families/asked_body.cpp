@@ -29,6 +29,40 @@ scene::Body exact_capsule(const AskedBody& body) {
                            scene::unmoved(scene::Sphere{body.centro + y, radio})}}};
 }
 
+glm::dvec3 direction_of(const glm::dvec3& v) { return v / length_of(v); }
+
+/// The cylinder of that radius around the stretch from centro − y to centro + y; x and z are of length 1 across it.
+scene::Body exact_wall(const glm::dvec3& centro, const glm::dvec3& y, const glm::dvec3& x, const glm::dvec3& z,
+                       double radio) {
+  const scene::Body wall = scene::unmoved(scene::Cylinder{{0, -1, 0}, 1, {0, 1, 0}, 2});
+  return scene::copied({Vector(centro), Vector(radio * x), Vector(y), Vector(radio * z)}, wall);
+}
+
+/// A box that is longer by the radius along each side in turn, cylinders around the edges and balls around the corners.
+scene::Body exact_rounded_box(const AskedBody& body) {
+  scene::Compound all{scene::Compound::Operation::united, {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    AskedBody longer = body;
+    longer.sides[i] = (length_of(body.sides[i]) + body.radio) * direction_of(body.sides[i]);
+    all.parts.push_back(scene::copied(map_of(longer), unit_cube()));
+    const glm::dvec3 across = direction_of(body.sides[j]), centro = body.centro;
+    const glm::dvec3 other = direction_of(glm::cross(direction_of(body.sides[i]), across));
+    for (const glm::dvec3& side : {centro - body.sides[j], centro + body.sides[j]}) {
+      for (const glm::dvec3& edge : {side - body.sides[k], side + body.sides[k]})
+        all.parts.push_back(exact_wall(edge, body.sides[i], across, other, body.radio));
+    }
+  }
+  const auto& [x, y, z] = body.sides;
+  for (const glm::dvec3& end : {body.centro - x, body.centro + x}) {
+    for (const glm::dvec3& edge : {end - y, end + y}) {
+      for (const glm::dvec3& corner : {edge - z, edge + z})
+        all.parts.push_back(scene::unmoved(scene::Sphere{corner, body.radio}));
+    }
+  }
+  return {all};
+}
+
 }  // namespace
 
 double length_of(const glm::dvec3& v) {
@@ -44,6 +78,7 @@ bool is_body(const AskedBody& body) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
   };
   if (!is_finite(body.centro) || !std::ranges::all_of(body.sides, is_finite)) return false;
+  if (has_radius(body.kind) && !(body.radio > 0 && std::isfinite(body.radio))) return false;
   const model::Mapa mapa = map_of(body);
   return number::sign(model::mixto(mapa.x, mapa.y, mapa.z)) != 0;
 }
@@ -58,6 +93,8 @@ scene::Body exact_body(const AskedBody& body) {
       return {scene::Instance{scene::Sphere{{}, 1}, map_of(body)}};
     case BodyKind::capsula:
       return exact_capsule(body);
+    case BodyKind::caja_redonda:
+      return exact_rounded_box(body);
   }
   contract::unreachable();
 }

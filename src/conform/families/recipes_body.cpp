@@ -63,6 +63,10 @@ AskedBody body_of(Draws& random, BodyKind kind) {
     case BodyKind::copia_esfera:
       body.sides = any_sides(random);
       return body;
+    case BodyKind::caja_redonda:
+      body.sides = rectangular_sides(random);
+      body.radio = random.integer(1, 16) / 8.0;
+      return body;
   }
   contract::unreachable();
 }
@@ -72,6 +76,7 @@ AskedBody any_body(Draws& random) { return body_of(random, random.any_body_kind(
 AskedBody times_power(AskedBody body, int k) {
   body.centro = conform::times_power(body.centro, k);
   for (glm::dvec3& side : body.sides) side = conform::times_power(side, k);
+  body.radio = std::ldexp(body.radio, k);
   return body;
 }
 
@@ -96,9 +101,27 @@ glm::dvec3 of_ball(Draws& random) {
   return w;
 }
 
+/// A point of a rounded box: of a box, and beyond each side at whose bound it is by a part of the radius. Parts of the
+/// radius that are 0 lie at a seam between a flat part and a round one.
+glm::dvec3 rounded_parts(Draws& random, const AskedBody& body, int bounds) {
+  glm::dvec3 w{eighths(random), eighths(random), eighths(random)}, out = of_ball(random);
+  const auto first = static_cast<int>(random.below(3));
+  if (bounds == 1) out = {1, 0, 0};
+  if (bounds == 2) {
+    const double turn = random.chance(1, 2) ? eighths(random) : random.uniform(-1, 1), square = turn * turn;
+    out = {(1 - square) / (1 + square), 2 * turn / (1 + square), 0};
+  }
+  for (int i = 0; i < bounds; ++i) {
+    const int at = (first + i) % 3;
+    w[at] = random.sign() * (1 + body.radio * std::abs(out[i]) / length_of(body.sides[static_cast<std::size_t>(at)]));
+  }
+  return w;
+}
+
 /// A point of the surface by the parts of the sides. `bounds` of its coordinates are at a bound: of a box in a side, an
 /// edge or a corner; of a capsule at a seam, where there are some.
 glm::dvec3 surface_parts(Draws& random, const AskedBody& body, int bounds) {
+  if (body.kind == BodyKind::caja_redonda) return rounded_parts(random, body, bounds);
   glm::dvec3 w = of_ball(random);
   if (is_box(body)) {
     w = {eighths(random), eighths(random), eighths(random)};
@@ -139,6 +162,13 @@ glm::dvec3 outwards(const AskedBody& body, const glm::dvec3& parts) {
   const Sides normals{glm::cross(y, z), glm::cross(z, x), glm::cross(x, y)};
   const double side = std::copysign(1.0, volume(body.sides));
   glm::dvec3 out(0);
+  if (body.kind == BodyKind::caja_redonda) {
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3& along = body.sides[static_cast<std::size_t>(i)];
+      out += std::copysign(std::max(0.0, std::abs(parts[i]) - 1), parts[i]) * along;
+    }
+    return out / length_of(out);
+  }
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3& normal = normals[static_cast<std::size_t>(i)];
     if (!is_box(body))
@@ -151,7 +181,7 @@ glm::dvec3 outwards(const AskedBody& body, const glm::dvec3& parts) {
 }
 
 double size_of(const AskedBody& body) {
-  return std::max({length_of(body.sides[0]), length_of(body.sides[1]), length_of(body.sides[2])});
+  return std::max({length_of(body.sides[0]), length_of(body.sides[1]), length_of(body.sides[2]), body.radio});
 }
 
 DrawnRay towards(Draws& random, const AskedBody& body, const glm::dvec3& point, glm::dvec3 w, int e) {
@@ -204,6 +234,7 @@ AskedBodies bodies_thin(Draws& random, int log2_ratio) {
       for (const std::size_t i : {0U, 2U}) body.sides[i] = conform::times_power(body.sides[i], -log2_ratio);
       continue;
     }
+    if (body.kind == BodyKind::caja_redonda && random.chance(1, 2)) body.radio = std::ldexp(body.radio, -log2_ratio);
     const std::size_t kept = random.below(3);
     for (std::size_t i = 0; i < 3; ++i) {
       if ((i == kept) != is_needle) body.sides[i] = conform::times_power(body.sides[i], -log2_ratio);

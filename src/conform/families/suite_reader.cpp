@@ -99,19 +99,21 @@ Solid read_solid(Reader& in, const scene::Scene& scene) {
 
 /// Reads a body of the scene. The scene's file must hold the body that follows from its numbers.
 NamedBody read_body(Reader& in, const scene::Scene& scene) {
-  constexpr std::array<std::string_view, 6> keys{"id", "tipo", "centro", "x", "y", "z"};
+  constexpr std::array<std::string_view, 7> keys{"id", "tipo", "centro", "x", "y", "z", "radio"};
   NamedBody named{};
   const std::size_t at = in.offset();
-  in.object("a body", keys, keys.size(), [&](std::size_t key) {
+  in.object("a body", keys, keys.size() - 1, [&](std::size_t key) {
     if (key == 0)
       named.element = read_element(in, scene);
     else if (key == 1)
       named.body.kind = read_word<BodyKind>(in, "tipo", body_words);
+    else if (key == 6)
+      named.body.radio = in.number("radio");
     else
       (key == 2 ? named.body.centro : named.body.sides[key - 3]) = in.vec3(keys[key]);
   });
   if (scene.body(named.element) == nullptr || !is_body(named.body))
-    in.fail(at, "no body", "expected one of the scene, whose sides span space");
+    in.fail(at, "no body", "expected one of the scene, whose sides span space, with its radius");
   return named;
 }
 

@@ -35,7 +35,9 @@ void write_bodies(Writer& out, const SuiteCase& of) {
   for (const auto& [element, body] : of.bodies) {
     out.begin_object().member("id", of.the_case.scene.name(element).name()).member("tipo", word(body.kind));
     out.member("centro", body.centro).member("x", body.sides[0]).member("y", body.sides[1]);
-    out.member("z", body.sides[2]).end_object();
+    out.member("z", body.sides[2]);
+    if (has_radius(body.kind)) out.member("radio", body.radio);
+    out.end_object();
   }
   out.end_array();
 }

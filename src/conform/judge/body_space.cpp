@@ -33,6 +33,15 @@ struct DualSides {
   }
 };
 
+/// The middles of the four edges of a box along a side, from its middle.
+std::array<Point<Dyadic>, 4> edges_along(const AskedBody& body, std::size_t side) {
+  const Point<Dyadic> y = dyadic(body.sides[(side + 1) % 3]), z = dyadic(body.sides[(side + 2) % 3]);
+  const auto at = [&](const Dyadic& a, const Dyadic& b) {
+    return Point<Dyadic>{a * y.x + b * z.x, a * y.y + b * z.y, a * y.z + b * z.z};
+  };
+  return {at(-1, -1), at(-1, 1), at(1, -1), at(1, 1)};
+}
+
 /// A box between planes: |q·n| ≤ D is moved out by η·|n|.
 template <class T>
 SpaceParts<T> box_space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
@@ -77,6 +86,56 @@ SpaceParts<T> capsule_space(const AskedBody& body, const Point<T>& w, const Dyad
   return {{beside, bound(along - yy), negated(bound(along - (-yy)))}, {near(y)}, {near({-y.x, -y.y, -y.z})}};
 }
 
+/// Bounds of |a| from both sides, apart by less than 2⁻¹¹⁸ of it, which is nothing beside η.
+struct LengthBounds {
+  Dyadic below, above;
+};
+LengthBounds length_bounds(const Point<Dyadic>& a) {
+  const number::SquareRoot root = number::square_root(squared_length(a), 120);
+  return {root.value, root.exact ? root.value : root.value + root.unit};
+}
+
+/// A rounded box, with R = radio + η: a box that is longer by R along each side in turn, what is near an edge, and what
+/// is near a corner. The sides stand at right angles, so that each normal is along its side and no part is missing.
+/// Where η is more than the radius inwards, it is a box moved in by the rest.
+template <class T>
+SpaceParts<T> rounded_box_space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
+  const Dyadic reach = Dyadic(body.radio) + eta;
+  if (number::sign(reach) < 0) return box_space(body, w, reach);
+  const DualSides dual(body);
+  const Point<T> q = from(body.centro, w);
+  SpaceParts<T> all;
+  const auto between = [](Conditions<T>& conditions, const T& along, const Dyadic& far) {
+    conditions.push_back(bound(along - far));
+    conditions.push_back(negated(bound(along - (-far))));
+  };
+  const auto near = [&](const Point<Dyadic>& a) { return Point<T>{q.x - a.x, q.y - a.y, q.z - a.z}; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point<Dyadic> along = dyadic(body.sides[i]);
+    const Dyadic squared = squared_length(along);
+    Conditions<T> longer;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const LengthBounds length = length_bounds(dual.normals[j]);
+      const Dyadic more = reach * (number::sign(eta) < 0 ? length.below : length.above);
+      between(longer, dot(q, dual.normals[j]), j == i ? dual.D + more : dual.D);
+    }
+    all.push_back(std::move(longer));
+    for (const Point<Dyadic>& edge : edges_along(body, i)) {
+      const Point<T> beside = near(edge);
+      Conditions<T> round{squared_length(beside) * squared - square(dot(beside, along)) - square(reach) * squared};
+      between(round, dot(q, along), squared);
+      all.push_back(std::move(round));
+    }
+  }
+  for (const Point<Dyadic>& edge : edges_along(body, 0)) {
+    const Point<Dyadic> x = dyadic(body.sides[0]);
+    for (const Point<Dyadic>& corner : {Point<Dyadic>{edge.x - x.x, edge.y - x.y, edge.z - x.z},
+                                        Point<Dyadic>{edge.x + x.x, edge.y + x.y, edge.z + x.z}})
+      all.push_back({squared_length(near(corner)) - square(reach)});
+  }
+  return all;
+}
+
 template <class T>
 SpaceParts<T> space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
   switch (body.kind) {
@@ -88,6 +147,8 @@ SpaceParts<T> space(const AskedBody& body, const Point<T>& w, const Dyadic& eta)
       return ellipsoid_space(body, w, eta);
     case BodyKind::capsula:
       return capsule_space(body, w, eta);
+    case BodyKind::caja_redonda:
+      return rounded_box_space(body, w, eta);
   }
   contract::unreachable();
 }
@@ -157,11 +218,24 @@ double distance_of_capsule(const AskedBody& body, const Point<Dyadic>& w, const 
   return std::abs(far) / sum;
 }
 
+/// | √(Σ beyond²) − r | outside the box, with the ways beyond its sides; inside it the least way to a side, and r.
+double distance_of_rounded_box(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
+  const Point<Dyadic> q = from(body.centro, w);
+  glm::dvec3 beyond(0);
+  for (int i = 0; i < 3; ++i) {
+    const Point<Dyadic> side = dyadic(body.sides[static_cast<std::size_t>(i)]);
+    beyond[i] = number::round_quotient(absolute(dot(q, side)) - squared_length(side), length_above(side) * M);
+  }
+  const double r = in_units(Dyadic(body.radio), M), most = std::max({beyond.x, beyond.y, beyond.z});
+  if (most <= 0) return r - most;
+  return std::abs(std::hypot(std::max(0.0, beyond.x), std::max(0.0, beyond.y), std::max(0.0, beyond.z)) - r);
+}
+
 }  // namespace
 
 double largest_length(const AskedBody& body) {
   const auto& [x, y, z] = body.sides;
-  return std::max({largest(body.centro), largest(x), largest(y), largest(z)});
+  return std::max({largest(body.centro), largest(x), largest(y), largest(z), body.radio});
 }
 
 Dyadic magnitude(const AskedBody& body, const model::Rayo& rayo, const Dyadic& way) {
@@ -178,6 +252,8 @@ Dyadic eta_of(const AskedBody& body, const Allowance& allowed) {
       return allowed.times(13);
     case BodyKind::capsula:
       return allowed.times(14);
+    case BodyKind::caja_redonda:
+      return allowed.times(20);
   }
   contract::unreachable();
 }
@@ -214,6 +290,8 @@ double distance_of_body(const AskedBody& body, const Point<Dyadic>& w, const Dya
       return distance_of_ellipsoid(body, w, M);
     case BodyKind::capsula:
       return distance_of_capsule(body, w, M);
+    case BodyKind::caja_redonda:
+      return distance_of_rounded_box(body, w, M);
   }
   contract::unreachable();
 }
@@ -221,7 +299,7 @@ double distance_of_body(const AskedBody& body, const Point<Dyadic>& w, const Dya
 Dyadic squared_size_of_body(const AskedBody& body) {
   Dyadic most;
   for (const glm::dvec3& side : body.sides) most = std::max(most, squared_length(dyadic(side)));
-  return most;
+  return std::max(most, square(Dyadic(body.radio)));
 }
 
 }  // namespace durero::conform

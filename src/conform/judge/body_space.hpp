@@ -11,11 +11,14 @@
 /// - *Capsule*: the middles of its ends are off by 1.74·δ + 4δ, and its radius by 4δ: 9.74·δ. Their roundings to
 ///   binary64 in exact_body() are less than 0.2·δ.
 ///
-/// With the share of p + t·v, 2√3·δ + 0.22·δ < 3.69·δ, these are less than 18δ, 13δ and 14δ: η below. Let K be the body
-/// and K' the body that moved data have, moved again as the ray's share moves a point. Each point of one is within η of
-/// a point of the other. So K' lies in K moved out by η. And K moved in by η, the points w whose ball of radius η lies
-/// in K, lies in K': if w were not in K', which is convex, a plane through w would have all of K' on one side, and the
-/// point of the ball that is farthest from K' would be η from each of its points, though it is in K.
+/// - *Rounded box*: a point is off by those of a box, 13.74·δ, and by δ for the radius. Its roundings in exact_body(),
+///   of lengths up to √3·M + M and of directions, are less than 1.5·δ: 24 roundings, of which δ has 16 of M.
+///
+/// With the share of p + t·v, 2√3·δ + 0.22·δ < 3.69·δ, these are less than 18δ, 13δ, 14δ and 20δ: η below. Let K be the
+/// body and K' the body that moved data have, moved again as the ray's share moves a point. Each point of one is within
+/// η of a point of the other. So K' lies in K moved out by η. And K moved in by η, the points w whose ball of radius η
+/// lies in K, lies in K': if w were not in K', which is convex, a plane through w would have all of K' on one side, and
+/// the point of the ball that is farthest from K' would be η from each of its points, though it is in K.
 ///
 /// A ray that goes from outside of K moved out to inside of K moved in hence meets the surface of each K' between, and
 /// a point of the surface of some K' lies in K moved out and not inside of K moved in.

@@ -144,6 +144,7 @@ void add_places(Places& all, Shape& shape) {
 void add_places(Places& all, AskedBody& body) {
   all.points.push_back(&body.centro);
   for (glm::dvec3& side : body.sides) all.sides.push_back(&side);
+  if (has_radius(body.kind)) all.lengths.push_back(&body.radio);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ Measures measures(const Shape& shape) {
   if constexpr (std::is_same_v<Shape, AskedBody>) {
     const auto [least, most] =
         std::minmax({length_of(shape.sides[0]), length_of(shape.sides[1]), length_of(shape.sides[2])});
-    return {shape.centro, least, 3 * most};
+    return {shape.centro, least, 3 * most + shape.radio};
   } else if constexpr (requires { shape.vertices; }) {
     const auto& [a, b, c] = shape.vertices;
     const double longest = std::max({glm::length(b - a), glm::length(c - a), glm::length(c - b)});

@@ -61,16 +61,23 @@ std::string clause_of(const ClaimContext& trial, ElementRef element, const Shape
   return clause;
 }
 
-/// The same of a body, whose sizes are the lengths of its sides.
+/// The same of a body, whose sizes are the lengths of its sides, and its radius.
 std::string clause_of_body(const Profile& profile, const AskedBody& body) {
   if (std::ranges::find(profile.bodies, body.kind) == profile.bodies.end())
     return fmt::format("no {}", word(body.kind));
   const double greatest = profile.greatest_coordinate;
   std::string clause;
   if (is_beyond(largest(body.centro), 0, greatest)) clause = beyond(largest(body.centro), "a coordinate", 0, greatest);
+  std::vector<double> sizes;
   for (const glm::dvec3& side : body.sides) {
-    const double size = length_of(side);
     if (!is_of(largest(side), profile.format)) return "numbers of binary32";
+    sizes.push_back(length_of(side));
+  }
+  if (has_radius(body.kind)) {
+    if (!is_of(body.radio, profile.format)) return "numbers of binary32";
+    sizes.push_back(body.radio);
+  }
+  for (const double size : sizes) {
     if (clause.empty() && is_beyond(size, profile.least_size, profile.greatest_size))
       clause = beyond(size, "a size", profile.least_size, profile.greatest_size);
   }

@@ -77,12 +77,13 @@ struct BodyStretches {
   std::optional<BodyStretch> out, in;
 };
 
-/// Nothing where the data may be off by too much. With m the body's largest coordinate or the origin's, each coordinate
-/// of a point of it, moved, is at most 4m + 14δ. So t·v is at most 5m + 15δ there, and M at most 6m where 15δ ≤ m.
+/// Nothing where the data may be off by too much. With m the body's largest number or the origin's, each coordinate of
+/// a point of it, moved, is at most 5m + 15δ: those of its middle, three sides and a radius. So t·v is at most 6m + 16δ
+/// there, and M at most 7m where 16δ ≤ m.
 std::optional<BodyStretches> stretches_in(const AskedBody& body, const model::Rayo& rayo, const Precision& precision) {
   const Dyadic m = magnitude(body, rayo, {});
-  const Allowance allowed(precision, Dyadic(6) * m, rayo);
-  if (allowed.times(15) > m) return std::nullopt;
+  const Allowance allowed(precision, Dyadic(7) * m, rayo);
+  if (allowed.times(16) > m) return std::nullopt;
   const Dyadic eta = eta_of(body, allowed);
   return BodyStretches{stretch_in(body, rayo, eta), stretch_in(body, rayo, -eta)};
 }

@@ -64,6 +64,13 @@ glm::dvec3 body_point(const AskedBody& body, const glm::dvec3& direction) {
     case BodyKind::caja:
     case BodyKind::copia_caja:
       return at(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
+    case BodyKind::caja_redonda: {  // the point of the box, and farther out by the radius
+      const glm::dvec3 out = direction.x / length_of(body.sides[0]) * body.sides[0] +
+                             direction.y / length_of(body.sides[1]) * body.sides[1] +
+                             direction.z / length_of(body.sides[2]) * body.sides[2];
+      return at(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)})) +
+             body.radio * out;
+    }
     case BodyKind::elipsoide:
     case BodyKind::copia_esfera:
       return at(direction);

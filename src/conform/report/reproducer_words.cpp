@@ -140,6 +140,7 @@ Words shape_words(const AskedBody& body) {
     put(words, "axis_" + name, axes[static_cast<std::size_t>(i)]);
   }
   put(words, "half", half);
+  if (has_radius(body.kind)) put(words, "radio", body.radio);
   put(words, "rotation", rotation_to(axes));
   put(words, "along_y", rotation_to({axes[2], axes[0], axes[1]}));
   return words;
@@ -161,7 +162,7 @@ double farthest(const scene::Triangle& e, const glm::dvec3& p, const glm::dvec3&
   return std::max({glm::distance(p, e.vertices[0]), glm::distance(p, e.vertices[1]), glm::distance(p, e.vertices[2])});
 }
 double farthest(const AskedBody& e, const glm::dvec3& p, const glm::dvec3&) {
-  return glm::distance(p, e.centro) + length_of(e.sides[0]) + length_of(e.sides[1]) + length_of(e.sides[2]);
+  return glm::distance(p, e.centro) + length_of(e.sides[0]) + length_of(e.sides[1]) + length_of(e.sides[2]) + e.radio;
 }
 template <surface::Axial Shape>
 double farthest(const Shape& e, const glm::dvec3& p, const glm::dvec3&) {

@@ -44,6 +44,23 @@ TEST_CASE("a ray meets a box, an ellipsoid and a capsule where their equations s
   CHECK(met(capsule, {0.9, 2.9, 0}, {0, 0, 1}).empty());
 }
 
+TEST_CASE("a ray meets a rounded box at its flat sides, around its edges and around its corners") {
+  const AskedBody rounded{BodyKind::caja_redonda, {0, 0, 10}, boxed, 0.5};
+  CHECK(met(rounded, {0, 0, 0}, {0, 0, 1}) == Numbers{8.5, 11.5});
+  CHECK(met(rounded, {3, 2, 0}, {0, 0, 1}) == Numbers{8.5, 11.5});
+  CHECK(met(rounded, {3.3, 0, 0}, {0, 0, 1}) == Numbers{8.6, 11.4});
+  CHECK(met(rounded, {3.3, 2, 0}, {0, 0, 1}) == Numbers{8.6, 11.4});
+  CHECK(met(rounded, {0, 2.4, 0}, {0, 0, 1}) == Numbers{8.7, 11.3});
+  CHECK(met(rounded, {3 + 2.0 / 7, 2 + 1.5 / 7, 0}, {0, 0, 1}).size() == 2);
+  CHECK(met(rounded, {3.4, 2.4, 0}, {0, 0, 1}).empty());
+  CHECK(met(rounded, {0, 0, 10}, {1, 0, 0}) == Numbers{3.5});
+  const AskedBody turned{BodyKind::caja_redonda, {}, {{{2, 1, 2}, {-2, 2, 1}, {-1, -2, 2}}}, 1.5};
+  CHECK(met(turned, {12, 6, 12}, {-2, -1, -2}) == Numbers{4.5, 7.5});
+  CHECK_FALSE(is_body({BodyKind::caja_redonda, {}, boxed}));
+  CHECK_FALSE(is_body({BodyKind::caja_redonda, {}, boxed, -1}));
+  CHECK_FALSE(is_body({BodyKind::caja_redonda, {}, boxed, HUGE_VAL}));
+}
+
 TEST_CASE("copies by mirrored and sheared maps are where the map puts them") {
   const std::array<glm::dvec3, 3> sheared = {{{-1, 0, 0}, {1, 1, 0}, {0, 0, 1}}};
   const AskedBody box{BodyKind::copia_caja, {0, 0, 0}, sheared};

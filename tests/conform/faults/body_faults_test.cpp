@@ -58,6 +58,11 @@ const std::vector<BodyFaultRow>& body_faults() {
       {capsule_twice_as_long, "capsule twice as long"},
       {capsule_along_z, "capsule along z"},
       {capsule_side_unbounded, "capsule without bounds"},
+      {rounded_sharp, "rounded box with sharp edges", {"bodies", "bodies_edge"}},
+      {rounded_not_longer, "rounded box without a radius"},
+      {rounded_without_corners, "rounded box without corners", {"bodies_edge"}},
+      {rounded_without_edges, "rounded box without edges", {"bodies_edge"}},
+      {rounded_inner_edges, "rounded box with whole edges", {"bodies_inside"}},
   };
   return rows;
 }

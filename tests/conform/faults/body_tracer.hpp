@@ -48,8 +48,13 @@ enum class BodyFault {
   capsule_flat_ends,    ///< discs in the place of half balls
   capsule_inner_balls,  ///< the balls' inner halves are surface, too
   capsule_twice_as_long,
-  capsule_along_z,        ///< the axis is another
-  capsule_side_unbounded  ///< a cylinder without ends
+  capsule_along_z,         ///< the axis is another
+  capsule_side_unbounded,  ///< a cylinder without ends
+  rounded_sharp,           ///< a rounded box is one with sharp edges
+  rounded_not_longer,      ///< or has no radius
+  rounded_without_corners,
+  rounded_without_edges,
+  rounded_inner_edges  ///< the cylinders of edges are surface inside, too
 };
 
 /// One body in the space in which it is a unit shape, or of a capsule as it stands.
@@ -114,6 +119,7 @@ class BodyTracer {
   }
 
   Found first_of(const conform::AskedBody& body, const glm::dvec3& p, const glm::dvec3& v) const {
+    if (body.kind == conform::BodyKind::caja_redonda) return rounded_box(body, p - body.centro, v);
     if (body.kind == conform::BodyKind::capsula) return capsule(body, p - body.centro, v);
     const bool is_box = body.kind == conform::BodyKind::caja || body.kind == conform::BodyKind::copia_caja;
     if (is_box && is(BodyFault::axes_of_coordinates)) {
@@ -196,6 +202,58 @@ class BodyTracer {
       }
     }
     return first_of_stretch(all.x, all.y);
+  }
+
+  /// The union of boxes, cylinders and balls, in the frame of the sides and in units of the radius.
+  Found rounded_box(const conform::AskedBody& body, const glm::dvec3& p, const glm::dvec3& v) const {
+    glm::dvec3 half, q, d;
+    const double r = is(BodyFault::rounded_not_longer) ? 1e-3 * body.radio : body.radio;
+    for (int i = 0; i < 3; ++i) {
+      const glm::dvec3& side = body.sides[static_cast<std::size_t>(i)];
+      half[i] = conform::length_of(side);
+      const glm::dvec3 axis = side / half[i];
+      half[i] /= r, q[i] = glm::dot(p, axis) / r, d[i] = glm::dot(v, axis) / r;
+    }
+    std::vector<glm::dvec2> stretches;
+    const auto take = [&](const std::optional<glm::dvec2>& one) {
+      if (one) stretches.push_back(*one);
+    };
+    if (is(BodyFault::rounded_sharp)) take(stretch_of_slabs(q, d, half + 1.0));
+    for (int i = 0; i < 3; ++i) {
+      glm::dvec3 longer = half, axis(0);
+      longer[i] += 1, axis[i] = 1;
+      take(stretch_of_slabs(q, d, longer));
+      for (int corner = 0; corner < 4 && !is(BodyFault::rounded_without_edges); ++corner) {
+        glm::dvec3 middle(0);
+        middle[(i + 1) % 3] = corner % 2 == 0 ? half[(i + 1) % 3] : -half[(i + 1) % 3];
+        middle[(i + 2) % 3] = corner / 2 == 0 ? half[(i + 2) % 3] : -half[(i + 2) % 3];
+        take(stretch_of_side(q - middle, d, axis, half[i]));
+      }
+    }
+    for (int corner = 0; corner < 8 && !is(BodyFault::rounded_without_corners); ++corner) {
+      const glm::dvec3 signs(corner % 2 == 0 ? 1 : -1, corner / 2 % 2 == 0 ? 1 : -1, corner / 4 == 0 ? 1 : -1);
+      take(stretch_of_ball(q - signs * half, d));
+    }
+    if (stretches.empty()) return std::nullopt;
+    glm::dvec2 all = stretches[0];
+    for (const glm::dvec2& one : stretches) all = {std::min(all.x, one.x), std::max(all.y, one.y)};
+    if (is(BodyFault::rounded_inner_edges) && all.x <= 0) {
+      for (const glm::dvec2& one : stretches) {
+        if (one.x > 0) return one.x;
+      }
+    }
+    return first_of_stretch(all.x, all.y);
+  }
+
+  static std::optional<glm::dvec2> stretch_of_slabs(const glm::dvec3& q, const glm::dvec3& d, const glm::dvec3& half) {
+    glm::dvec2 stretch(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
+    for (int i = 0; i < 3; ++i) {
+      if (d[i] == 0 && std::abs(q[i]) > half[i]) return std::nullopt;
+      if (d[i] == 0) continue;
+      const double a = (-half[i] - q[i]) / d[i], b = (half[i] - q[i]) / d[i];
+      stretch = {std::max(stretch.x, std::min(a, b)), std::min(stretch.y, std::max(a, b))};
+    }
+    return stretch.x <= stretch.y ? std::optional(stretch) : std::nullopt;
   }
 
   std::optional<glm::dvec2> stretch_of_side(const glm::dvec3& q, const glm::dvec3& v, const glm::dvec3& axis,

@@ -62,6 +62,20 @@ TEST_CASE("a body moved out and in is met before and behind it") {
   CHECK_FALSE(stretch_in(ball, test::ray({}, {0, 0, 1}), Dyadic(-1.5)));
 }
 
+TEST_CASE("a rounded box moved out and in has another radius, and is a box where none is left") {
+  const AskedBody rounded{BodyKind::caja_redonda, {0, 0, 10}, boxed, 0.5};
+  CHECK(ends(rounded, {}, {0, 0, 1}, 0) == Ends{8.5, 11.5});
+  CHECK(ends(rounded, {}, {0, 0, 1}, 0.25) == Ends{8.25, 11.75});
+  CHECK(ends(rounded, {}, {0, 0, 1}, -0.5) == Ends{9, 11});
+  CHECK(ends(rounded, {}, {0, 0, 1}, -0.75) == Ends{9.25, 10.75});
+  CHECK(ends(rounded, {3.6, 2, 0}, {0, 0, 1}, 0.5) == Ends{8.2, 11.8});
+  CHECK(ends(rounded, {3.6, 0, 0}, {0, 0, 1}, 0.5) == Ends{8.2, 11.8});
+  CHECK(ends(rounded, {0, 2.8, 0}, {0, 0, 1}, 0.5) == Ends{8.4, 11.6});
+  CHECK_FALSE(stretch_in(rounded, test::ray({3.8, 2.8, 0}, {0, 0, 1}), Dyadic(0.5)));
+  CHECK_FALSE(stretch_in(rounded, test::ray({3, 0, 0}, {0, 0, 1}), Dyadic(-0.75)));
+  CHECK_FALSE(stretch_in(rounded, test::ray({}, {0, 0, 1}), Dyadic(-1.75)));
+}
+
 TEST_CASE("a point lies outside of a body, on it or inside") {
   const AskedBody box{BodyKind::caja, {}, boxed}, ball{BodyKind::elipsoide, {}, boxed},
       capsule{BodyKind::capsula, {}, round_across};
@@ -86,6 +100,10 @@ TEST_CASE("the distance of a point is from the surface") {
   CHECK(distance_of_body(ball, point(0, 0, 0), Dyadic(1)) == 1);
   CHECK(distance_of_body(capsule, point(0, -3.5, 0), Dyadic(1)) == 0.5);
   CHECK(distance_of_body(capsule, point(1.25, 1, 0), Dyadic(1)) == 0.25);
+  const AskedBody rounded{BodyKind::caja_redonda, {}, boxed, 0.5};
+  CHECK(distance_of_body(rounded, point(3.75, 0, 0), Dyadic(1)) == 0.25);
+  CHECK(distance_of_body(rounded, point(3.3, 2.4, 0), Dyadic(1)) == Approx(0).margin(1e-8));
+  CHECK(distance_of_body(rounded, point(0, 0, 0.5), Dyadic(1)) == 1);
 }
 
 TEST_CASE("a body is one element: a ray through the edge of a box may not pass it") {
@@ -121,6 +139,9 @@ TEST_CASE("a system that has no such body is not asked about it") {
   CHECK(outside(of, 0, {.bodies = {BodyKind::capsula}}).empty());
   CHECK(outside(of, 0, {.bodies = {BodyKind::capsula}, .greatest_size = 1.5}) == "a size at most 1.5");
   CHECK(outside(of, 0, {.bodies = {BodyKind::capsula}, .greatest_coordinate = 5}) == "a coordinate at most 5");
+  const SuiteCase rounded = asked({BodyKind::caja_redonda, {0, 0, 10}, boxed, 0.5}, {}, {0, 0, 1});
+  CHECK(outside(rounded, 0, {.bodies = {BodyKind::caja_redonda}}).empty());
+  CHECK(outside(rounded, 0, {.bodies = {BodyKind::caja_redonda}, .least_size = 0.75}) == "a size at least 0.75");
 }
 
 TEST_CASE("the exact answer about a body is of the body, and not of what stands for it in the tables") {

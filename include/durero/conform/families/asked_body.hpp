@@ -1,7 +1,7 @@
 #pragma once
-/// A body is an element that is none of the model's shapes: a box, a capsule, an ellipsoid, or what an affine map makes
-/// of a cube or a ball. A system is asked about it as one element; exact arithmetic knows it as the solid that
-/// exact_body() composes. Every body is convex.
+/// A body is an element that is none of the model's shapes: a box, a rounded box, a capsule, an ellipsoid, or what an
+/// affine map makes of a cube or a ball. A system is asked about it as one element; exact arithmetic knows it as the
+/// solid that exact_body() composes. Every body is convex.
 
 #include <array>
 #include <cstdint>
@@ -14,37 +14,42 @@
 
 namespace durero::conform {
 
-/// The kinds of bodies. Of the first three the sides stand at right angles to each other.
+/// The kinds of bodies. But for copies, the sides stand at right angles to each other.
 enum class BodyKind : std::uint8_t {
-  caja,         ///< the box centro + a·x + b·y + c·z with |a|, |b|, |c| ≤ 1
-  capsula,      ///< what lies within |x| of the stretch from centro − y to centro + y; |z| is |x|
-  elipsoide,    ///< centro + a·x + b·y + c·z with a² + b² + c² ≤ 1
-  copia_caja,   ///< the points of a box, with any sides that span space: sheared, mirrored
-  copia_esfera  ///< the points of an ellipsoid, likewise
+  caja,          ///< the box centro + a·x + b·y + c·z with |a|, |b|, |c| ≤ 1
+  capsula,       ///< what lies within |x| of the stretch from centro − y to centro + y; |z| is |x|
+  elipsoide,     ///< centro + a·x + b·y + c·z with a² + b² + c² ≤ 1
+  copia_caja,    ///< the points of a box, with any sides that span space: sheared, mirrored
+  copia_esfera,  ///< the points of an ellipsoid, likewise
+  caja_redonda   ///< what lies within a radius of the points of a box
 };
 /// The number of kinds.
-inline constexpr std::size_t body_count = 5;
+inline constexpr std::size_t body_count = 6;
 /// The words of the kinds in questions and files, in their order.
-inline constexpr std::array<std::string_view, body_count> body_words = {"caja", "capsula", "elipsoide", "copia_caja",
-                                                                        "copia_esfera"};
+inline constexpr std::array<std::string_view, body_count> body_words = {"caja",       "capsula",      "elipsoide",
+                                                                        "copia_caja", "copia_esfera", "caja_redonda"};
 /// The word of a kind.
 constexpr std::string_view word(BodyKind kind) { return body_words[static_cast<std::size_t>(kind)]; }
+/// Whether a body of the kind has a radius beside its sides.
+constexpr bool has_radius(BodyKind kind) { return kind == BodyKind::caja_redonda; }
 
 /// A body by the numbers that a question has of it.
 struct AskedBody {
   BodyKind kind{};                    ///< what the sides mean
   glm::dvec3 centro{};                ///< the middle
-  std::array<glm::dvec3, 3> sides{};  ///< x, y and z: half the body's extent each
+  std::array<glm::dvec3, 3> sides{};  ///< x, y and z: half the body's extent each, of a rounded box without its radius
+  double radio = 0;                   ///< the radius of a kind that has one
   bool operator==(const AskedBody&) const = default;
 };
 
 /// The length of a vector in binary64, right up to a rounding, whatever its magnitude.
 double length_of(const glm::dvec3& v);
 
-/// Whether the numbers are finite and the sides span space.
+/// Whether the numbers are finite, the sides span space, and a radius is positive.
 bool is_body(const AskedBody& body);
 
-/// The body as exact arithmetic knows it. Of a capsule the radius and the middles of its ends are rounded to binary64.
+/// The body as exact arithmetic knows it. Of a capsule and a rounded box radii, the middles of ends
+/// and directions across are rounded to binary64.
 /// Precondition: is_body(body).
 scene::Body exact_body(const AskedBody& body);
 
