@@ -78,6 +78,11 @@ class Mover {
     const bool by_length = random_->chance(1, 2);
     for (glm::dvec3& side : body.sides) move_side(side, by_length, M);
     if (conform::has_radius(body.kind)) move(body.radio, u_ * M + thickness_);
+    if (body.kind == conform::BodyKind::toro) {
+      const glm::dvec3 along = body.sides[0] / conform::length_of(body.sides[0]);
+      const glm::dvec3 z = body.sides[2] - glm::dot(body.sides[2], along) * along;
+      body.sides[2] = conform::length_of(body.sides[0]) / conform::length_of(z) * z;
+    }
     if (body.kind == conform::BodyKind::capsula) {
       const double radio = conform::length_of(body.sides[0]);
       const glm::dvec3 along = body.sides[1] / conform::length_of(body.sides[1]);

@@ -7,6 +7,7 @@
 
 #include "durero/composed/figure.hpp"
 #include "durero/number/quotient.hpp"
+#include "right_torus.hpp"
 #include "right_tracers.hpp"
 
 namespace durero::test {
@@ -52,6 +53,10 @@ class RightTrace {
   }
 
   void meet_body(scene::ElementRef e, const conform::AskedBody& body) {
+    if (body.kind == conform::BodyKind::toro) {
+      const auto all = torus_crossings(body, rayo_);
+      return meet_near(e, body, all.empty() ? 0 : 0.99 * number::round_to_binary64(all.front()));
+    }
     const auto given = composed::figure(conform::exact_body(body))->first(rayo_, false).t;
     meet_near(e, body, given ? 0.99 * number::round_to_binary64(*given) : 0);
   }
@@ -200,6 +205,7 @@ class RightTrace {
   /// A body is met where its surface is, which is closed.
   void take(scene::ElementRef e, const Computed<conform::AskedBody>& of) {
     if (!is_whole_) return;
+    if (of.shape.kind == conform::BodyKind::toro) return take_torus(e, of);
     const auto figure = composed::figure(conform::exact_body(of.shape));
     const auto whole = surface::exact::RayStretch::whole;
     const auto ahead = figure->parameters(of.rayo, false, whole);
@@ -213,6 +219,16 @@ class RightTrace {
     } else {
       all_.push_back({e, of.rayo, figure->first(of.rayo, false).t});
     }
+  }
+
+  void take_torus(scene::ElementRef e, const Computed<conform::AskedBody>& of) {
+    const glm::dvec3& p = of.rayo.p().xyz();
+    const bool is_inside =
+        number::sign(torus_power(of.shape, {number::Dyadic(p.x), number::Dyadic(p.y), number::Dyadic(p.z)})) < 0;
+    const conform::Inside inside = tracer_->profile.inside;
+    if (is_inside && inside == conform::Inside::nothing) return;
+    if (is_inside && inside == conform::Inside::origin) all_.push_back({e, of.rayo, {}});
+    for (const Parameter& t : torus_crossings(of.shape, of.rayo)) all_.push_back({e, of.rayo, t});
   }
 
   template <class Shape>

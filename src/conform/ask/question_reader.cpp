@@ -83,6 +83,7 @@ void read_body(const QuestionLine& line, BodyKind kind, scene::Scene& scene) {
   numbers.end();
   if (has_radius(kind) && !(body.radio > 0))
     line.fail(place_of_radius, text::shown(line.words[place_of_radius]), "expected a radius that is positive");
+  if (kind == BodyKind::toro) line.fail(0, "toro", "expected no torus: this program judges it, and has none itself");
   if (!is_body(body)) line.fail(5, "the sides lie in a plane", "expected three that span space");
   if (!add_body(scene, name, body)) line.fail(1, text::shown(name.name()), "expected a name that is no element's");
 }

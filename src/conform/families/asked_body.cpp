@@ -63,6 +63,13 @@ scene::Body exact_rounded_box(const AskedBody& body) {
   return {all};
 }
 
+/// A box that a torus lies in: its sides go to twice the radius of the ring, which is larger than the tube's.
+scene::Body box_around(AskedBody torus) {
+  const glm::dvec3 across = direction_of(glm::cross(direction_of(torus.sides[2]), direction_of(torus.sides[0])));
+  torus.sides = {2.0 * torus.sides[0], 2 * length_of(torus.sides[0]) * across, 2.0 * torus.sides[2]};
+  return scene::copied(map_of(torus), unit_cube());
+}
+
 }  // namespace
 
 double length_of(const glm::dvec3& v) {
@@ -79,6 +86,7 @@ bool is_body(const AskedBody& body) {
   };
   if (!is_finite(body.centro) || !std::ranges::all_of(body.sides, is_finite)) return false;
   if (has_radius(body.kind) && !(body.radio > 0 && std::isfinite(body.radio))) return false;
+  if (body.kind == BodyKind::toro && !(body.radio < length_of(body.sides[0]))) return false;
   const model::Mapa mapa = map_of(body);
   return number::sign(model::mixto(mapa.x, mapa.y, mapa.z)) != 0;
 }
@@ -95,6 +103,8 @@ scene::Body exact_body(const AskedBody& body) {
       return exact_capsule(body);
     case BodyKind::caja_redonda:
       return exact_rounded_box(body);
+    case BodyKind::toro:
+      return box_around(body);
   }
   contract::unreachable();
 }

@@ -48,7 +48,7 @@ glm::dvec3 point_along(const scene::Query& ray, std::vector<double> crossings, R
 }  // namespace
 
 void put_points_near(SuiteCase& of, NumberFormat numbers, Random& random) {
-  const SceneTruths truths(of.the_case.scene, of.the_case.rays.size());
+  const SceneTruths truths(of.the_case.scene, of.the_case.rays.size(), of.bodies);
   for (scene::Query& ray : of.the_case.rays) {
     const std::size_t which = random.below(8);
     glm::dvec3 point = ray.rayo.p().xyz();

@@ -89,7 +89,7 @@ std::vector<AskedRange> shadow_ranges(const SuiteCase& of, NumberFormat numbers,
 }
 
 std::vector<AskedRange> ranges_near_crossings(const SuiteCase& of, NumberFormat numbers, Random& random) {
-  const SceneTruths truths(of.the_case.scene, of.the_case.rays.size());
+  const SceneTruths truths(of.the_case.scene, of.the_case.rays.size(), of.bodies);
   RangeDraw draw(numbers, random);
   std::vector<AskedRange> all;
   for (const scene::Query& ray : of.the_case.rays) {

@@ -59,12 +59,12 @@ Count& Count::operator+=(const Count& other) {
   return *this;
 }
 
-Count count(const Family& family, const Case& the_case) {
+Count count(const Family& family, const Case& the_case, std::span<const NamedBody> bodies) {
   const Questions& questions = row_of(family).questions;
-  const SceneTruths truths(the_case.scene, the_case.rays.size());
+  const SceneTruths truths(the_case.scene, the_case.rays.size(), bodies);
   Count counted{.rays = the_case.rays.size()};
   for (const scene::Query& ray : the_case.rays) {
-    const AnsweredQuery answered{the_case.scene, ray, truths.of(ray).hit};
+    const AnsweredQuery answered{the_case.scene, ray, truths.of(ray).hit, bodies};
     const bool is_member = questions.is_member(answered);
     counted.members += is_member;
     counted.exact += is_member && questions.is_exact(answered);

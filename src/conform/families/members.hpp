@@ -2,6 +2,9 @@
 /// Questions about a ray and its exact answer, decided by exact arithmetic, tell of which families the ray truly is.
 /// "Nearly" means within one part in 2²⁰ where nothing else is said; it describes a family and judges no answer.
 
+#include <span>
+
+#include "durero/conform/families/asked_body.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
@@ -12,7 +15,8 @@ namespace durero::conform {
 struct AnsweredQuery {
   const scene::Scene& scene;
   const scene::Query& query;
-  scene::Hit hit;  ///< the answer of surface::exact
+  scene::Hit hit;                       ///< the exact answer
+  std::span<const NamedBody> bodies{};  ///< those of the scene
 };
 
 bool hits(const AnsweredQuery& q);

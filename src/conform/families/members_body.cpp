@@ -1,10 +1,21 @@
 #include "conform/families/members.hpp"
+#include "conform/judge/torus.hpp"
 #include "durero/composed/figure.hpp"
 
 namespace durero::conform {
 namespace {
 
-/// Whether the line of the ray has points of the body on both sides of its origin.
+/// Whether the ray begins within a torus, and whether its line touches one.
+bool starts_in(const Torus& torus, const model::Rayo& rayo) {
+  const glm::dvec3& p = rayo.p().xyz();
+  return number::sign(torus.at({p.x, p.y, p.z}, torus.radio())) <= 0;
+}
+bool touches(const Torus& torus, const model::Rayo& rayo) {
+  const auto roots = tube_roots(torus.along(rayo, torus.radio()));
+  return std::ranges::any_of(roots, [](const TubeRoot& root) { return root.is_touched; });
+}
+
+/// Whether the line of the ray has points of the convex body on both sides of its origin.
 bool is_between(const scene::Body& body, const model::Rayo& rayo) {
   const auto figure = composed::figure(body);
   const auto ahead = figure->first(rayo, false),
@@ -17,12 +28,14 @@ bool is_between(const scene::Body& body, const model::Rayo& rayo) {
 bool starts_in_body(const AnsweredQuery& q) {
   return q.scene.any_of([&](scene::ElementRef e, const auto&) {
     const scene::Body* const body = q.scene.body(e);
+    if (const auto torus = torus_of(q.bodies, e)) return starts_in(*torus, q.query.rayo);
     return body != nullptr && is_between(*body, q.query.rayo);
   });
 }
 
 bool coincides_with_body(const AnsweredQuery& q) {
   const auto is_touched = [&](scene::ElementRef e, const auto&) {
+    if (const auto torus = torus_of(q.bodies, e)) return touches(*torus, q.query.rayo);
     const scene::Body* const body = q.scene.body(e);
     if (body == nullptr || is_between(*body, q.query.rayo)) return false;
     const auto points = composed::figure(*body)->parameters(q.query.rayo, false, surface::exact::RayStretch::whole);

@@ -67,6 +67,13 @@ AskedBody body_of(Draws& random, BodyKind kind) {
       body.sides = rectangular_sides(random);
       body.radio = random.integer(1, 16) / 8.0;
       return body;
+    case BodyKind::toro: {
+      body.sides = rotated_axes(random);
+      const double ring = random.integer(1, 8) / 8.0;
+      for (glm::dvec3& side : body.sides) side *= ring;
+      body.radio = length_of(body.sides[0]) * random.integer(1, 7) / 8.0;
+      return body;
+    }
   }
   contract::unreachable();
 }
@@ -118,10 +125,28 @@ glm::dvec3 rounded_parts(Draws& random, const AskedBody& body, int bounds) {
   return w;
 }
 
+/// A point of a torus, or with `out` not 1 so much of the tube's radius from the ring. Rays at the bounds touch it
+/// where it is highest, or are in its equator.
+glm::dvec3 torus_parts(Draws& random, const AskedBody& body, int bounds, double out = 1) {
+  const double ratio = out * body.radio / length_of(body.sides[0]), turn = random.uniform(-1, 1), square = turn * turn;
+  static constexpr std::array<glm::dvec2, 4> quarters{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  glm::dvec2 around{(1 - square) / (1 + square), 2 * turn / (1 + square)}, tube = random.any_of(quarters);
+  around *= random.sign();
+  if (random.chance(1, 3)) around = random.any_of(quarters);
+  if (bounds == 1) {
+    const glm::dvec3 any = of_ball(random);
+    const double size = std::hypot(any.x, any.y);
+    tube = size > 0 ? glm::dvec2(any.x, any.y) / size : glm::dvec2(1, 0);
+  }
+  const double far = 1 + ratio * tube.x;
+  return {around.x * far, ratio * tube.y * length_of(body.sides[0]) / length_of(body.sides[1]), around.y * far};
+}
+
 /// A point of the surface by the parts of the sides. `bounds` of its coordinates are at a bound: of a box in a side, an
 /// edge or a corner; of a capsule at a seam, where there are some.
 glm::dvec3 surface_parts(Draws& random, const AskedBody& body, int bounds) {
   if (body.kind == BodyKind::caja_redonda) return rounded_parts(random, body, bounds);
+  if (body.kind == BodyKind::toro) return torus_parts(random, body, bounds);
   glm::dvec3 w = of_ball(random);
   if (is_box(body)) {
     w = {eighths(random), eighths(random), eighths(random)};
@@ -177,6 +202,10 @@ glm::dvec3 outwards(const AskedBody& body, const glm::dvec3& parts) {
       out += parts[i] * side / length_of(normal) * normal;
   }
   if (body.kind == BodyKind::capsula) out = parts.x * x + parts.z * z;
+  if (body.kind == BodyKind::toro) {
+    const double far = std::hypot(parts.x, parts.z);
+    out = (far - 1) / far * (parts.x * x + parts.z * z) + parts.y * y;
+  }
   return out / length_of(out);
 }
 
@@ -234,6 +263,10 @@ AskedBodies bodies_thin(Draws& random, int log2_ratio) {
       for (const std::size_t i : {0U, 2U}) body.sides[i] = conform::times_power(body.sides[i], -log2_ratio);
       continue;
     }
+    if (body.kind == BodyKind::toro) {  // a thin ring
+      body.radio = std::ldexp(body.radio, -log2_ratio);
+      continue;
+    }
     if (body.kind == BodyKind::caja_redonda && random.chance(1, 2)) body.radio = std::ldexp(body.radio, -log2_ratio);
     const std::size_t kept = random.below(3);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -251,7 +284,9 @@ DrawnRay bodies_edge(Draws& random, int log2_distance, BodySpan all) {
 
 DrawnRay bodies_inside(Draws& random, int eighths_out, BodySpan all) {
   const AskedBody& body = random.any_of(all);
-  const glm::dvec3 p = point_of(body, eighths_out / 8.0 * surface_parts(random, body, 1));
+  const double out = eighths_out / 8.0;
+  const glm::dvec3 p = point_of(
+      body, body.kind == BodyKind::toro ? torus_parts(random, body, 1, out) : out * surface_parts(random, body, 1));
   const glm::dvec3 target = point_of(body, surface_parts(random, body, random.integer(1, 3)));
   const glm::dvec3 v = random.chance(1, 2) ? vector_at(random, body) : target - p;
   return one_in_three_nudged(random, {p, v == glm::dvec3(0) ? body.sides[0] : v});

@@ -171,7 +171,7 @@ FamilySummary summary(const SuiteCase& of) {
   FamilySummary counted{.family = of.family, .cases = 1};
   const Questions& questions = row_of(*of.family).questions;
   for (std::size_t i = 0; i < of.truths.size(); ++i) {
-    const AnsweredQuery answered{of.the_case.scene, of.the_case.rays[i], of.truths[i].hit};
+    const AnsweredQuery answered{of.the_case.scene, of.the_case.rays[i], of.truths[i].hit, of.bodies};
     const bool is_member = questions.is_member(answered);
     counted.count += {1, is_member, is_member && questions.is_exact(answered)};
     ++counted.ambiguities[static_cast<std::size_t>(of.truths[i].ambiguity)];

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "conform/judge/torus.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/number/quotient.hpp"
 
@@ -149,6 +150,8 @@ SpaceParts<T> space(const AskedBody& body, const Point<T>& w, const Dyadic& eta)
       return capsule_space(body, w, eta);
     case BodyKind::caja_redonda:
       return rounded_box_space(body, w, eta);
+    case BodyKind::toro:
+      break;  // it is not convex
   }
   contract::unreachable();
 }
@@ -218,6 +221,25 @@ double distance_of_capsule(const AskedBody& body, const Point<Dyadic>& w, const 
   return std::abs(far) / sum;
 }
 
+/// A torus moved out and in; moved out so far that its hole closes it may hold any point.
+BodyPlace place_in_torus(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& eta) {
+  const Torus torus(body);
+  const Dyadic rho = torus.radio() + eta;
+  if (number::sign(rho) <= 0) return BodyPlace::outside;
+  if (!torus.is_tube(rho)) return BodyPlace::surface;
+  const int side = number::sign(torus.at(w, rho));
+  return side < 0 ? BodyPlace::inside : side == 0 ? BodyPlace::surface : BodyPlace::outside;
+}
+
+/// | √((h − R)² + along²) − r |, with the distance h from the line through the middle, and the way along it.
+double distance_of_torus(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
+  const Point<Dyadic> q = from(body.centro, w), x = dyadic(body.sides[0]), n = cross(dyadic(body.sides[2]), x);
+  const Dyadic nn = squared_length(n), along_n = dot(q, n), hh = squared_length(q) * nn - square(along_n);
+  const double h = std::sqrt(number::round_quotient(hh, nn * square(M))), R = in_units(length_above(x), M);
+  const double along = number::round_quotient(along_n, length_above(n) * M);
+  return std::abs(std::hypot(h - R, along) - in_units(Dyadic(body.radio), M));
+}
+
 /// | √(Σ beyond²) − r | outside the box, with the ways beyond its sides; inside it the least way to a side, and r.
 double distance_of_rounded_box(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {
   const Point<Dyadic> q = from(body.centro, w);
@@ -249,6 +271,7 @@ Dyadic eta_of(const AskedBody& body, const Allowance& allowed) {
       return allowed.times(18);
     case BodyKind::elipsoide:
     case BodyKind::copia_esfera:
+    case BodyKind::toro:
       return allowed.times(13);
     case BodyKind::capsula:
       return allowed.times(14);
@@ -259,6 +282,7 @@ Dyadic eta_of(const AskedBody& body, const Allowance& allowed) {
 }
 
 BodyPlace place_in(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& eta) {
+  if (body.kind == BodyKind::toro) return place_in_torus(body, w, eta);
   BodyPlace place = BodyPlace::outside;
   for (const Conditions<Dyadic>& conditions : space(body, w, eta)) {
     int most = -1;
@@ -292,6 +316,8 @@ double distance_of_body(const AskedBody& body, const Point<Dyadic>& w, const Dya
       return distance_of_capsule(body, w, M);
     case BodyKind::caja_redonda:
       return distance_of_rounded_box(body, w, M);
+    case BodyKind::toro:
+      return distance_of_torus(body, w, M);
   }
   contract::unreachable();
 }

@@ -1,6 +1,8 @@
 #pragma once
 /// The space of a body, moved out or moved in, against which errors of data are measured.
 ///
+/// A torus, which is not convex, has a space of its own (torus_space.hpp).
+///
 /// The points of a body are centro + a·x + b·y + c·z with a, b and c in a set, or lie within a radius of such. Data
 /// within the allowance move each point by the errors of the middle and the sides. A coordinate of a side is off by δ;
 /// a system may also take a side as an axis, off by u in each coordinate, and a length, off by δ: then its end is off
@@ -50,7 +52,7 @@ struct BodyStretch {
   surface::exact::Parameter begin, end;
 };
 /// The stretch of the ray's whole line in the body moved out by η, or in where η is negative; nothing where there is
-/// none.
+/// none. Precondition: the body is convex.
 std::optional<BodyStretch> stretch_in(const AskedBody& body, const model::Rayo& rayo, const Dyadic& eta);
 
 /// The distance of a point from the body's surface, in units of M: of a box from the face that the point is farthest

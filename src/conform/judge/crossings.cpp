@@ -239,12 +239,13 @@ double largest_backward_error(const ClaimContext& trial, const std::vector<Liste
 }
 
 /// The greatest number of meetings of the element with the rays of any data.
-std::size_t most_meetings_of(const ClaimContext& trial, ElementRef element) {
+std::size_t most_hits_of(const ClaimContext& trial, ElementRef element) {
   const auto found = stretches(trial.elements(), element, trial.ray.rayo, trial.precision());
-  if (!found) return most_meetings;
+  const std::size_t of_any = most_meetings_of(trial.elements(), element);
+  if (!found) return of_any;
   std::size_t most = 0;
   for (const ShellStretch& stretch : *found) most += stretch.most;
-  return std::min(most, most_meetings);
+  return std::min(most, of_any);
 }
 
 /// The least number of hits that a system must see.
@@ -281,7 +282,7 @@ Verdict verdict_of_count(const ClaimContext& trial, const Claim& claim) {
   if (count < least_count(trial)) return Verdict::wrong_count;
   std::size_t most = trial.profile.inside == Inside::origin ? trial.solids_around_origin().size() : 0;
   const bool is_reached = trial.scene.any_of([&](ElementRef element, const auto&) {
-    most += most_meetings_of(trial, element);
+    most += most_hits_of(trial, element);
     return most >= count;
   });
   return is_reached || most >= count ? Verdict::right : Verdict::wrong_count;

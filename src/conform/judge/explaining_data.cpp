@@ -20,7 +20,7 @@ namespace {
 std::optional<glm::dvec3> claimed_point(const Finding& finding, const Profile& profile) {
   const Claim& claim = finding.claim;
   if (claim.outcome != Claim::Outcome::hit || is_about_all(finding.of.question)) return std::nullopt;
-  const SceneFacts facts(finding.of.the_case.scene, 1);
+  const SceneFacts facts(finding.of.the_case.scene, 1, finding.of.bodies);
   const ClaimContext trial(finding.of, 0, profile, facts);
   if (!place(trial, claim)) return std::nullopt;
   if (claim.punto) return claim.punto;
@@ -54,7 +54,7 @@ bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile)
   if (of.question == QuestionKind::shadow || is_about_all(of.question) || (is_miss && has_range(of.question)))
     return judge(of, 0, claim, profile).verdict == Verdict::exact;
   if (!is_miss) return is_right(of, claim, profile);
-  const SceneFacts facts(of.the_case.scene, 1);
+  const SceneFacts facts(of.the_case.scene, 1, of.bodies);
   return outside(of, 0, without_limits(profile)).empty() && is_all_beyond_limits(ClaimContext(of, 0, profile, facts));
 }
 

@@ -13,14 +13,16 @@ namespace durero::conform {
 
 class SceneFacts {
  public:
-  /// The facts about a scene, which must outlive them unedited, for about so many rays.
-  SceneFacts(const scene::Scene& scene, std::size_t rays) : scene_(&scene), rays_(rays) {}
+  /// The facts about a scene, which must outlive them unedited with its bodies, for about so many rays.
+  SceneFacts(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies)
+      : scene_(&scene), rays_(rays), bodies_(bodies) {}
 
   const scene::Scene& scene() const { return *scene_; }
 
   /// A thread that builds the tree in parallel takes no other work meanwhile, which could wait for the tree.
   const SceneTree& tree() const {
-    std::call_once(tree_once_, [&] { oneapi::tbb::this_task_arena::isolate([&] { tree_.emplace(*scene_, rays_); }); });
+    std::call_once(tree_once_,
+                   [&] { oneapi::tbb::this_task_arena::isolate([&] { tree_.emplace(*scene_, rays_, bodies_); }); });
     return *tree_;
   }
   /// All triangles of the scene, where they are a closed mesh.
@@ -39,6 +41,7 @@ class SceneFacts {
  private:
   const scene::Scene* scene_;
   std::size_t rays_;
+  std::span<const NamedBody> bodies_;
   mutable std::once_flag tree_once_, mesh_once_, length_once_;
   mutable std::optional<SceneTree> tree_{};
   mutable std::optional<ClosedMesh> mesh_{};

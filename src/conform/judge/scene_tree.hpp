@@ -3,10 +3,13 @@
 /// meets the ray at no 0 < t ≤ limit (trace/candidates.hpp), so that what is asked of all elements may be asked of
 /// those that it names.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "conform/judge/torus.hpp"
 #include "durero/accel/wide/wide_bvh.hpp"
 #include "durero/composed/figure.hpp"
 #include "durero/scene/query.hpp"
@@ -18,17 +21,25 @@ namespace durero::conform {
 class SceneTree {
  public:
   /// The tree of a scene, which must outlive it unedited, for about so many rays. Few elements, or few rays, are asked
-  /// one by one: there is no tree then. Nor is there one of a scene with bodies, which stand elsewhere in the tables.
-  SceneTree(const scene::Scene& scene, std::size_t rays) : scene_(&scene) {
+  /// one by one: there is no tree then. Nor is there one of a scene with bodies, which stand elsewhere in the tables;
+  /// `bodies` says which of them are tori.
+  SceneTree(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies = {}) : scene_(&scene) {
     if (scene.has_bodies())
-      make_figures();
+      make_figures(bodies);
     else if (scene.size() >= least_elements && rays >= least_rays)
       tree_.emplace(scene);
   }
 
   const scene::Scene& scene() const { return *scene_; }
 
-  /// The points of the element as a ray meets them, where it is a body; null of a shape.
+  /// Whether the element is a body.
+  bool is_body(scene::ElementRef e) const { return figure(e) != nullptr || torus(e) != nullptr; }
+  /// The element, where it is a torus; otherwise null.
+  const Torus* torus(scene::ElementRef e) const {
+    const auto found = std::ranges::find(tori_, e, &NamedTorus::element);
+    return found == tori_.end() ? nullptr : &found->torus;
+  }
+  /// The points of the element as a ray meets them, where it is a body and no torus; otherwise null.
   const composed::Figure* figure(scene::ElementRef e) const {
     return figures_.empty() || e.tipo != scene::Sphere::tipo ? nullptr : figures_[e.index].get();
   }
@@ -48,11 +59,20 @@ class SceneTree {
   }
 
  private:
-  void make_figures() {
+  struct NamedTorus {
+    scene::ElementRef element;
+    Torus torus;
+  };
+
+  void make_figures(std::span<const NamedBody> bodies) {
+    for (const auto& [element, body] : bodies) {
+      if (body.kind == BodyKind::toro) tori_.push_back({element, Torus(body)});
+    }
     figures_.resize(scene_->shapes<scene::Sphere>().size());
     for (std::uint32_t i = 0; i < figures_.size(); ++i) {
-      const scene::Body* const body = scene_->body({scene::Sphere::tipo, i});
-      if (body != nullptr) figures_[i] = composed::figure(*body);
+      const scene::ElementRef e{scene::Sphere::tipo, i};
+      const scene::Body* const body = scene_->body(e);
+      if (body != nullptr && torus(e) == nullptr) figures_[i] = composed::figure(*body);
     }
   }
 
@@ -61,6 +81,7 @@ class SceneTree {
 
   const scene::Scene* scene_;
   std::optional<accel::WideBvh> tree_{};
+  std::vector<NamedTorus> tori_{};
   std::vector<std::unique_ptr<const composed::Figure>> figures_{};  // by the row of the sphere that a body stands as
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "conform/judge/body_space.hpp"
+#include "conform/judge/torus_space.hpp"
 #include "conform/judge/zones.hpp"
 
 namespace durero::conform {
@@ -72,25 +73,50 @@ std::optional<Parameter> earliest_of(const Shape& shape, const model::Rayo& rayo
   return first == all.end() ? std::nullopt : std::optional(*first);
 }
 
-/// Stretches of the ray in a body that is moved out, and in one that is moved in, as far as its data may be off.
+/// The allowance of a body along the whole ray; nothing where the data may be off by too much. With m the body's
+/// largest number or the origin's, each coordinate of a point of it, moved, is at most 5m + 15δ: those of its middle,
+/// three sides and a radius. So t·v is at most 6m + 16δ there, and M at most 7m where 16δ ≤ m.
+std::optional<Allowance> allowance_along(const AskedBody& body, const model::Rayo& rayo, const Precision& precision) {
+  const Dyadic m = magnitude(body, rayo, {});
+  const Allowance allowed(precision, Dyadic(7) * m, rayo);
+  return allowed.times(16) > m ? std::nullopt : std::optional(allowed);
+}
+
+/// The stretches of a torus; nothing where it may be met anywhere.
+std::optional<std::vector<ShellStretch>> stretches_of_torus(const AskedBody& body, const model::Rayo& rayo,
+                                                            const Precision& precision) {
+  const std::optional<Allowance> allowed = allowance_along(body, rayo, precision);
+  return allowed ? torus_stretches(body, rayo, eta_of(body, *allowed)) : std::nullopt;
+}
+
+/// The first t of a torus, which is not before the first of its stretches that ends behind `from`.
+std::optional<Parameter> earliest_of_torus(const AskedBody& body, const model::Rayo& rayo, const Precision& precision,
+                                           const Parameter& from) {
+  const auto all = stretches_of_torus(body, rayo, precision);
+  if (!all) return from;
+  for (const auto& [begin, end, most] : *all) {
+    if (!end || order(*end, from) >= 0) return order(begin, from) > 0 ? begin : from;
+  }
+  return std::nullopt;
+}
+
+/// Stretches of the ray in a convex body that is moved out, and in one that is moved in, as far as its data may be off.
 struct BodyStretches {
   std::optional<BodyStretch> out, in;
 };
 
-/// Nothing where the data may be off by too much. With m the body's largest number or the origin's, each coordinate of
-/// a point of it, moved, is at most 5m + 15δ: those of its middle, three sides and a radius. So t·v is at most 6m + 16δ
-/// there, and M at most 7m where 16δ ≤ m.
+/// Nothing where the data may be off by too much.
 std::optional<BodyStretches> stretches_in(const AskedBody& body, const model::Rayo& rayo, const Precision& precision) {
-  const Dyadic m = magnitude(body, rayo, {});
-  const Allowance allowed(precision, Dyadic(7) * m, rayo);
-  if (allowed.times(16) > m) return std::nullopt;
-  const Dyadic eta = eta_of(body, allowed);
+  const std::optional<Allowance> allowed = allowance_along(body, rayo, precision);
+  if (!allowed) return std::nullopt;
+  const Dyadic eta = eta_of(body, *allowed);
   return BodyStretches{stretch_in(body, rayo, eta), stretch_in(body, rayo, -eta)};
 }
 
 /// The first such t of a body.
 std::optional<Parameter> earliest_of(const AskedBody& body, const model::Rayo& rayo, const Precision& precision,
                                      const Parameter& from) {
+  if (body.kind == BodyKind::toro) return earliest_of_torus(body, rayo, precision, from);
   const std::optional<BodyStretches> both = stretches_in(body, rayo, precision);
   if (!both) return from;
   const auto& [out, in] = *both;
@@ -150,6 +176,7 @@ std::vector<ShellStretch> stretches_of(const Along& shell) {
 /// at one place each, before and behind the stretch in the inner one.
 std::optional<std::vector<ShellStretch>> stretches_of(const AskedBody& body, const model::Rayo& rayo,
                                                       const Precision& precision) {
+  if (body.kind == BodyKind::toro) return stretches_of_torus(body, rayo, precision);
   const std::optional<BodyStretches> both = stretches_in(body, rayo, precision);
   if (!both) return std::nullopt;
   const auto& [out, in] = *both;
@@ -171,6 +198,11 @@ std::optional<std::vector<ShellStretch>> stretches_of(const Shape& shape, const 
 }
 
 }  // namespace
+
+std::size_t most_meetings_of(const AskedElements& elements, scene::ElementRef element) {
+  const AskedBody* const body = elements.body(element);
+  return body && body->kind == BodyKind::toro ? most_meetings_of_torus : most_meetings;
+}
 
 std::optional<std::vector<ShellStretch>> stretches(const AskedElements& elements, scene::ElementRef element,
                                                    const model::Rayo& rayo, const Precision& precision) {

@@ -60,7 +60,16 @@ ElementPlaces places_of(const composed::Figure& figure, scene::ElementRef e, con
   return all;
 }
 
+/// Those of a torus: no line lies in it. At a root that more than one crossing has, the line touches it.
+ElementPlaces places_of(const Torus& torus, scene::ElementRef e, const scene::Query& ray) {
+  ElementPlaces all;
+  for (const TubeRoot& root : tube_roots(torus.along(ray.rayo, torus.radio())))
+    all.points.push_back({crossing_at(root), e, root.is_touched ? Ambiguity::tangent : Ambiguity::none});
+  return all;
+}
+
 ElementPlaces places_of(const SceneTree& tree, const AnsweredQuery& query, scene::ElementRef e) {
+  if (const Torus* const torus = tree.torus(e)) return places_of(*torus, e, query.query);
   const composed::Figure* const figure = tree.figure(e);
   return figure ? places_of(*figure, e, query.query) : places_of(quadratic(query, e));
 }
@@ -102,7 +111,7 @@ std::vector<ElementMeeting> places_within(const SceneTree& tree, const scene::Qu
   trace::Counts counts;
   const trace::Search search(tree.scene(), ray.rayo, ray.en, counts);
   const auto look_at = [&](scene::ElementRef e) {
-    const bool is_body = tree.figure(e) != nullptr;
+    const bool is_body = tree.is_body(e);
     const std::optional<trace::Meeting> met = is_body ? std::nullopt : search.certified_meeting(e, range.end);
     if (!met || met->kind != trace::Meeting::Kind::none) add_places_within(all, e, places_of(tree, query, e), range);
   };
@@ -159,7 +168,7 @@ class Sight {
 
  private:
   void look_at(scene::ElementRef e) {
-    if (tree_->figure(e)) return unclear_.push_back(e);
+    if (tree_->is_body(e)) return unclear_.push_back(e);
     std::optional<trace::Meeting> met = search_.certified_meeting(e, limit_);
     if (!met) return unclear_.push_back(e);
     if (met->kind == trace::Meeting::Kind::none) return;
@@ -285,8 +294,8 @@ ExactAnswer truth_by(const SceneTree& tree, const scene::Query& ray) {
 
 ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) { return truth_by({scene, 1}, ray); }
 
-SceneTruths::SceneTruths(const scene::Scene& scene, std::size_t rays)
-    : tree_(std::make_unique<const SceneTree>(scene, rays)) {}
+SceneTruths::SceneTruths(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies)
+    : tree_(std::make_unique<const SceneTree>(scene, rays, bodies)) {}
 SceneTruths::~SceneTruths() = default;
 
 ExactAnswer SceneTruths::of(const scene::Query& ray) const { return truth_by(*tree_, ray); }
@@ -302,9 +311,10 @@ std::vector<double> SceneTruths::crossings(const scene::Query& ray) const {
   return all;
 }
 
-std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, const scene::Query& ray) {
+std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, const scene::Query& ray,
+                                                    std::span<const NamedBody> bodies) {
   if (!scene.has_bodies()) return surface::exact::all_hits(scene, ray.rayo, ray.en);
-  const SceneTree tree(scene, 1);
+  const SceneTree tree(scene, 1, bodies);
   const AnsweredQuery query{scene, ray, {}};
   std::vector<surface::exact::Crossing> all;
   scene.for_each([&](scene::ElementRef e, const auto&) {
@@ -341,13 +351,15 @@ std::vector<ExactAnswer> answers(std::size_t rays, Answer answer) {
 
 }  // namespace
 
-std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays) {
-  const SceneTruths of_scene(scene, rays.size());
+std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays,
+                                std::span<const NamedBody> bodies) {
+  const SceneTruths of_scene(scene, rays.size(), bodies);
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.of(rays[ray]); });
 }
 
-std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays) {
-  const SceneTruths of_scene(scene, rays.size());
+std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays,
+                                         std::span<const NamedBody> bodies) {
+  const SceneTruths of_scene(scene, rays.size(), bodies);
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.with_all(rays[ray]); });
 }
 
@@ -363,8 +375,8 @@ std::vector<ExactAnswer> truths_of_nearest(const scene::Scene& scene, std::span<
 }
 
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                       std::span<const AskedRange> ranges) {
-  const SceneTruths of_scene(scene, rays.size());
+                                       std::span<const AskedRange> ranges, std::span<const NamedBody> bodies) {
+  const SceneTruths of_scene(scene, rays.size(), bodies);
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.within(rays[ray], ranges[ray]); });
 }
 

@@ -6,6 +6,8 @@
 #include <span>
 
 #include "conform/judge/body_space.hpp"
+#include "conform/judge/torus.hpp"
+#include "conform/judge/torus_space.hpp"
 #include "durero/trace/search.hpp"
 
 namespace durero::conform {
@@ -82,25 +84,51 @@ std::optional<Zone> zone_around(scene::ElementRef element, const Shape& shape, c
   return zone;
 }
 
-/// Adds the zones of a body: from where the ray enters it moved out to where it enters it moved in, and likewise where
-/// it leaves it.
+/// The allowance of a body at its crossing t, and whether a stretch that ends there lies within its M: M has room for a
+/// 64th more than the crossing, and holds for no zone beyond that.
+struct CrossingAllowance {
+  Dyadic longest, M;
+  Allowance allowed;
+
+  CrossingAllowance(const AskedBody& body, const model::Rayo& rayo, double t, const Precision& precision)
+      : longest(largest(rayo.v().xyz())),
+        M(magnitude(body, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest)),
+        allowed(precision, M, rayo) {}
+  bool has_room_for(const Zone& zone) const {
+    return number::sign(zone.begin) > 0 && order(number::linear(0, longest, zone.end), Parameter{.x = M}) <= 0;
+  }
+};
+
+/// Adds the zones of a torus: from one of the tubes around its surface to the other, around each crossing.
+void add_torus_zones(std::vector<Zone>& all, scene::ElementRef element, const AskedBody& body, const model::Rayo& rayo,
+                     const Precision& precision) {
+  const Torus torus(body);
+  for (const TubeRoot& crossing : tube_roots(torus.along(rayo, torus.radio()))) {
+    const double t = number::round_to_binary64(crossing.high);
+    if (!std::isfinite(t)) continue;
+    const CrossingAllowance at(body, rayo, t, precision);
+    const std::optional<BodyStretch> found = torus_zone(body, rayo, crossing.root, eta_of(body, at.allowed));
+    if (!found) continue;
+    const Zone zone{element, found->begin, found->end, at.allowed.delta};
+    if (at.has_room_for(zone)) all.push_back(zone);
+  }
+}
+
+/// Adds the zones of a convex body: from where the ray enters it moved out to where it enters it moved in, and likewise
+/// where it leaves it.
 void add_zones(std::vector<Zone>& all, scene::ElementRef element, const AskedBody& body, const model::Rayo& rayo,
                const Precision& precision) {
   const std::optional<BodyStretch> given = stretch_in(body, rayo, {});
   if (!given) return;
-  const Dyadic longest(largest(rayo.v().xyz()));
   for (const bool enters : {true, false}) {
     const double t = number::round_to_binary64(enters ? given->begin : given->end);
     if (!(t > 0) || !std::isfinite(t)) continue;
-    // The end of the zone lies behind the crossing: M has room for a 64th more, and holds for no zone beyond that.
-    const Dyadic M = magnitude(body, rayo, Dyadic(t) * Dyadic(1 + 0x1p-6) * longest);
-    const Allowance allowed(precision, M, rayo);
-    const Dyadic eta = eta_of(body, allowed);
+    const CrossingAllowance at(body, rayo, t, precision);
+    const Dyadic eta = eta_of(body, at.allowed);
     const std::optional<BodyStretch> in = stretch_in(body, rayo, -eta), out = stretch_in(body, rayo, eta);
     if (!in || !out) continue;
-    const Zone zone{element, enters ? out->begin : in->end, enters ? in->begin : out->end, allowed.delta};
-    const bool is_in_reach = order(number::linear(0, longest, zone.end), Parameter{.x = M}) <= 0;
-    if (number::sign(zone.begin) > 0 && is_in_reach) all.push_back(zone);
+    const Zone zone{element, enters ? out->begin : in->end, enters ? in->begin : out->end, at.allowed.delta};
+    if (at.has_room_for(zone)) all.push_back(zone);
   }
 }
 
@@ -141,8 +169,9 @@ std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, co
   const auto add = [&](scene::ElementRef element) {
     const bool starts_on_it = scene::Origin(ray.en).contains(element);
     if (const AskedBody* const body = elements.body(element)) {
-      if (!starts_on_it) add_zones(all, element, *body, ray.rayo, precision);
-      return;
+      if (starts_on_it) return;
+      const auto add_all = body->kind == BodyKind::toro ? add_torus_zones : add_zones;
+      return add_all(all, element, *body, ray.rayo, precision);
     }
     const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
     if (met && met->kind == trace::Meeting::Kind::none) return;

@@ -45,7 +45,7 @@ struct ShellStretch {
 
 /// All stretches of t ≥ 0, ascending, in which the rays of any data may meet the element: each meeting lies in one.
 /// Nothing where the allowance is no small part of the element: it may then be met anywhere. No ray meets an element
-/// more than most_meetings times.
+/// more than most_meetings times, but for a torus.
 ///
 /// An element is part of a quadric, which a ray meets twice at most, or lies in it: that counts twice, by its ends. A
 /// stretch that goes from one wall of the shell to the other meets the element once at most: for all data the one end
@@ -54,6 +54,10 @@ struct ShellStretch {
 std::optional<std::vector<ShellStretch>> stretches(const AskedElements& elements, scene::ElementRef element,
                                                    const model::Rayo& rayo, const Precision& precision);
 inline constexpr std::size_t most_meetings = 2;
+/// Of a torus, which a ray meets four times at most, each stretch has room for so many.
+inline constexpr std::size_t most_meetings_of_torus = 4;
+/// The greatest number of meetings of a ray with the element.
+std::size_t most_meetings_of(const AskedElements& elements, scene::ElementRef element);
 
 /// A place is the point of a ray that a claim gives. A t that the system gives is exactly that of some moved data. A t
 /// computed here from a length is off by √3·δ for v and a rounding, less than 2δ/|v|; from a point, by 2√3·δ and a

@@ -19,9 +19,12 @@ std::string parameter_lines(std::string_view what, const surface::exact::Paramet
   return fmt::format("  {} = {}\n    = {}\n", what, number::decimal_text(value, shown_digits), surd_text(value));
 }
 
-std::string crossing_text(const scene::Scene& scene, const surface::exact::Crossing& crossing) {
+std::string crossing_text(const SuiteCase& of, const surface::exact::Crossing& crossing) {
   const auto& [begin, end] = crossing.segment;
-  const std::string title = fmt::format("{}:\n", scene.name(crossing.elemento).name());
+  const std::string title = fmt::format("{}:\n", of.the_case.scene.name(crossing.elemento).name());
+  const AskedBody* const body = find_body(of.bodies, crossing.elemento);
+  if (body && body->kind == BodyKind::toro)
+    return title + fmt::format("  t = {}\n", number::decimal_text(Surd(begin.value()), shown_digits));
   if (begin && end && *begin == *end) return title + parameter_lines("t", *begin);
   const std::string from = begin ? parameter_lines("in its surface from t", *begin) : "  in its surface from t → 0\n";
   return title + from + (end ? parameter_lines("to t", *end) : "  without end\n");
@@ -50,8 +53,8 @@ std::string exact_answer(const SuiteCase& of, std::size_t ray) {
   const scene::Query& query = of.the_case.rays[ray];
   const ExactAnswer& truth = of.truths[ray];
   std::string text = fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
-  const auto crossings = all_crossings(scene, query);
-  for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(scene, crossing);
+  const auto crossings = all_crossings(scene, query, of.bodies);
+  for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(of, crossing);
   if (truth.hit.resultado == model::Resultado::hit)
     text += point_text(query.rayo, Surd(crossings.front().segment.begin.value()));
   if (truth.ambiguity != Ambiguity::none) text += fmt::format("ambiguous: {}\n", name(truth.ambiguity));

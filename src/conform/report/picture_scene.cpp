@@ -64,6 +64,13 @@ glm::dvec3 body_point(const AskedBody& body, const glm::dvec3& direction) {
     case BodyKind::caja:
     case BodyKind::copia_caja:
       return at(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
+    case BodyKind::toro: {  // around the ring by u and v alike
+      const double far = std::hypot(direction.x, direction.z), ratio = body.radio / length_of(body.sides[0]);
+      const glm::dvec2 around = far > 0 ? glm::dvec2(direction.x, direction.z) / far : glm::dvec2(1, 0);
+      const double turn = std::numbers::pi * direction.y, wide = 1 + ratio * std::cos(turn);
+      const double high = body.radio * std::sin(turn) / length_of(body.sides[1]);
+      return at({wide * around.x, high, wide * around.y});
+    }
     case BodyKind::caja_redonda: {  // the point of the box, and farther out by the radius
       const glm::dvec3 out = direction.x / length_of(body.sides[0]) * body.sides[0] +
                              direction.y / length_of(body.sides[1]) * body.sides[1] +

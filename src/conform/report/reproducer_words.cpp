@@ -206,7 +206,7 @@ Words ray_words(const SuiteCase& of) {
 }
 
 std::string expected_answer(const Finding& finding, const Profile& profile) {
-  const SceneFacts facts(finding.of.the_case.scene, 1);
+  const SceneFacts facts(finding.of.the_case.scene, 1, finding.of.bodies);
   const ClaimContext trial(finding.of, 0, profile, facts);
   if (trial.truth.hit.resultado == model::Resultado::miss) return "miss";
   if (!trial.has_hit()) return "hit - 0";

@@ -138,11 +138,32 @@ TEST_CASE("a question that is malformed is refused at its place") {
   CHECK(refusal("scene a\nesfera e0 0 inf 0 1\nrays 0\n").starts_with("question:2:13: \"inf\""));
   CHECK(refusal("scene a\nesfera e/0 0 0 0 1\nrays 0\n").starts_with("question:2:8: no name"));
   CHECK(refusal("scene a\nesfera e0 0 0 0 -1\nrays 0\n").starts_with("question:2:1: radio_no_positivo; expected"));
-  CHECK(refusal("scene a\ntoro e0 0 0 0 1\nrays 0\n").starts_with("question:2:1: \"toro\"; expected an element"));
+  CHECK(refusal("scene a\ncubo e0 0 0 0 1\nrays 0\n").starts_with("question:2:1: \"cubo\"; expected an element"));
   CHECK(refusal("scene a\nrays x\n").starts_with("question:2:6: rays without their number"));
   CHECK(refusal("scene a\nrays 2\n0 0 0 0 0 1\n").starts_with("question:4:1: the question ends; expected a ray"));
   CHECK(refusal("scene a\nrays 1\n0 0 0 0 0 0\n") ==
         "question:3:7: v is (0, 0, 0); expected ¬ (v.x = 0 ∧ v.y = 0 ∧ v.z = 0) (Rayo.inv.1)");
+}
+
+TEST_CASE("a body is said by its middle and sides, and by a radius where its kind has one") {
+  constexpr std::array<glm::dvec3, 3> sides = {{{2, 0, 0}, {0, 1, 0}, {0, 0, 2}}};
+  for (const auto& [kind, rest] :
+       {std::pair(BodyKind::caja, ""), std::pair(BodyKind::caja_redonda, " 0.5"), std::pair(BodyKind::toro, " 0.5")}) {
+    SuiteCase of = sample();
+    of.the_case.scene = {};
+    const AskedBody body{kind, {0, 0, 5}, sides, 0.5};
+    REQUIRE(add_body(of.the_case.scene, model::Elemento("e0"), body));
+    of.bodies = {{of.the_case.scene.find("e0").value(), body}};
+    of.solids.clear();
+    const std::string text = question(of, Caps::open);
+    CHECK(text.find(std::string(word(kind)) + " e0 0 0 5 2 0 0 0 1 0 0 0 2" + rest + "\nrays 2\n") != text.npos);
+    if (kind == BodyKind::toro)
+      CHECK(refusal(text).starts_with("question:2:1: toro; expected no torus"));
+    else
+      CHECK(read_all(text)[0].scene.size() == 1);
+  }
+  CHECK(refusal("scene a\ncaja_redonda e0 0 0 5 2 0 0 0 1 0 0 0 2 0\n")
+            .starts_with("question:2:41: \"0\"; expected a radius"));
 }
 
 TEST_CASE("the line of a system is its name and version") {

@@ -61,6 +61,14 @@ TEST_CASE("a ray meets a rounded box at its flat sides, around its edges and aro
   CHECK_FALSE(is_body({BodyKind::caja_redonda, {}, boxed, HUGE_VAL}));
 }
 
+TEST_CASE("a torus is a ring of a radius and a tube that leaves a hole, and stands as a box around it") {
+  const std::array<glm::dvec3, 3> ring = {{{2, 0, 0}, {0, 1, 0}, {0, 0, 2}}};
+  CHECK(is_body({BodyKind::toro, {}, ring, 1}));
+  CHECK_FALSE(is_body({BodyKind::toro, {}, ring}));
+  CHECK_FALSE(is_body({BodyKind::toro, {}, ring, 2}));
+  CHECK(met({BodyKind::toro, {0, 0, 10}, ring, 1}, {0, 0, 0}, {0, 0, 1}) == Numbers{6, 14});
+}
+
 TEST_CASE("copies by mirrored and sheared maps are where the map puts them") {
   const std::array<glm::dvec3, 3> sheared = {{{-1, 0, 0}, {1, 1, 0}, {0, 0, 1}}};
   const AskedBody box{BodyKind::copia_caja, {0, 0, 0}, sheared};

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "conform/faults/body_tracer.hpp"
@@ -63,6 +64,10 @@ const std::vector<BodyFaultRow>& body_faults() {
       {rounded_without_corners, "rounded box without corners", {"bodies_edge"}},
       {rounded_without_edges, "rounded box without edges", {"bodies_edge"}},
       {rounded_inner_edges, "rounded box with whole edges", {"bodies_inside"}},
+      {torus_two_roots, "torus with two crossings", {"bodies_inside"}},
+      {torus_without_hole, "torus without a hole", {"bodies_inside"}},
+      {torus_apple, "torus as an apple"},
+      {torus_newton, "torus by three halves"},
   };
   return rows;
 }
@@ -77,13 +82,22 @@ struct SeenCounts {
   std::size_t rays = 0, off = 0, gross = 0;
 };
 
-SeenCounts judged(const Family& family, NumberFormat numbers, BodyFault fault) {
+/// The cases of a family, answered once for all faults.
+const std::vector<SuiteCase>& answered_cases(const Family& family, NumberFormat numbers) {
+  static std::map<std::pair<const Family*, NumberFormat>, std::vector<SuiteCase>> known;
+  std::vector<SuiteCase>& all = known[{&family, numbers}];
   const SuiteOptions options{.rays = 512, .numbers = numbers};
+  for (std::uint64_t number = all.size(); number < cases(options, family); ++number) {
+    all.push_back(suite_case(options, family, number));
+    answer(all.back());
+  }
+  return all;
+}
+
+SeenCounts judged(const Family& family, NumberFormat numbers, BodyFault fault) {
   const Profile profile = profile_of_bodies(NumberFormat::binary64);
   SeenCounts counts;
-  for (std::uint64_t number = 0; number < cases(options, family); ++number) {
-    SuiteCase of = suite_case(options, family, number);
-    answer(of);
+  for (const SuiteCase& of : answered_cases(family, numbers)) {
     const BodyTracer tracer(of.bodies, fault);
     for (std::size_t ray = 0; ray < of.truths.size(); ++ray) {
       const Verdict is = judge(of, ray, tracer.first_hit(of.the_case.rays[ray].rayo), profile).verdict;

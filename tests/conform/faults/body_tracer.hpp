@@ -2,6 +2,7 @@
 /// A plain tracer of bodies, as a program has it, with one fault or none.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -54,7 +55,11 @@ enum class BodyFault {
   rounded_not_longer,      ///< or has no radius
   rounded_without_corners,
   rounded_without_edges,
-  rounded_inner_edges  ///< the cylinders of edges are surface inside, too
+  rounded_inner_edges,  ///< the cylinders of edges are surface inside, too
+  torus_two_roots,      ///< of a torus the first two crossings of the whole line are looked at alone
+  torus_without_hole,   ///< what its ring encloses is filled
+  torus_apple,          ///< the plane's own coordinate is left out
+  torus_newton          ///< one step of the secant is taken for the root
 };
 
 /// One body in the space in which it is a unit shape, or of a capsule as it stands.
@@ -119,6 +124,7 @@ class BodyTracer {
   }
 
   Found first_of(const conform::AskedBody& body, const glm::dvec3& p, const glm::dvec3& v) const {
+    if (body.kind == conform::BodyKind::toro) return torus(body, p - body.centro, v);
     if (body.kind == conform::BodyKind::caja_redonda) return rounded_box(body, p - body.centro, v);
     if (body.kind == conform::BodyKind::capsula) return capsule(body, p - body.centro, v);
     const bool is_box = body.kind == conform::BodyKind::caja || body.kind == conform::BodyKind::copia_caja;
@@ -243,6 +249,64 @@ class BodyTracer {
       }
     }
     return first_of_stretch(all.x, all.y);
+  }
+
+  using Wide = long double;
+  using Coefficients = std::array<Wide, 5>;
+
+  static Wide value(const Coefficients& f, Wide t) {
+    Wide sum = 0;
+    for (std::size_t i = f.size(); i-- > 0;) sum = sum * t + f[i];
+    return sum;
+  }
+
+  /// The roots of a polynomial of that degree in −2 … 2, between those of its derivative, ascending.
+  std::vector<Wide> roots(const Coefficients& f, std::size_t degree) const {
+    if (degree == 0) return {};
+    Coefficients slope{};
+    for (std::size_t i = 1; i <= degree; ++i) slope[i - 1] = static_cast<Wide>(i) * f[i];
+    std::vector<Wide> places{-2};
+    for (const Wide t : roots(slope, degree - 1)) places.push_back(t);
+    places.push_back(2);
+    std::vector<Wide> all;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      Wide low = places[i - 1], high = places[i], at_low = value(f, low), at_high = value(f, high);
+      if (at_low == 0 && (all.empty() || all.back() != low)) all.push_back(low);
+      if (at_low == 0 || (at_low < 0) == (at_high < 0)) continue;
+      const int turns = degree == 4 && is(BodyFault::torus_newton) ? 3 : 90;
+      for (int turn = 0; turn < turns; ++turn) {
+        const Wide middle = (low + high) / 2, at = value(f, middle);
+        ((at < 0) == (at_low < 0) ? low : high) = middle;
+      }
+      all.push_back((low + high) / 2);
+    }
+    return all;
+  }
+
+  /// In units of the ring's radius, around the point of the ray that is nearest to the middle and along a v of
+  /// length 1.
+  Found torus(const conform::AskedBody& body, const glm::dvec3& p, const glm::dvec3& v) const {
+    using Wide3 = glm::vec<3, Wide>;
+    const Wide R = conform::length_of(body.sides[0]), speed = conform::length_of(v), r = body.radio / R;
+    const Wide3 x = Wide3(body.sides[0]) / R, z = Wide3(body.sides[2]) / R, n = glm::cross(x, z), u = Wide3(v) / speed;
+    const Wide back = glm::dot(Wide3(p) / R, u);
+    const Wide3 q = Wide3(p) / R - back * u;
+    const Wide qq = glm::dot(q, q), qn = is(BodyFault::torus_apple) ? 0 : glm::dot(q, n), un = glm::dot(u, n);
+    if (qq > (1 + r) * (1 + r)) return std::nullopt;
+    const Wide c = qq + 1 - r * r;
+    Coefficients f{c * c - 4 * (qq - qn * qn), 8 * qn * un, 2 * c - 4 * (1 - un * un), 0, 1};
+    std::vector<double> all;
+    for (const Wide t : roots(f, 4)) all.push_back(static_cast<double>((t - back) * (R / speed)));
+    if (is(BodyFault::torus_two_roots)) all.resize(std::min<std::size_t>(all.size(), 2));
+    if (is(BodyFault::torus_without_hole) && all.size() == 4) all.erase(all.begin() + 1, all.begin() + 3);
+    double least = 0;
+    if (is(BodyFault::least_t_1e_3)) least = 1e-3;
+    if (is(BodyFault::least_t_1e_6)) least = 1e-6;
+    if (is(BodyFault::behind_the_origin)) least = -std::numeric_limits<double>::infinity();
+    for (const double t : all) {
+      if (t > least) return t > 1e6 && is(BodyFault::greatest_t_1e_6) ? std::nullopt : Found(t);
+    }
+    return std::nullopt;
   }
 
   static std::optional<glm::dvec2> stretch_of_slabs(const glm::dvec3& q, const glm::dvec3& d, const glm::dvec3& half) {

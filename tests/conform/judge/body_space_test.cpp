@@ -71,6 +71,7 @@ TEST_CASE("a rounded box moved out and in has another radius, and is a box where
   CHECK(ends(rounded, {3.6, 2, 0}, {0, 0, 1}, 0.5) == Ends{8.2, 11.8});
   CHECK(ends(rounded, {3.6, 0, 0}, {0, 0, 1}, 0.5) == Ends{8.2, 11.8});
   CHECK(ends(rounded, {0, 2.8, 0}, {0, 0, 1}, 0.5) == Ends{8.4, 11.6});
+  CHECK(ends(rounded, {3.3, 2.3, 0}, {0, 0, 1}, 0.5).first == Approx(9 - std::sqrt(0.82)));
   CHECK_FALSE(stretch_in(rounded, test::ray({3.8, 2.8, 0}, {0, 0, 1}), Dyadic(0.5)));
   CHECK_FALSE(stretch_in(rounded, test::ray({3, 0, 0}, {0, 0, 1}), Dyadic(-0.75)));
   CHECK_FALSE(stretch_in(rounded, test::ray({}, {0, 0, 1}), Dyadic(-1.75)));

@@ -1,7 +1,7 @@
 #pragma once
-/// A body is an element that is none of the model's shapes: a box, a rounded box, a capsule, an ellipsoid, or what an
-/// affine map makes of a cube or a ball. A system is asked about it as one element; exact arithmetic knows it as the
-/// solid that exact_body() composes. Every body is convex.
+/// A body is an element that is none of the model's shapes: a box, a rounded box, a capsule, an ellipsoid, a torus, or
+/// what an affine map makes of a cube or a ball. A system is asked about it as one element; exact arithmetic knows it
+/// as the solid that exact_body() composes. Every body but a torus is convex.
 
 #include <array>
 #include <cstdint>
@@ -21,17 +21,18 @@ enum class BodyKind : std::uint8_t {
   elipsoide,     ///< centro + a·x + b·y + c·z with a² + b² + c² ≤ 1
   copia_caja,    ///< the points of a box, with any sides that span space: sheared, mirrored
   copia_esfera,  ///< the points of an ellipsoid, likewise
-  caja_redonda   ///< what lies within a radius of the points of a box
+  caja_redonda,  ///< what lies within a radius of the points of a box
+  toro           ///< what lies within a radius, less than |x|, of the circle centro + cos·x + sin·z; |z| is |x|
 };
 /// The number of kinds.
-inline constexpr std::size_t body_count = 6;
+inline constexpr std::size_t body_count = 7;
 /// The words of the kinds in questions and files, in their order.
-inline constexpr std::array<std::string_view, body_count> body_words = {"caja",       "capsula",      "elipsoide",
-                                                                        "copia_caja", "copia_esfera", "caja_redonda"};
+inline constexpr std::array<std::string_view, body_count> body_words = {
+    "caja", "capsula", "elipsoide", "copia_caja", "copia_esfera", "caja_redonda", "toro"};
 /// The word of a kind.
 constexpr std::string_view word(BodyKind kind) { return body_words[static_cast<std::size_t>(kind)]; }
 /// Whether a body of the kind has a radius beside its sides.
-constexpr bool has_radius(BodyKind kind) { return kind == BodyKind::caja_redonda; }
+constexpr bool has_radius(BodyKind kind) { return kind == BodyKind::caja_redonda || kind == BodyKind::toro; }
 
 /// A body by the numbers that a question has of it.
 struct AskedBody {
@@ -45,12 +46,12 @@ struct AskedBody {
 /// The length of a vector in binary64, right up to a rounding, whatever its magnitude.
 double length_of(const glm::dvec3& v);
 
-/// Whether the numbers are finite, the sides span space, and a radius is positive.
+/// Whether the numbers are finite, the sides span space, and a radius is positive; that of a torus leaves a hole.
 bool is_body(const AskedBody& body);
 
-/// The body as exact arithmetic knows it. Of a capsule and a rounded box radii, the middles of ends
-/// and directions across are rounded to binary64.
-/// Precondition: is_body(body).
+/// The body as exact arithmetic knows it; of a torus, a box around it, for it is no solid of quadrics (torus.hpp). Of a
+/// capsule and a rounded box radii, the middles of ends and directions across are rounded to binary64. Precondition:
+/// is_body(body).
 scene::Body exact_body(const AskedBody& body);
 
 /// A body of a scene.

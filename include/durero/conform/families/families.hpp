@@ -120,6 +120,6 @@ struct Count {
   Count& operator+=(const Count& other);
 };
 /// Counts the rays of a case by their membership. Precondition: the case is of the family.
-Count count(const Family& family, const Case& the_case);
+Count count(const Family& family, const Case& the_case, std::span<const NamedBody> bodies = {});
 
 }  // namespace durero::conform
