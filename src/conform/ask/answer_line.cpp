@@ -69,10 +69,12 @@ std::string_view read_hit_numbers(std::span<const std::string_view> words, Claim
 }
 
 /// Reads the words of one hit of a line.
-Claim read_hit(std::string_view line, std::span<const std::string_view> words, const scene::Scene& scene) {
+Claim read_hit(std::string_view line, std::span<const std::string_view> words, const scene::Scene& scene,
+               bool is_grid) {
   if (words.size() < 3 || words.front() != "hit") return malformed(line, form_of_a_hit);
   Claim claim{.outcome = Claim::Outcome::hit};
-  if (words[1] != "-") {
+  const bool is_whole_mesh = is_grid && words[1] == scene.meshes()[0].m.name();  // any of its triangles
+  if (words[1] != "-" && !is_whole_mesh) {
     claim.element = scene.find(words[1]);
     if (!claim.element) return malformed(line, "the question has no such element");
   }
@@ -83,11 +85,12 @@ Claim read_hit(std::string_view line, std::span<const std::string_view> words, c
 }
 
 /// Reads a hit, or several with a semicolon between them.
-Claim read_hits(std::string_view line, std::span<const std::string_view> words, const scene::Scene& scene) {
+Claim read_hits(std::string_view line, std::span<const std::string_view> words, const scene::Scene& scene,
+                bool is_grid) {
   std::optional<Claim> first;
   for (;;) {
     const auto end = std::ranges::find(words, ";");
-    Claim claim = read_hit(line, {words.begin(), end}, scene);
+    Claim claim = read_hit(line, {words.begin(), end}, scene, is_grid);
     if (claim.outcome == Claim::Outcome::unanswered) return claim;
     if (first)
       first->behind.push_back(std::move(claim));
@@ -114,11 +117,11 @@ Claim malformed(std::string_view line, std::string_view wrong) {
   return {.why = fmt::format("malformed answer {}: {}", text::shown(line), wrong)};
 }
 
-Claim read_answer_line(std::string_view line, const scene::Scene& scene) {
+Claim read_answer_line(std::string_view line, const scene::Scene& scene, bool is_grid) {
   const std::vector<std::string_view> words = words_of(line);
   if (words.empty()) return malformed(line, "the line is empty");
   if (words.front() == "refused") return {.why = text::escaped(fmt::format("{}", fmt::join(words, " ")))};
-  if (words.front() == "hit") return read_hits(line, words, scene);
+  if (words.front() == "hit") return read_hits(line, words, scene, is_grid);
   if (words.front() == "count") return read_number_of_hits(line, words);
   if (words.front() != "miss") return malformed(line, "it begins with none of miss, hit, count and refused");
   if (words.size() != 1) return malformed(line, "a miss is miss alone");

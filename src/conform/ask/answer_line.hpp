@@ -12,6 +12,6 @@ namespace durero::conform {
 Claim malformed(std::string_view line, std::string_view wrong);
 
 /// Reads miss, hit and refused; any element of the scene may be named.
-Claim read_answer_line(std::string_view line, const scene::Scene& scene);
+Claim read_answer_line(std::string_view line, const scene::Scene& scene, bool is_grid = false);
 
 }  // namespace durero::conform

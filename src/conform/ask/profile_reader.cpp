@@ -60,7 +60,7 @@ constexpr std::size_t required_keys = 7;
 
 /// The words of the types, and then those of the kinds of bodies.
 constexpr auto type_names = [] {
-  std::array<std::string_view, model::tipo_count + body_count> words{};
+  std::array<std::string_view, model::tipo_count + kind_count> words{};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) { words[scene::place_of<Shape>] = Shape::word; });
   std::copy(body_words.begin(), body_words.end(), words.begin() + model::tipo_count);
   return words;

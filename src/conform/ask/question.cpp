@@ -6,6 +6,7 @@
 #include "conform/ask/answer_line.hpp"
 #include "conform/ask/words.hpp"
 #include "conform/families/solids.hpp"
+#include "durero/conform/families/asked_grid.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
@@ -48,6 +49,26 @@ std::string body_line(const model::Elemento& name, const AskedBody& body) {
   return line + '\n';
 }
 
+std::string grid_line(const AskedGrid& grid) {
+  std::string line = fmt::format("{} {} {} {}", word(BodyKind::campo), grid.name, grid.columns, grid.rows);
+  for (const double number : {grid.x, grid.y, grid.dx, grid.dy}) append(line, number);
+  for (const double height : grid.heights) append(line, height);
+  return line + '\n';
+}
+
+/// A line for each element.
+std::string element_lines(const SuiteCase& of, Caps caps) {
+  const scene::Scene& scene = of.the_case.scene;
+  if (of.is_grid) return grid_line(grid_of(scene).value());
+  std::string text;
+  scene.for_each([&](scene::ElementRef element, const auto& shape) {
+    if (is_left_out(of, caps, element)) return;
+    const AskedBody* const body = find_body(of.bodies, element);
+    text += body ? body_line(scene.name(element), *body) : element_line(scene.name(element), shape);
+  });
+  return text;
+}
+
 /// The claim, where it answers what was asked; a miss is a count of none.
 Claim as_asked(Claim claim, std::string_view line, QuestionKind question) {
   if (!claim.behind.empty() && question != QuestionKind::all) return malformed(line, "one hit was asked for");
@@ -63,13 +84,7 @@ Claim as_asked(Claim claim, std::string_view line, QuestionKind question) {
 }  // namespace
 
 std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::size_t> rays) {
-  std::string text = fmt::format("scene {}\n", of.name());
-  const scene::Scene& scene = of.the_case.scene;
-  scene.for_each([&](scene::ElementRef element, const auto& shape) {
-    if (is_left_out(of, caps, element)) return;
-    const AskedBody* const body = find_body(of.bodies, element);
-    text += body ? body_line(scene.name(element), *body) : element_line(scene.name(element), shape);
-  });
+  std::string text = fmt::format("scene {}\n", of.name()) + element_lines(of, caps);
   text += fmt::format("{} {}\n", heads_of_rays[static_cast<std::size_t>(of.question)], rays.size());
   for (const std::size_t ray : rays) {
     const model::Rayo& rayo = of.the_case.rays[ray].rayo;
@@ -91,7 +106,7 @@ std::optional<std::string> read_system_line(std::string_view line) {
 
 Claim read_answer(std::string_view line, const SuiteCase& of, Caps caps) {
   if (of.question == QuestionKind::shadow && line == "hit") return {.outcome = Claim::Outcome::hit};
-  Claim claim = read_answer_line(line, of.the_case.scene);
+  Claim claim = read_answer_line(line, of.the_case.scene, of.is_grid);
   const auto is_none_of_it = [&](const Claim& hit) { return hit.element && is_left_out(of, caps, *hit.element); };
   if (is_none_of_it(claim) || std::ranges::any_of(claim.behind, is_none_of_it))
     return malformed(line, "the question has no such element");

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
 
 #include "conform/ask/words.hpp"
 #include "durero/conform/ask/question.hpp"
+#include "durero/conform/families/asked_grid.hpp"
 #include "durero/io/lines.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/io/source.hpp"
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
 
@@ -88,6 +91,37 @@ void read_body(const QuestionLine& line, BodyKind kind, scene::Scene& scene) {
   if (!add_body(scene, name, body)) line.fail(1, text::shown(name.name()), "expected a name that is no element's");
 }
 
+/// A number of columns or rows of a grid, at that word of the line.
+std::size_t read_size(const QuestionLine& line, std::size_t word) {
+  const double size = line.number_at(word);
+  constexpr double most = most_faces;
+  if (!(size >= 2 && size <= most && size == std::floor(size)))
+    line.fail(word, text::shown(line.words[word]), "expected a number of points along a side, 2 at least");
+  return static_cast<std::size_t>(size);
+}
+
+/// The heights of the grid are as many as its line has, before room is made for them.
+void read_grid(const QuestionLine& line, scene::Scene& scene) {
+  constexpr std::size_t first_height = 8;
+  AskedGrid grid{.name = std::string(name_of(line).name()), .columns = read_size(line, 2), .rows = read_size(line, 3)};
+  const std::size_t heights = line.words.size() - std::min(line.words.size(), first_height);
+  if (heights != grid.columns * grid.rows)
+    line.fail(line.words.size(), fmt::format("{} heights", heights),
+              fmt::format("expected {}", grid.columns * grid.rows));
+  NumberReader numbers(line, 4);
+  for (double* const number : {&grid.x, &grid.y, &grid.dx, &grid.dy}) numbers.read(*number);
+  if (!(grid.dx > 0 && grid.dy > 0)) line.fail(6, "a way that is not positive", "expected DX and DY above 0");
+  const auto last = [](double first, double way, std::size_t count) {
+    return first + static_cast<double>(count) * way;
+  };
+  if (!std::isfinite(last(grid.x, grid.dx, grid.columns)) || !std::isfinite(last(grid.y, grid.dy, grid.rows)))
+    line.fail(4, "points beyond all numbers", "expected a grid of finite coordinates");
+  grid.heights.resize(heights);
+  for (double& height : grid.heights) numbers.read(height);
+  const model::Answer answer = scene.apply_total(scene::MeshAddition{mesh_of(grid)});
+  if (!answer.ok()) line.fail(0, std::string(model::name(answer.r)), *answer.violated);
+}
+
 template <class Shape>
 model::Answer add(const QuestionLine& line, scene::Scene& scene) {
   const model::Elemento name = name_of(line);
@@ -104,6 +138,7 @@ model::Answer add(const QuestionLine& line, scene::Scene& scene) {
 
 void read_element(const QuestionLine& line, scene::Scene& scene) {
   const auto* const body = std::ranges::find(body_words, line.words.front());
+  if (line.words.front() == word(BodyKind::campo)) return read_grid(line, scene);
   if (body != body_words.end()) return read_body(line, static_cast<BodyKind>(body - body_words.begin()), scene);
   std::optional<model::Answer> answer;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {

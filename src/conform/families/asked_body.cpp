@@ -105,6 +105,8 @@ scene::Body exact_body(const AskedBody& body) {
       return exact_rounded_box(body);
     case BodyKind::toro:
       return box_around(body);
+    case BodyKind::campo:
+      break;
   }
   contract::unreachable();
 }

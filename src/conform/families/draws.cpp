@@ -13,13 +13,36 @@ double rounded_to_binary32(double x) {
   return static_cast<double>(static_cast<float>(x));
 }
 
+/// The kinds of bodies that are asked for.
+std::vector<BodyKind> bodies_of(const CaseOptions& options) {
+  std::vector<BodyKind> all = options.bodies;
+  std::erase(all, BodyKind::campo);
+  return all;
+}
+
 }  // namespace
+
+bool asks_grids(const std::vector<model::Tipo>& tipos, const std::vector<BodyKind>& kinds) {
+  return std::ranges::find(kinds, BodyKind::campo) != kinds.end() &&
+         std::ranges::find(tipos, model::Tipo::soy_triangulo) == tipos.end();
+}
 
 bool Draws::allows(model::Tipo tipo) const {
   const std::vector<model::Tipo>& asked = options_.tipos;
   const bool are_all = asked.empty() && options_.bodies.empty();
   return are_all || std::find(asked.begin(), asked.end(), tipo) != asked.end();
 }
+
+bool Draws::allows_bodies() const {
+  const bool are_all = options_.bodies.empty() && options_.tipos.empty();
+  return options_.has_bodies && (are_all || !bodies_of(options_).empty());
+}
+
+BodyKind Draws::any_body_kind() {
+  return options_.bodies.empty() ? static_cast<BodyKind>(below(body_count)) : any_of(bodies_of(options_));
+}
+
+bool Draws::asks_grids() const { return conform::asks_grids(options_.tipos, options_.bodies); }
 
 model::Tipo Draws::any_type_of(const std::vector<model::Tipo>& types) {
   std::vector<model::Tipo> allowed;

@@ -16,11 +16,11 @@ class Draws : public Random {
   const CaseOptions& options() const { return options_; }
   bool allows(model::Tipo tipo) const;
   /// Whether some kind of bodies is asked for.
-  bool allows_bodies() const { return options_.has_bodies && (!options_.bodies.empty() || options_.tipos.empty()); }
+  bool allows_bodies() const;
   /// One of the kinds of bodies that are asked for; any where none is named.
-  BodyKind any_body_kind() {
-    return options_.bodies.empty() ? static_cast<BodyKind>(below(body_count)) : any_of(options_.bodies);
-  }
+  BodyKind any_body_kind();
+  /// Whether meshes that are grids are asked about as such: height fields are asked for, and triangles are not.
+  bool asks_grids() const;
   /// One of the types, each as often; where some are asked for, one of those.
   model::Tipo any_type_of(const std::vector<model::Tipo>& types);
 

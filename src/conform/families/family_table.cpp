@@ -279,7 +279,7 @@ constexpr FamilyRow table[] = {
       "rapier#165, mujoco_warp#943, newton#2412",
       {"log2 of the height", -12, 8}},
      {0.9, 0.22},
-     MeshRecipe{r::terrain, r::terrain},
+     MeshRecipe{r::terrain, r::terrain, true},
      {hits, at_edges}},
     {{"scan",
       "a noisy range image with holes, faces twice and seams of unshared points",

@@ -29,6 +29,7 @@ struct Recipe {
 struct MeshRecipe {
   DrawnMesh (*mesh)(Draws&, int parameter, std::size_t faces);
   DrawnRay (*ray)(Draws&, int parameter, const DrawnMesh& mesh);
+  bool is_grid = false;  ///< whether it makes a grid, where grids are asked for
 };
 
 /// The functions that make the bodies of a scene, and then each ray for them.

@@ -164,10 +164,12 @@ void draw_rays(const Draws& random, std::vector<scene::Query>& queries, std::siz
   }
 }
 
-bool allows_meshes(const Draws& random) { return random.allows(model::Tipo::soy_triangulo); }
+bool allows_mesh(const Draws& random, const MeshRecipe& recipe) {
+  return random.allows(model::Tipo::soy_triangulo) || (recipe.is_grid && random.asks_grids());
+}
 
 std::optional<DrawnCase> generate_mesh(const MeshRecipe& recipe, Draws& random, DrawnCase drawn, std::size_t rays) {
-  if (!allows_meshes(random)) return std::nullopt;
+  if (!allows_mesh(random, recipe)) return std::nullopt;
   const DrawnMesh mesh = recipe.mesh(random, drawn.parameter, random.options().faces);
   drawn.the_case.scene.apply_total(scene::MeshAddition{mesh_in_format(random, mesh)});
   const auto draw = [&] { return recipe.ray(random, drawn.parameter, mesh); };
@@ -217,7 +219,8 @@ std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std:
 }
 
 bool has_scenes(const Family& family, std::uint64_t seed, const CaseOptions& options) {
-  return is_of_meshes(family) ? allows_meshes(Draws(seed, options)) : generate(family, seed, 0, options).has_value();
+  const auto* const of_mesh = std::get_if<MeshRecipe>(&row_of(family).recipe);
+  return of_mesh ? allows_mesh(Draws(seed, options), *of_mesh) : generate(family, seed, 0, options).has_value();
 }
 
 Case generate(const Family& family, std::uint64_t seed, std::size_t rays) {

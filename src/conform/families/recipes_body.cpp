@@ -74,6 +74,8 @@ AskedBody body_of(Draws& random, BodyKind kind) {
       body.radio = length_of(body.sides[0]) * random.integer(1, 7) / 8.0;
       return body;
     }
+    case BodyKind::campo:
+      break;
   }
   contract::unreachable();
 }

@@ -19,7 +19,7 @@ DrawnMesh grid_mesh(Draws& random, int cells, Point point) {
   for (int i = 0; i < cells; ++i) {
     for (int j = 0; j < cells; ++j) {
       const auto at = [&](int di, int dj) { return static_cast<model::Ordinal>((i + di) * (cells + 1) + j + dj); };
-      mesh.add_quad(at(0, 0), at(1, 0), at(1, 1), at(0, 1), random.chance(1, 2));
+      mesh.add_quad(at(0, 0), at(1, 0), at(1, 1), at(0, 1), !random.asks_grids() && random.chance(1, 2));
     }
   }
   return mesh;

@@ -49,8 +49,10 @@ SuiteCase suite_case(const SuiteOptions& options, const Family& family, std::uin
   const std::size_t rays = std::min(rays_of(family), options.rays - number * rays_of(family));
   DrawnCase drawn = generate(family, seed_of_case(options.seed, number), rays, of_cases(options)).value();
   for (scene::Query& ray : drawn.the_case.rays) ray.en.clear();
-  return {
+  SuiteCase of{
       &family, number, drawn.parameter, std::move(drawn.the_case), std::move(drawn.solids), std::move(drawn.bodies)};
+  of.is_grid = is_of_meshes(family) && asks_grids(options.tipos, options.bodies);
+  return of;
 }
 
 const Family own_family{"own", "rays that a user brings", "a scene and rays of one's own", {"none", 0, 0}};

@@ -156,6 +156,7 @@ SuiteCase read_case(const std::string& directory, const SuiteOptions& options, c
   SuiteCase of;
   of.family = &family;
   of.number = number;
+  of.is_grid = is_of_meshes(family) && asks_grids(options.tipos, options.bodies);
   const std::string path = fmt::format("{}/{}", directory, of.name());
   const auto source = [&](std::string_view ending) { return io::read_source(fmt::format("{}{}", path, ending)); };
   of.the_case.scene = io::read_scene(source(scene_ending), io::Bodies::read);

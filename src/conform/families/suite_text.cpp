@@ -154,9 +154,10 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
     const auto& asked = options.tipos;
     if (are_all || std::find(asked.begin(), asked.end(), Shape::tipo) != asked.end()) out.value(Shape::word);
   });
-  for (std::size_t i = 0; i < body_count; ++i) {
+  for (std::size_t i = 0; i < kind_count; ++i) {
     const auto kind = static_cast<BodyKind>(i);
-    if (are_all || std::ranges::find(options.bodies, kind) != options.bodies.end()) out.value(word(kind));
+    if ((are_all && i < body_count) || std::ranges::find(options.bodies, kind) != options.bodies.end())
+      out.value(word(kind));
   }
   out.end_array();
   if (options.faces != usual_faces) out.member("faces", std::uint64_t{options.faces});

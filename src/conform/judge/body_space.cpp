@@ -151,7 +151,8 @@ SpaceParts<T> space(const AskedBody& body, const Point<T>& w, const Dyadic& eta)
     case BodyKind::caja_redonda:
       return rounded_box_space(body, w, eta);
     case BodyKind::toro:
-      break;  // it is not convex
+    case BodyKind::campo:
+      break;  // they are not convex
   }
   contract::unreachable();
 }
@@ -277,6 +278,8 @@ Dyadic eta_of(const AskedBody& body, const Allowance& allowed) {
       return allowed.times(14);
     case BodyKind::caja_redonda:
       return allowed.times(20);
+    case BodyKind::campo:
+      break;
   }
   contract::unreachable();
 }
@@ -318,6 +321,8 @@ double distance_of_body(const AskedBody& body, const Point<Dyadic>& w, const Dya
       return distance_of_rounded_box(body, w, M);
     case BodyKind::toro:
       return distance_of_torus(body, w, M);
+    case BodyKind::campo:
+      break;
   }
   contract::unreachable();
 }

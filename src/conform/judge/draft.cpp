@@ -87,7 +87,10 @@ std::string_view word_of(const AskedShape& any) {
 }
 
 Draft::Draft(const SuiteCase& of)
-    : p(of.the_case.rays[0].rayo.p().xyz()), v(of.the_case.rays[0].rayo.v().xyz()), are_closed(!of.solids.empty()) {
+    : p(of.the_case.rays[0].rayo.p().xyz()),
+      v(of.the_case.rays[0].rayo.v().xyz()),
+      are_closed(!of.solids.empty()),
+      is_grid(of.is_grid) {
   const scene::Scene& scene = of.the_case.scene;
   scene.for_each([&](scene::ElementRef e, const auto& shape) {
     if (solid_closed_by(of.solids, e) != nullptr) return;
@@ -99,12 +102,28 @@ Draft::Draft(const SuiteCase& of)
   for (const scene::ElementRef e : of.the_case.rays[0].en) on.emplace_back(scene.name(e).name());
 }
 
+bool Draft::are_of(const scene::Scene& scene) const {
+  const auto is_same = [&](const Element& element) {
+    const auto e = scene.find(element.name);
+    const auto* const triangle = std::get_if<scene::Triangle>(&element.shape);
+    return e && triangle && e->tipo == scene::Triangle::tipo &&
+           scene.shapes<scene::Triangle>()[e->index].vertices == triangle->vertices;
+  };
+  return elements.size() == scene.size() && std::ranges::all_of(elements, is_same);
+}
+
 std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
   if (range && !(std::isfinite(range->end) && range->end >= 0 && range->begin >= 0)) return std::nullopt;
   SuiteCase of{
       .family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}, .question = question};
+  of.is_grid = is_grid;
+  if (is_grid) {
+    if (!are_of(like.the_case.scene)) return std::nullopt;
+    of.the_case.scene = like.the_case.scene;
+  }
   for (const Element& element : elements) {
+    if (is_grid) break;
     if (!is_finite(element.shape)) return std::nullopt;
     if (!add(of, element)) return std::nullopt;
   }

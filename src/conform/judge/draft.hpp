@@ -33,6 +33,7 @@ struct Draft {
   std::optional<AskedRange> range{};  ///< of the ray, where the question has some
   std::vector<std::string> on;        ///< the names of the elements that the ray starts on
   bool are_closed = false;            ///< discs close the elements that have ends
+  bool is_grid = false;               ///< the elements are those of a grid, and may not be changed
 
   /// A draft of a case with one ray. Discs that close solids are left out; they follow from their walls.
   explicit Draft(const SuiteCase& of);
@@ -40,6 +41,9 @@ struct Draft {
   /// The answered case that the draft describes, with the family and the number of `like`; nothing where the model
   /// refuses an element or the ray.
   std::optional<SuiteCase> built(const SuiteCase& like) const;
+
+ private:
+  bool are_of(const scene::Scene& scene) const;  ///< whether the elements are the triangles of that scene
 };
 
 /// The numbers of a shape or a body that a change may touch. Each is of one of these kinds.

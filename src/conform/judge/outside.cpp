@@ -41,7 +41,8 @@ template <class Shape>
 std::string clause_of(const ClaimContext& trial, ElementRef element, const Shape& shape) {
   const Profile& profile = trial.profile;
   const model::Tipo tipo = trial.body(element).tipo;
-  if (std::find(profile.tipos.begin(), profile.tipos.end(), tipo) == profile.tipos.end())
+  const bool is_of_grid = trial.is_grid && asks_grids(profile.tipos, profile.bodies);
+  if (!is_of_grid && std::find(profile.tipos.begin(), profile.tipos.end(), tipo) == profile.tipos.end())
     return fmt::format("no {}", Shape::word);
   if (profile.caps == Caps::solid && is_axial(tipo) && !trial.is_solid(trial.body(element)))
     return fmt::format("no open {}", Shape::word);

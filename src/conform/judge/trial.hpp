@@ -22,6 +22,7 @@ struct ClaimContext {
   const Profile& profile;
   const SceneFacts& facts;            ///< about the scene
   QuestionKind question;              ///< what is asked about the ray
+  bool is_grid;                       ///< whether the scene is asked about as a grid
   std::optional<AskedRange> range{};  ///< of the ray, where the question has some
 
   ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
@@ -32,7 +33,8 @@ struct ClaimContext {
         truth(of.truths[number]),
         profile(asked),
         facts(of_scene),
-        question(of.question) {
+        question(of.question),
+        is_grid(of.is_grid) {
     if (has_range(question)) range = of.ranges[number];
   }
 

@@ -64,6 +64,8 @@ glm::dvec3 body_point(const AskedBody& body, const glm::dvec3& direction) {
     case BodyKind::caja:
     case BodyKind::copia_caja:
       return at(direction / std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
+    case BodyKind::campo:
+      break;
     case BodyKind::toro: {  // around the ring by u and v alike
       const double far = std::hypot(direction.x, direction.z), ratio = body.radio / length_of(body.sides[0]);
       const glm::dvec2 around = far > 0 ? glm::dvec2(direction.x, direction.z) / far : glm::dvec2(1, 0);

@@ -14,7 +14,8 @@
 
 namespace durero::conform {
 
-/// The kinds of bodies. But for copies, the sides stand at right angles to each other.
+/// The kinds of elements beside the types of the model: bodies, and the height field. But for copies, the sides stand
+/// at right angles to each other.
 enum class BodyKind : std::uint8_t {
   caja,          ///< the box centro + a·x + b·y + c·z with |a|, |b|, |c| ≤ 1
   capsula,       ///< what lies within |x| of the stretch from centro − y to centro + y; |z| is |x|
@@ -22,13 +23,16 @@ enum class BodyKind : std::uint8_t {
   copia_caja,    ///< the points of a box, with any sides that span space: sheared, mirrored
   copia_esfera,  ///< the points of an ellipsoid, likewise
   caja_redonda,  ///< what lies within a radius of the points of a box
-  toro           ///< what lies within a radius, less than |x|, of the circle centro + cos·x + sin·z; |z| is |x|
+  toro,          ///< what lies within a radius, less than |x|, of the circle centro + cos·x + sin·z; |z| is |x|
+  campo          ///< a height field: no body, but a mesh of triangles that is said as a grid (asked_grid.hpp)
 };
-/// The number of kinds.
+/// The number of kinds of bodies.
 inline constexpr std::size_t body_count = 7;
+/// The number of kinds, the height field among them.
+inline constexpr std::size_t kind_count = 8;
 /// The words of the kinds in questions and files, in their order.
-inline constexpr std::array<std::string_view, body_count> body_words = {
-    "caja", "capsula", "elipsoide", "copia_caja", "copia_esfera", "caja_redonda", "toro"};
+inline constexpr std::array<std::string_view, kind_count> body_words = {
+    "caja", "capsula", "elipsoide", "copia_caja", "copia_esfera", "caja_redonda", "toro", "campo"};
 /// The word of a kind.
 constexpr std::string_view word(BodyKind kind) { return body_words[static_cast<std::size_t>(kind)]; }
 /// Whether a body of the kind has a radius beside its sides.

@@ -73,11 +73,14 @@ inline constexpr std::size_t most_faces = 4'000'000;
 struct CaseOptions {
   NumberFormat numbers = NumberFormat::binary64;  ///< the format of scenes and rays, except discs that close solids
   std::vector<model::Tipo> tipos{};               ///< the types of elements; none, and no bodies: all
-  std::vector<BodyKind> bodies{};                 ///< the kinds of bodies; none, and no types: all
-  bool has_bodies = true;                         ///< no bodies are drawn otherwise, whatever is named
-  Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
-  std::size_t faces = usual_faces;                ///< about so many faces has a mesh
+  std::vector<BodyKind> bodies{};   ///< the kinds of bodies, and the height field; none, and no types: all but that
+  bool has_bodies = true;           ///< no bodies are drawn otherwise, whatever is named
+  Caps caps = Caps::open;           ///< solid: discs close the cylinders, cones and truncated cones
+  std::size_t faces = usual_faces;  ///< about so many faces has a mesh
 };
+
+/// Whether height fields are asked about as grids under these options: they are asked for, and triangles are not.
+bool asks_grids(const std::vector<model::Tipo>& tipos, const std::vector<BodyKind>& kinds);
 
 /// A solid is an element together with the discs that close it: a system with solids knows them as one. The disc
 /// NAME.base lies at centro, NAME.top at the other end where that is no apex. Discs are the model's own, with numbers

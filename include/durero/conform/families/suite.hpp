@@ -14,12 +14,12 @@ namespace durero::conform {
 
 /// The options of a suite.
 struct SuiteOptions {
-  std::vector<const Family*> families{};          ///< none: all
-  std::uint64_t seed = 1;                         ///< the seed of all random streams: another seed, other cases
-  std::size_t rays = 1024;                        ///< the number of rays of each family
-  std::vector<model::Tipo> tipos{};               ///< the types of elements; none, and no bodies: all
-  std::vector<BodyKind> bodies{};                 ///< the kinds of bodies; none, and no types: all
-  Caps caps = Caps::open;                         ///< solid: discs close the cylinders, cones and truncated cones
+  std::vector<const Family*> families{};  ///< none: all
+  std::uint64_t seed = 1;                 ///< the seed of all random streams: another seed, other cases
+  std::size_t rays = 1024;                ///< the number of rays of each family
+  std::vector<model::Tipo> tipos{};       ///< the types of elements; none, and no bodies: all
+  std::vector<BodyKind> bodies{};  ///< the kinds of bodies, and the height field; none, and no types: all but that
+  Caps caps = Caps::open;          ///< solid: discs close the cylinders, cones and truncated cones
   NumberFormat numbers = NumberFormat::binary32;  ///< the format of scenes and rays, except discs that close solids
   std::size_t faces = usual_faces;                ///< about so many faces has a mesh
   QuestionKind question = QuestionKind::first;    ///< the question about the rays
@@ -43,6 +43,7 @@ struct SuiteCase {
   std::vector<NamedBody> bodies{};              ///< the elements that are bodies
   std::vector<ExactAnswer> truths{};            ///< the truths of the rays, in their order
   QuestionKind question = QuestionKind::first;  ///< the question about each ray
+  bool is_grid = false;                         ///< the scene is asked about as the grid that its mesh is (grid_of)
   /// The ranges of the rays, in their order, where the question has some; a shadow ray's begins at 0.
   std::vector<AskedRange> ranges{};
 
