@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "conform/families/family_table.hpp"
+#include "conform/judge/scene_tree.hpp"
 #include "durero/conform/judge/truth.hpp"
 
 namespace durero::conform {
@@ -48,7 +49,8 @@ Range parameter(const Family& family, NumberFormat numbers) {
 
 Membership membership(const Family& family, const Case& the_case, const scene::Query& ray) {
   const Questions& questions = row_of(family).questions;
-  const AnsweredQuery answered{the_case.scene, ray, truth(the_case.scene, ray).hit};
+  const SceneTree tree(the_case.scene, 1);
+  const AnsweredQuery answered{the_case.scene, ray, truth(the_case.scene, ray).hit, &tree};
   return {questions.is_member(answered), questions.is_exact(answered)};
 }
 
@@ -62,9 +64,11 @@ Count& Count::operator+=(const Count& other) {
 Count count(const Family& family, const Case& the_case, std::span<const NamedBody> bodies) {
   const Questions& questions = row_of(family).questions;
   const SceneTruths truths(the_case.scene, the_case.rays.size(), bodies);
+  std::optional<SceneTree> tree;
+  if (the_case.scene.has_bodies()) tree.emplace(the_case.scene, the_case.rays.size(), bodies);
   Count counted{.rays = the_case.rays.size()};
   for (const scene::Query& ray : the_case.rays) {
-    const AnsweredQuery answered{the_case.scene, ray, truths.of(ray).hit, bodies};
+    const AnsweredQuery answered{the_case.scene, ray, truths.of(ray).hit, tree ? &*tree : nullptr};
     const bool is_member = questions.is_member(answered);
     counted.members += is_member;
     counted.exact += is_member && questions.is_exact(answered);

@@ -2,21 +2,20 @@
 /// Questions about a ray and its exact answer, decided by exact arithmetic, tell of which families the ray truly is.
 /// "Nearly" means within one part in 2²⁰ where nothing else is said; it describes a family and judges no answer.
 
-#include <span>
-
-#include "durero/conform/families/asked_body.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
 
 namespace durero::conform {
 
+class SceneTree;
+
 /// A query and its exact answer.
 struct AnsweredQuery {
   const scene::Scene& scene;
   const scene::Query& query;
-  scene::Hit hit;                       ///< the exact answer
-  std::span<const NamedBody> bodies{};  ///< those of the scene
+  scene::Hit hit;                   ///< the exact answer
+  const SceneTree* tree = nullptr;  ///< of the scene, where it has bodies
 };
 
 bool hits(const AnsweredQuery& q);

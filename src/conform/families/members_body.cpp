@@ -1,5 +1,5 @@
 #include "conform/families/members.hpp"
-#include "conform/judge/torus.hpp"
+#include "conform/judge/scene_tree.hpp"
 #include "durero/composed/figure.hpp"
 
 namespace durero::conform {
@@ -16,32 +16,31 @@ bool touches(const Torus& torus, const model::Rayo& rayo) {
 }
 
 /// Whether the line of the ray has points of the convex body on both sides of its origin.
-bool is_between(const scene::Body& body, const model::Rayo& rayo) {
-  const auto figure = composed::figure(body);
-  const auto ahead = figure->first(rayo, false),
-             behind = figure->first({rayo.p(), model::Vector(-rayo.v().xyz())}, false);
+bool is_between(const composed::Figure& figure, const model::Rayo& rayo) {
+  const auto ahead = figure.first(rayo, false),
+             behind = figure.first({rayo.p(), model::Vector(-rayo.v().xyz())}, false);
   return (ahead.t || ahead.no_minimum) && (behind.t || behind.no_minimum);
 }
 
 }  // namespace
 
 bool starts_in_body(const AnsweredQuery& q) {
-  return q.scene.any_of([&](scene::ElementRef e, const auto&) {
-    const scene::Body* const body = q.scene.body(e);
-    if (const auto torus = torus_of(q.bodies, e)) return starts_in(*torus, q.query.rayo);
-    return body != nullptr && is_between(*body, q.query.rayo);
+  return q.tree && q.scene.any_of([&](scene::ElementRef e, const auto&) {
+    if (const Torus* const torus = q.tree->torus(e)) return starts_in(*torus, q.query.rayo);
+    const composed::Figure* const figure = q.tree->figure(e);
+    return figure != nullptr && is_between(*figure, q.query.rayo);
   });
 }
 
 bool coincides_with_body(const AnsweredQuery& q) {
   const auto is_touched = [&](scene::ElementRef e, const auto&) {
-    if (const auto torus = torus_of(q.bodies, e)) return touches(*torus, q.query.rayo);
-    const scene::Body* const body = q.scene.body(e);
-    if (body == nullptr || is_between(*body, q.query.rayo)) return false;
-    const auto points = composed::figure(*body)->parameters(q.query.rayo, false, surface::exact::RayStretch::whole);
+    if (const Torus* const torus = q.tree->torus(e)) return touches(*torus, q.query.rayo);
+    const composed::Figure* const figure = q.tree->figure(e);
+    if (figure == nullptr || is_between(*figure, q.query.rayo)) return false;
+    const auto points = figure->parameters(q.query.rayo, false, surface::exact::RayStretch::whole);
     return !points || points->size() == 1;
   };
-  return q.hit.elementos.size() > 1 || exactly_aligned(q) || q.scene.any_of(is_touched);
+  return q.hit.elementos.size() > 1 || exactly_aligned(q) || (q.tree && q.scene.any_of(is_touched));
 }
 
 }  // namespace durero::conform

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "conform/families/family_table.hpp"
+#include "conform/judge/scene_tree.hpp"
 #include "durero/conform/ask/claims_file.hpp"
 #include "durero/conform/ask/ranges_file.hpp"
 #include "durero/conform/format_versions.hpp"
@@ -171,8 +172,10 @@ std::string suite_text(const SuiteOptions& options, const std::vector<FamilySumm
 FamilySummary summary(const SuiteCase& of) {
   FamilySummary counted{.family = of.family, .cases = 1};
   const Questions& questions = row_of(*of.family).questions;
+  std::optional<SceneTree> tree;
+  if (!of.bodies.empty()) tree.emplace(of.the_case.scene, of.truths.size(), of.bodies);
   for (std::size_t i = 0; i < of.truths.size(); ++i) {
-    const AnsweredQuery answered{of.the_case.scene, of.the_case.rays[i], of.truths[i].hit, of.bodies};
+    const AnsweredQuery answered{of.the_case.scene, of.the_case.rays[i], of.truths[i].hit, tree ? &*tree : nullptr};
     const bool is_member = questions.is_member(answered);
     counted.count += {1, is_member, is_member && questions.is_exact(answered)};
     ++counted.ambiguities[static_cast<std::size_t>(of.truths[i].ambiguity)];

@@ -157,25 +157,23 @@ SpaceParts<T> space(const AskedBody& body, const Point<T>& w, const Dyadic& eta)
   contract::unreachable();
 }
 
-bool holds_somewhere(const SpaceParts<Linear<Dyadic>>& parts, const Parameter& t) {
-  return std::ranges::any_of(parts, [&](const auto& conditions) {
-    return std::ranges::all_of(conditions, [&](const auto& f) { return sign_at(f, t) <= 0; });
-  });
-}
-
-/// The parameters at which a condition may begin or cease to hold, ascending.
-std::vector<Parameter> changes(const SpaceParts<Linear<Dyadic>>& parts) {
-  std::vector<Parameter> all;
-  for (const auto& conditions : parts) {
-    for (const auto& f : conditions) {
-      const surface::exact::Roots roots = surface::exact::roots({f.A, f.B, f.C});
-      if (roots.every) continue;
-      const auto values = roots.values();
-      all.insert(all.end(), values.begin(), values.end());
-    }
+/// The stretch of the ray in one part of a body, which is closed, convex and bounded: its ends are the first and the
+/// last parameter at which a condition may begin or cease to hold, and all hold.
+std::optional<BodyStretch> stretch_of_part(const Conditions<Linear<Dyadic>>& conditions) {
+  std::vector<Parameter> changes;
+  for (const auto& f : conditions) {
+    const surface::exact::Roots roots = surface::exact::roots({f.A, f.B, f.C});
+    if (roots.every) continue;
+    const auto values = roots.values();
+    changes.insert(changes.end(), values.begin(), values.end());
   }
-  std::ranges::sort(all, [](const Parameter& a, const Parameter& b) { return order(a, b) < 0; });
-  return all;
+  std::ranges::sort(changes, [](const Parameter& a, const Parameter& b) { return order(a, b) < 0; });
+  const auto holds = [&](const Parameter& t) {
+    return std::ranges::all_of(conditions, [&](const auto& f) { return sign_at(f, t) <= 0; });
+  };
+  const auto first = std::ranges::find_if(changes, holds);
+  if (first == changes.end()) return std::nullopt;
+  return BodyStretch{*first, *std::find_if(changes.rbegin(), changes.rend(), holds)};
 }
 
 double in_units(const Dyadic& a, const Dyadic& M) { return number::round_quotient(a, M); }
@@ -296,15 +294,17 @@ BodyPlace place_in(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& 
   return place;
 }
 
-/// The body is closed, convex and bounded: the ends of a stretch are the first and the last change at which it holds.
+/// The body is convex, and so the stretches of its parts are one.
 std::optional<BodyStretch> stretch_in(const AskedBody& body, const model::Rayo& rayo, const Dyadic& eta) {
-  const SpaceParts<Linear<Dyadic>> parts = space(body, surface::along<Dyadic>(rayo), eta);
-  const std::vector<Parameter> all = changes(parts);
-  const auto holds = [&](const Parameter& t) { return holds_somewhere(parts, t); };
-  const auto first = std::ranges::find_if(all, holds);
-  if (first == all.end()) return std::nullopt;
-  const auto last = std::find_if(all.rbegin(), all.rend(), holds);
-  return BodyStretch{*first, *last};
+  std::optional<BodyStretch> whole;
+  for (const auto& conditions : space(body, surface::along<Dyadic>(rayo), eta)) {
+    const std::optional<BodyStretch> part = stretch_of_part(conditions);
+    if (!part) continue;
+    if (!whole) whole = part;
+    if (order(part->begin, whole->begin) < 0) whole->begin = part->begin;
+    if (order(whole->end, part->end) < 0) whole->end = part->end;
+  }
+  return whole;
 }
 
 double distance_of_body(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) {

@@ -43,11 +43,6 @@ Polynomial Torus::along(const model::Rayo& rayo, const Dyadic& rho) const {
   return f;
 }
 
-std::optional<Torus> torus_of(std::span<const NamedBody> bodies, scene::ElementRef element) {
-  const AskedBody* const body = find_body(bodies, element);
-  return body && body->kind == BodyKind::toro ? std::optional<Torus>(*body) : std::nullopt;
-}
-
 std::vector<TubeRoot> tube_roots(const Polynomial& of) {
   constexpr std::int64_t bits = 400;
   Polynomial slope;

@@ -35,9 +35,6 @@ class Torus {
   Dyadic nn_, squared_, radio_;  // n², R² and the radius
 };
 
-/// The torus that the element is; nothing where it is none.
-std::optional<Torus> torus_of(std::span<const NamedBody> bodies, scene::ElementRef element);
-
 /// A root of a polynomial along a ray, t > 0, between two numbers that are apart by less than 2⁻⁴⁰⁰ of it, or that are
 /// the root itself.
 struct TubeRoot {

@@ -128,7 +128,7 @@ TEST_CASE("what is wrong in a system's file is said at its place") {
   CHECK(refusal("debian", "cpan").starts_with(file + "2:12: unknown key \"cpan\" in install; expected one of debian"));
   CHECK(refusal("[\"c==1\"]", "[]") == file + "2:38: pypi is empty; expected one string at least");
   CHECK(refusal("binary64", "binary16") == file + "5:21: format is \"binary16\"; expected one of binary32, binary64");
-  CHECK(refusal("cilindro", "toro").starts_with(file + "5:41: a tipo is \"toro\"; expected one of esfera, cilindro"));
+  CHECK(refusal("cilindro", "cubo").starts_with(file + "5:41: a tipo is \"cubo\"; expected one of esfera, cilindro"));
   CHECK(refusal("[\"cilindro\"]", "[]").starts_with(file + "5:40: tipos is empty"));
   CHECK(refusal("solid", "round").starts_with(file + "5:60: caps is \"round\"; expected one of open, solid"));
   CHECK(refusal("length\"", "metre\"").starts_with(file + "5:78: measure is"));

@@ -110,7 +110,7 @@ TEST_CASE("what is wrong in a campaign is said at its place") {
         "c.json:2:34: family \"generic\" stands twice; expected each once");
   CHECK(refusal(whole, "[\"tiny\",\"generic\"]", "[]") ==
         "c.json:2:23: families is empty; expected one at least, or no key families");
-  CHECK(refusal(whole, "\"cono\"", "\"toro\"").starts_with("c.json:2:60: a tipo is \"toro\"; expected one of esfera"));
+  CHECK(refusal(whole, "\"cono\"", "\"cubo\"").starts_with("c.json:2:60: a tipo is \"cubo\"; expected one of esfera"));
   CHECK(refusal(whole, "true", "1").starts_with("c.json:2:77: solids is a number"));
   CHECK(refusal(whole, "binary64", "binary16") ==
         "c.json:2:92: numbers is \"binary16\"; expected one of binary32, binary64");

@@ -35,7 +35,7 @@ Count count_of(const Family& family, std::uint64_t first_seed, const CaseOptions
     INFO(family.name << ", seed " << first_seed + i);
     const auto drawn = generate(family, first_seed + i, rays_a_scene, options);
     REQUIRE(drawn);
-    counted += count(family, drawn->the_case);
+    counted += count(family, drawn->the_case, drawn->bodies);
   }
   return counted;
 }
@@ -265,7 +265,7 @@ TEST_CASE("a system of triangles or discs alone has the families that need no ax
       for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const auto drawn = generate(family, seed, 24, {.tipos = {tipo}});
         if (!drawn) continue;
-        count += conform::count(family, drawn->the_case);
+        count += conform::count(family, drawn->the_case, drawn->bodies);
         for (const scene::Query& ray : drawn->the_case.rays) CHECK(are_one_surface(drawn->the_case.scene, ray.en));
       }
       const bool has_none = none.contains(family.name) ||

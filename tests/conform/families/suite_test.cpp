@@ -85,7 +85,7 @@ TEST_CASE("the answers are the truths, of every family, open and solid") {
         REQUIRE(of.truths.size() == of.the_case.rays.size());
         for (std::size_t i = 0; i < of.truths.size(); ++i) {
           INFO(of.name() << ", ray " << i << ": " << text(of.the_case.rays[i]));
-          const ExactAnswer expected = truth(of.the_case.scene, of.the_case.rays[i]);
+          const ExactAnswer expected = SceneTruths(of.the_case.scene, 1, of.bodies).of(of.the_case.rays[i]);
           INFO(text(of.truths[i].hit) << " but " << text(expected.hit));
           CHECK(is_same(of.truths[i], expected));
           ambiguous += of.truths[i].ambiguity != Ambiguity::none;
