@@ -67,11 +67,10 @@ glm::dvec3 body_point(const AskedBody& body, const glm::dvec3& direction) {
     case BodyKind::campo:
       break;
     case BodyKind::toro: {  // around the ring by u and v alike
-      const double far = std::hypot(direction.x, direction.z), ratio = body.radio / length_of(body.sides[0]);
-      const glm::dvec2 around = far > 0 ? glm::dvec2(direction.x, direction.z) / far : glm::dvec2(1, 0);
-      const double turn = std::numbers::pi * direction.y, wide = 1 + ratio * std::cos(turn);
+      const double ratio = body.radio / length_of(body.sides[0]), turn = std::numbers::pi * direction.y;
+      const double wide = 1 + ratio * std::cos(turn);
       const double high = body.radio * std::sin(turn) / length_of(body.sides[1]);
-      return at({wide * around.x, high, wide * around.y});
+      return at({wide * direction.x, high, wide * direction.z});
     }
     case BodyKind::caja_redonda: {  // the point of the box, and farther out by the radius
       const glm::dvec3 out = direction.x / length_of(body.sides[0]) * body.sides[0] +
@@ -95,7 +94,8 @@ glm::dvec3 body_point(const AskedBody& body, const glm::dvec3& direction) {
 DrawnSurface surface_of(const SuiteCase& of, ElementRef e) {
   if (const AskedBody* const body = find_body(of.bodies, e)) {
     const auto point = [body = *body](double u, double v) {
-      const double turn = 2 * std::numbers::pi * v, height = 2 * u - 1, wide = std::sqrt(1 - height * height);
+      const double turn = 2 * std::numbers::pi * v, height = 2 * u - 1;
+      const double wide = body.kind == BodyKind::toro ? 1 : std::sqrt(1 - height * height);  // a ring has no poles
       return body_point(body, {wide * std::cos(turn), height, wide * std::sin(turn)});
     };
     return {point, body->centro, false};
