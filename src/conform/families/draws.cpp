@@ -22,11 +22,6 @@ std::vector<BodyKind> bodies_of(const CaseOptions& options) {
 
 }  // namespace
 
-bool asks_grids(const std::vector<model::Tipo>& tipos, const std::vector<BodyKind>& kinds) {
-  return std::ranges::find(kinds, BodyKind::campo) != kinds.end() &&
-         std::ranges::find(tipos, model::Tipo::soy_triangulo) == tipos.end();
-}
-
 bool Draws::allows(model::Tipo tipo) const {
   const std::vector<model::Tipo>& asked = options_.tipos;
   const bool are_all = asked.empty() && options_.bodies.empty();

@@ -218,6 +218,11 @@ std::optional<DrawnCase> generate(const Family& family, std::uint64_t seed, std:
   return drawn;
 }
 
+bool asks_grids(const std::vector<model::Tipo>& tipos, const std::vector<BodyKind>& kinds) {
+  return std::ranges::find(kinds, BodyKind::campo) != kinds.end() &&
+         std::ranges::find(tipos, model::Tipo::soy_triangulo) == tipos.end();
+}
+
 bool has_scenes(const Family& family, std::uint64_t seed, const CaseOptions& options) {
   const auto* const of_mesh = std::get_if<MeshRecipe>(&row_of(family).recipe);
   return of_mesh ? allows_mesh(Draws(seed, options), *of_mesh) : generate(family, seed, 0, options).has_value();
