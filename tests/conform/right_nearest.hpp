@@ -132,7 +132,7 @@ NearestPoint nearest_by_text(const Shape& e, const Digits3& p) {
     return at(centro + (s / size) * seen.d + sqrt(std::max(Digits(0), squared)) * seen.out, p);
   };
   // Beyond the last ring, where R(s) = slack·s, there is none.
-  const Digits end = slope < 0 ? std::min(altura, Digits(base / (slack - slope))) : altura;
+  const Digits end = slack > slope ? std::min(altura, Digits(base / (slack - slope))) : altura;
   std::vector<Digits> places{0, end};
   for (int i = 1; i < 24; ++i) places.push_back(end * i / 24);
   for (int i = 5; i < 60; i += 3) {
