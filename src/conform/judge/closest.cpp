@@ -200,15 +200,14 @@ bool is_near_enough(const ClaimContext& trial, const ClaimedNearest& claimed) {
   return squared_length(between(vec(claimed.asked), where.punto)) <= square(truth->most + slack);
 }
 
-/// The elements that the claim may name, of which an unnamed point lies on some, and an unnamed distance is that of the
-/// truth.
+/// The elements that the claim may name, those of the truth first; an unnamed point lies on some that it is near.
 std::vector<ElementRef> named(const ClaimContext& trial, const Claim& claim, const ClaimedNearest& claimed) {
-  if (!claim.element && !claimed.point) return {trial.truth.hit.elementos.begin(), trial.truth.hit.elementos.end()};
   std::vector<ElementRef> all;
+  if (!claim.element) all.assign(trial.truth.hit.elementos.begin(), trial.truth.hit.elementos.end());
   const std::optional<NearBox> near =
       claimed.point ? std::optional(near_box(trial, place_of_nearest(claimed))) : std::nullopt;
   trial.any_named(claim, [&](ElementRef element) {
-    if (claim.element || may_be_near(trial.scene, element, *near)) all.push_back(element);
+    if (claim.element || !near || may_be_near(trial.scene, element, *near)) all.push_back(element);
     return false;
   });
   return all;

@@ -217,6 +217,16 @@ TEST_CASE("inside a solid a system may answer the point itself, where it says so
   CHECK(is_failure(verdict(ball({0, 0, 0}), nearest(0, {0, 0, 0}), profile)));
 }
 
+TEST_CASE("a distance without a name may be that of an element that some data have nearer") {
+  const SuiteCase of = near(
+      {{"e0", scene::Sphere{glm::dvec3(0, 0, 10.999), 1}}, {"e1", scene::Sphere{glm::dvec3(0, 0, -1e12), 1e12 - 10}}},
+      {0, 0, 0});
+  Claim alone{.outcome = Outcome::hit, .t = 9.995};
+  CHECK(verdict(of, alone) == Verdict::right);
+  alone.t = 9.98;
+  CHECK(is_failure(verdict(of, alone)));
+}
+
 TEST_CASE("what may be beyond a limit of the profile need not be found") {
   Profile profile = test::profile_of_all();
   profile.greatest_t = 3;
