@@ -106,11 +106,15 @@ std::string text_of_all(const test::Folder& folder) {
 /// Elements at small whole numbers, where many meet in one point, and rays between such.
 std::string elements_of_whole_numbers(test::Random& random) {
   const auto whole = [&](int least, int most) { return static_cast<int>(random.uniform(least, most + 1)); };
-  const auto point = [&] { return fmt::format("[{},{},{}]", whole(-3, 3), whole(-3, 3), whole(-3, 3)); };
+  const auto point = [&] {
+    const std::array<int, 3> p{whole(-3, 3), whole(-3, 3), whole(-3, 3)};
+    return fmt::format("[{},{},{}]", p[0], p[1], p[2]);
+  };
   std::string all = fmt::format(R"({{"id":"wall","tipo":"plano","centro":{},"vector":[0,1,0]}})", point());
   for (int i = 0; i < 3; ++i) {
-    all += fmt::format(R"(,{{"id":"ring{}","tipo":"toro","centro":{},"mayor":{},"menor":1}})", i, point(), whole(2, 3));
-    all += fmt::format(R"(,{{"id":"ball{}","tipo":"esfera","centro":{},"radio":{}}})", i, point(), whole(1, 3));
+    const int mayor = whole(2, 3), radio = whole(1, 3);
+    all += fmt::format(R"(,{{"id":"ring{}","tipo":"toro","centro":{},"mayor":{},"menor":1}})", i, point(), mayor);
+    all += fmt::format(R"(,{{"id":"ball{}","tipo":"esfera","centro":{},"radio":{}}})", i, point(), radio);
     all += fmt::format(R"(,{{"id":"can{}","tipo":"cilindro","centro":{},"radio":1,"vector":[0,0,1],"altura":2}})", i,
                        point());
     all += fmt::format(R"(,{{"id":"leaf{}","tipo":"triangulo","vertices":[{},[7,0,0],[0,7,{}]]}})", i, point(), i);

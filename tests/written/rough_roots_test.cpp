@@ -41,11 +41,12 @@ TEST_CASE("A polynomial without a root on a part has one nowhere there, and most
     std::vector<std::pair<double, double>> pairs;
     const double scale = std::ldexp(1.0, static_cast<int>(random.uniform(-60, 60)));
     for (int i = 0; i < 2; ++i) {
+      const double middle = static_cast<float>(scale * random.uniform(-3, 3));
+      const double beside = static_cast<float>(scale * random.uniform(0.01, 2));
       if (random.uniform(0, 1) < 0.3)
-        roots.push_back(static_cast<float>(scale * random.uniform(-3, 3)));
+        roots.push_back(middle);
       else
-        pairs.emplace_back(static_cast<float>(scale * random.uniform(-3, 3)),
-                           static_cast<float>(scale * random.uniform(0.01, 2)));
+        pairs.emplace_back(middle, beside);
     }
     const algebra::Polynomial polynomial = with_roots(roots, pairs);
     for (const RayPart part : {RayPart::to_one, RayPart::whole}) {
