@@ -112,7 +112,7 @@ completes '' durero trace --threads ''
 completes bash durero completion ba
 completes --systems durero conform run --sys
 completes eval durero spec ev
-completes embree4 durero conform run embree4
+completes tachyon durero conform run tach
 
 if command -v zsh >/dev/null; then
   checks=$((checks + 1))
@@ -146,7 +146,7 @@ ZSH
   zsh_completes '[conform] [make] [folder]' 'durero conform make f'
   zsh_completes '[conform] [make] [--family] [tiny]' 'durero conform make --family tin'
   zsh_completes '[spec] [eval]' 'durero spec ev'
-  zsh_completes '[conform] [run] [embree4]' 'durero conform run embree4'
+  zsh_completes '[conform] [run] [tachyon]' 'durero conform run tach'
 else
   echo 'zsh is absent: its completion was not tried'
 fi
