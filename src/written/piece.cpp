@@ -172,11 +172,11 @@ class RayOnPiece {
     std::ranges::sort(equations_, {}, &Polynomial::size);
   }
 
-  std::optional<std::vector<Root>> all() {
+  std::optional<std::vector<Root>> all(RayPart part) {
     if (is_nowhere()) return std::vector<Root>();
-    if (equations_.empty()) return std::nullopt;
+    if (equations_.empty()) return all_of_stretches(part);
     std::vector<Root> roots = algebra::positive_roots(equations_[0]);
-    std::erase_if(roots, [&](const Root& root) { return !is_on(root); });
+    std::erase_if(roots, [&](const Root& root) { return !lies_on(part, root) || !is_on(root); });
     return roots;
   }
 
@@ -197,20 +197,41 @@ class RayOnPiece {
            holds(piece_.clips_, [&](const Polynomial& p) { return algebra::sign_at(p, root); });
   }
 
+  static bool lies_on(RayPart part, const Root& t) {
+    return part == RayPart::whole || algebra::compare(t, Root(number::DyadicSurd{1})) < 0;
+  }
+
+  template <class T>
+  bool holds_at(const T& t) {
+    return holds(piece_.clips_, [&](const Polynomial& p) { return algebra::sign_at(p, t); });
+  }
+  /// Whether the clips hold before the end of that number, or behind the last.
+  bool holds_before(const std::vector<Root>& ends, std::size_t i) {
+    if (ends.empty()) return holds_at(Dyadic(1));
+    if (i == ends.size()) return holds_at(algebra::above(ends.back()));
+    return holds_at(i == 0 ? algebra::below(ends[0]) : algebra::between(ends[i - 1], ends[i]));
+  }
+
   /// The first meeting with the piece: at each root in turn, the stretch before it first.
   First first_of_stretches() {
     const std::vector<Root> ends = ends_of_clips();
-    const auto holds_at = [&](const auto& t) {
-      return holds(piece_.clips_, [&](const Polynomial& p) { return algebra::sign_at(p, t); });
-    };
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const bool is_first = i == 0;
-      if (holds_at(is_first ? algebra::below(ends[0]) : algebra::between(ends[i - 1], ends[i])))
-        return After{is_first ? std::nullopt : std::optional(ends[i - 1])};
-      if (holds_at(ends[i])) return ends[i];
+    for (std::size_t i = 0; i <= ends.size(); ++i) {
+      if (holds_before(ends, i)) return After{i == 0 ? std::nullopt : std::optional(ends[i - 1])};
+      if (i < ends.size() && holds_at(ends[i])) return ends[i];
     }
-    if (!holds_at(ends.empty() ? Dyadic(1) : algebra::above(ends.back()))) return {};
-    return After{ends.empty() ? std::nullopt : std::optional(ends.back())};
+    return {};
+  }
+
+  /// The points that stand alone on a part of the ray; nothing where a stretch does.
+  std::optional<std::vector<Root>> all_of_stretches(RayPart part) {
+    const std::vector<Root> ends = ends_of_clips();
+    std::vector<Root> alone;
+    for (std::size_t i = 0; i <= ends.size(); ++i) {
+      if (i > 0 && !lies_on(part, ends[i - 1])) break;
+      if (holds_before(ends, i)) return std::nullopt;
+      if (i < ends.size() && lies_on(part, ends[i]) && holds_at(ends[i])) alone.push_back(ends[i]);
+    }
+    return alone;
   }
 
   std::vector<Root> ends_of_clips() {
@@ -261,8 +282,8 @@ bool Piece::may_meet(const model::Rayo& rayo, bool starts_on, RayPart part) cons
 
 First Piece::first(const model::Rayo& rayo, bool starts_on) const { return RayOnPiece(*this, rayo, starts_on).first(); }
 
-std::optional<std::vector<Root>> Piece::all(const model::Rayo& rayo, bool starts_on) const {
-  return RayOnPiece(*this, rayo, starts_on).all();
+std::optional<std::vector<Root>> Piece::all(const model::Rayo& rayo, bool starts_on, RayPart part) const {
+  return RayOnPiece(*this, rayo, starts_on).all(part);
 }
 
 }  // namespace durero::written

@@ -131,20 +131,14 @@ bool Surface::hides(const model::Rayo& rayo, bool starts_on) const {
 }
 
 std::optional<std::vector<Root>> Surface::parameters(const model::Rayo& rayo, bool starts_on, RayPart part) const {
-  const bool is_segment = part == RayPart::to_one;
   std::vector<Root> met;
   for (const Piece& piece : pieces_) {
     const bool on = starts_here(piece, rayo, starts_on);
     if (!piece.may_meet(rayo, on, part)) continue;
-    auto here = piece.all(rayo, on);
-    if (here) {
-      std::ranges::move(*here, std::back_inserter(met));
-      continue;
-    }
-    const First first = piece.first(rayo, on);
-    if (is_segment ? is_before_one(first) : !std::holds_alternative<std::monostate>(first)) return std::nullopt;
+    auto here = piece.all(rayo, on, part);
+    if (!here) return std::nullopt;
+    std::ranges::move(*here, std::back_inserter(met));
   }
-  if (is_segment) std::erase_if(met, [](const Root& t) { return !is_before_one(t); });
   std::ranges::sort(met, [](const Root& a, const Root& b) { return algebra::compare(a, b) < 0; });
   const auto again = std::ranges::unique(met, [](const Root& a, const Root& b) { return algebra::compare(a, b) == 0; });
   met.erase(again.begin(), again.end());

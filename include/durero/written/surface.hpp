@@ -60,8 +60,9 @@ class Piece {
   First first(const model::Rayo& rayo, bool starts_on) const;
   /// Whether the ray may meet the piece on a part of it: a quick answer. False is certain.
   bool may_meet(const model::Rayo& rayo, bool starts_on, RayPart part) const;
-  /// All meetings of the ray with the piece, ascending. Nothing where the ray lies in it, as far as the equations go.
-  std::optional<std::vector<algebra::Root>> all(const model::Rayo& rayo, bool starts_on) const;
+  /// The meetings of the ray with the piece on a part of it, ascending. Nothing where the ray lies in the piece on a
+  /// stretch there.
+  std::optional<std::vector<algebra::Root>> all(const model::Rayo& rayo, bool starts_on, RayPart part) const;
   /// Whether the equations may be true of a point whose rounding this is. False is certain.
   bool may_hold_near(const glm::dvec3& rounded) const;
 
