@@ -70,8 +70,8 @@ void require_surfaces(const std::string& scene, const std::string& text, const i
 
 io::SceneCheck check_by_text(const io::Source& scene, const std::string& text) {
   const written::Text read_text(text);
-  const io::Bodies bodies = read_text.declares_shapes() ? io::Bodies::refused : io::Bodies::read;
-  return io::check_scene(scene, read_text.types(), bodies, [&] { written::read(scene, read_text); });
+  return io::check_scene(scene, read_text.types(), written::bodies_beside(read_text),
+                         [&] { written::read(scene, read_text); });
 }
 
 std::unique_ptr<io::EditedScene> edited_by_text(const io::Source& scene, const std::string& text) {

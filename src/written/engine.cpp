@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "durero/io/json/scene_file.hpp"
 #include "durero/scene/attributes.hpp"
 #include "mixed_engine.hpp"
 #include "surface_search.hpp"
@@ -131,10 +130,11 @@ std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const 
                    }));
 }
 
+io::Bodies bodies_beside(const Text& text) { return text.declares_shapes() ? io::Bodies::refused : io::Bodies::read; }
+
 Written read(const io::Source& source, const Text& text) {
   std::vector<io::WrittenElement> own;
-  const io::Bodies bodies = text.declares_shapes() ? io::Bodies::refused : io::Bodies::read;
-  Written result{io::read_scene(source, text.types(), own, bodies), {}, nullptr};
+  Written result{io::read_scene(source, text.types(), own, bodies_beside(text)), {}, nullptr};
   for (io::WrittenElement& element : own) {
     std::string id = element.id;
     result.elements.emplace(std::move(id), std::move(element));

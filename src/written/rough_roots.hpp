@@ -8,7 +8,8 @@
 
 namespace durero::written {
 
-/// The same ball with a middle and a radius of 1 at most: a formula of any depth stays within what RealBall asks of it.
+/// The ball itself, with a middle and a radius of 1 at most: a formula of any depth stays within what RealBall asks of
+/// it.
 number::RealBall brought_back(const number::RealBall& ball);
 /// An exact number, which is within it as it is.
 inline const number::Dyadic& brought_back(const number::Dyadic& value) { return value; }

@@ -118,8 +118,8 @@ NearestPoint nearest_of_wall(const Shape& e, const Digits3& p) {
   return at(centro + t * altura * seen.d + (base + t * slope) * seen.out, p);
 }
 
-/// The same by the words of the text, q·d = s and |q − s·d| = R(s), where d may be of another length: by a search over
-/// s, first among some places and then between the neighbours of the best.
+/// The nearest point by the words of the text, q·d = s and |q − s·d| = R(s), where d may be of another length: by a
+/// search over s, first among some places and then between the neighbours of the best.
 template <class Shape>
 NearestPoint nearest_by_text(const Shape& e, const Digits3& p) {
   const Digits3 centro(e.centro), axis(e.vector);

@@ -36,7 +36,7 @@ NearestFinder drawn_finder(Random& random, const SuiteCase& of, const ExactAnswe
   return finder;
 }
 
-/// What a program says that sees nothing beyond its limits.
+/// The claim of a program that sees nothing beyond its limits.
 Claim within_limits(const NearestFinder& finder, const Claim& claim, double distance) {
   const bool is_beyond = distance < narrowed(finder.profile.least_t, finder.profile.format) ||
                          distance > narrowed(finder.profile.greatest_t, finder.profile.format);

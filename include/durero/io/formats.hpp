@@ -22,7 +22,7 @@ struct Imported {
   WrittenByName surfaces = {};    ///< those of algebraic_types(), which a Z text says the points of
 };
 
-/// What a file is read with.
+/// The choices of a reader that no file tells.
 struct Reading {
   std::string root = {};        ///< the folder that holds the files which it may name; without one its own
   bool keeps_surfaces = false;  ///< whether elements of types that a Z text declares are kept

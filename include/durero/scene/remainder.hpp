@@ -16,11 +16,10 @@ namespace durero::scene {
 /// A part of a scene, and where its elements stand in the whole.
 class Remainder {
  public:
-  /// What is left of the whole without the elements for which `leaves_out` is true. Precondition: in the tables these
-  /// are spheres.
+  /// The whole without the elements for which `leaves_out` is true. Precondition: in the tables these are spheres.
   Remainder(const GroupedScene& whole, const std::function<bool(ElementRef)>& leaves_out);
 
-  /// What is left.
+  /// The part that is left.
   const GroupedScene& scene() const { return left_; }
 
   /// @{ Queries to the whole as those to what is left: without the elements left out that a ray starts on.

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "durero/engine/engine.hpp"
+#include "durero/io/json/scene_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/written/text.hpp"
 
@@ -29,6 +30,9 @@ std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const 
 Surface surface_of(const Text& text, const scene::Scene& scene, scene::ElementRef element);
 /// The points of an element of a type of the text. Throws as Text::surface does.
 Surface surface_of(const Text& text, const io::WrittenElement& element);
+
+/// The answer to bodies in a scene by the text: they are read where the program's formulas have all other elements.
+io::Bodies bodies_beside(const Text& text);
 
 /// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
 Written read(const io::Source& source, const Text& text);

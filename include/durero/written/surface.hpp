@@ -38,7 +38,7 @@ class AlongRays {
   explicit AlongRays(const Formula& formula);
   /// The polynomial in t along the ray.
   algebra::Polynomial along(const model::Rayo& rayo) const;
-  /// The same with coefficients that are known to about 50 bits.
+  /// Coefficients of that polynomial, each known to about 50 bits.
   std::vector<number::RealBall> roughly_along(const model::Rayo& rayo) const;
   /// Its value at a point.
   number::Dyadic at(const std::array<number::Dyadic, 3>& w) const;

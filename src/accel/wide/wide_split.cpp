@@ -15,8 +15,8 @@ namespace durero::accel::wide {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// x, y and z in lanes; the last lane means nothing. (Highway has vectors of the machine's width, and these are of
-/// one.)
+/// Coordinates x, y and z in lanes; the last lane means nothing. (Vectors of Highway are as wide as the machine's, and
+/// these have one width everywhere.)
 using Lanes [[gnu::vector_size(16)]] = float;
 using Wholes [[gnu::vector_size(16)]] = std::int32_t;
 using Doubles [[gnu::vector_size(32)]] = double;

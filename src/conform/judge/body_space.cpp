@@ -98,7 +98,7 @@ LengthBounds length_bounds(const Point<Dyadic>& a) {
 
 /// A rounded box, with R = radio + η: a box that is longer by R along each side in turn, what is near an edge, and what
 /// is near a corner. The sides stand at right angles, so that each normal is along its side and no part is missing.
-/// Where η is more than the radius inwards, it is a box moved in by the rest.
+/// A rounded box that moves inwards by more than its radius is a box that moves in by the rest.
 template <class T>
 SpaceParts<T> rounded_box_space(const AskedBody& body, const Point<T>& w, const Dyadic& eta) {
   const Dyadic reach = Dyadic(body.radio) + eta;

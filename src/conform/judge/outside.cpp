@@ -62,7 +62,7 @@ std::string clause_of(const ClaimContext& trial, ElementRef element, const Shape
   return clause;
 }
 
-/// The same of a body, whose sizes are the lengths of its sides, and its radius.
+/// The clause of a body, whose sizes are the lengths of its sides, and its radius.
 std::string clause_of_body(const Profile& profile, const AskedBody& body) {
   if (std::ranges::find(profile.bodies, body.kind) == profile.bodies.end())
     return fmt::format("no {}", word(body.kind));

@@ -60,7 +60,7 @@ ElementPlaces places_of(const composed::Figure& figure, scene::ElementRef e, con
   return all;
 }
 
-/// Those of a torus: no line lies in it. At a root that more than one crossing has, the line touches it.
+/// The places on a torus, in which no line lies. At a root that more than one crossing has, the line touches it.
 ElementPlaces places_of(const Torus& torus, scene::ElementRef e, const scene::Query& ray) {
   ElementPlaces all;
   for (const TubeRoot& root : tube_roots(torus.along(ray.rayo, torus.radio())))

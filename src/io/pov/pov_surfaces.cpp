@@ -50,7 +50,7 @@ Coefficients quadric(PovWords& in) {
   return terms;
 }
 
-/// Whose tube may be wider than its circle: of such a one a word tells which parts there are. By `union` and
+/// A torus, whose tube may be wider than its circle: a word then tells which parts there are. By `union` and
 /// `difference` these are all.
 std::optional<PovSurface> torus(PovWords& in) {
   const double major = in.number("the radius of torus");

@@ -34,7 +34,7 @@ FuzzedCauses fuzzed_causes(const Fuzzing& fuzzing, const Profile& profile, const
 /// The causes as the questions alone tell them, and as they were found: nobody is asked.
 FuzzedCauses guessed_causes(const Fuzzing& fuzzing, const Profile& profile);
 
-/// What a search found of one system.
+/// The findings of a search in one system.
 struct FuzzReport {
   std::string title{};      ///< the title of the system
   std::string version{};    ///< its name and version as it says them; empty where it never answered

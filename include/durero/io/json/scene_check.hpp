@@ -47,8 +47,8 @@ struct SceneCheck {
 /// Reads the whole file and judges the scene. What is wrong with the file is found, not thrown.
 SceneCheck check_scene(const Source& file);
 
-/// The same of a scene whose elements may be of these types too, and where bodies are read or refused. Where the file
-/// is right otherwise, `judge` is called: the InputError that it throws of this file is found, any other thrown on.
+/// Elements may be of these types too here, and bodies are read or refused. Where the file is right otherwise, `judge`
+/// is called: the InputError that it throws of this file is found, any other thrown on.
 SceneCheck check_scene(const Source& file, std::span<const WrittenType> types, Bodies bodies,
                        const std::function<void()>& judge);
 
