@@ -132,9 +132,11 @@ std::unique_ptr<const engine::Engine> prepared(const scene::Scene& scene, const 
 
 io::Bodies bodies_beside(const Text& text) { return text.declares_shapes() ? io::Bodies::refused : io::Bodies::read; }
 
-Written read(const io::Source& source, const Text& text) {
+Written read(const io::Source& source, const Text& text) { return read(source, text, bodies_beside(text)); }
+
+Written read(const io::Source& source, const Text& text, io::Bodies bodies) {
   std::vector<io::WrittenElement> own;
-  Written result{io::read_scene(source, text.types(), own, bodies_beside(text)), {}, nullptr};
+  Written result{io::read_scene(source, text.types(), own, bodies), {}, nullptr};
   for (io::WrittenElement& element : own) {
     std::string id = element.id;
     result.elements.emplace(std::move(id), std::move(element));

@@ -18,6 +18,24 @@ Formula Formula::coordinate(std::size_t axis) {
   return formula;
 }
 
+Formula Formula::off_by(const Rational& value, std::size_t error, const Rational& amount) {
+  Formula formula(value);
+  formula.spread_ = FormulaSpread(error, amount);
+  return formula;
+}
+
+bool Formula::is_constant() const {
+  const bool is_number = terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == Exponents{});
+  return is_number && spread_.is_constant();
+}
+
+std::optional<int> Formula::certain_sign() const {
+  if (spread_.is_none()) return number::sign(constant());
+  const number::RealBall value = constant() == 0 ? number::RealBall(0.0) : roughly(constant());
+  const int sign = (value + spread_.at_origin()).decided_sign();
+  return sign == 0 ? std::nullopt : std::optional(sign);
+}
+
 Rational Formula::constant() const {
   const auto found = terms_.find(Exponents{});
   return found == terms_.end() ? Rational(0) : found->second;
@@ -25,8 +43,13 @@ Rational Formula::constant() const {
 
 int Formula::degree() const {
   int greatest = 0;
-  for (const auto& [exponents, coefficient] : terms_)
-    greatest = std::max(greatest, exponents[0] + exponents[1] + exponents[2]);
+  const auto take = [&](const auto& terms) {
+    for (const auto& [exponents, coefficient] : terms)
+      greatest = std::max(greatest, exponents[0] + exponents[1] + exponents[2]);
+  };
+  take(terms_);
+  take(spread_.rest());
+  for (const auto& [error, terms] : spread_.linear()) take(terms);
   return greatest;
 }
 
@@ -54,12 +77,14 @@ void Formula::add(const Exponents& exponents, const Rational& coefficient) {
 Formula operator+(const Formula& a, const Formula& b) {
   Formula sum(a);
   for (const auto& [exponents, coefficient] : b.terms_) sum.add(exponents, coefficient);
+  if (!b.spread_.is_none()) sum.spread_ = a.spread_ + b.spread_;
   return sum;
 }
 
 Formula operator-(const Formula& a, const Formula& b) {
   Formula difference(a);
   for (const auto& [exponents, coefficient] : b.terms_) difference.add(exponents, -coefficient);
+  if (!b.spread_.is_none()) difference.spread_ = a.spread_ + -b.spread_;
   return difference;
 }
 
@@ -74,14 +99,30 @@ Formula operator*(const Formula& a, const Formula& b) {
       product.add(sum, factor * other);
     }
   }
+  product.spread_ = of_product(a.terms_, a.spread_, b.terms_, b.spread_);
   return product;
 }
 
 Condition always(bool truth) { return {Condition::Kind::constant, truth, {}, {}, {}}; }
 
 Condition compared(Formula formula, Signs signs) {
-  if (formula.is_constant()) return always(signs.contains(number::sign(formula.constant())));
+  const std::optional<int> sign = formula.is_constant() ? formula.certain_sign() : std::nullopt;
+  if (sign) return always(signs.contains(*sign));
   return {Condition::Kind::comparison, true, std::move(formula), signs, {}};
+}
+
+bool holds_as_given(const Condition& of) {
+  switch (of.kind) {
+    case Condition::Kind::constant:
+      return of.truth;
+    case Condition::Kind::comparison:
+      return of.formula.is_constant() && of.signs.contains(number::sign(of.formula.constant()));
+    case Condition::Kind::all:
+      return std::ranges::all_of(of.parts, holds_as_given);
+    case Condition::Kind::any:
+      return std::ranges::any_of(of.parts, holds_as_given);
+  }
+  __builtin_unreachable();  // a kind is one of its enumerators
 }
 
 namespace {

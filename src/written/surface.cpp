@@ -68,9 +68,21 @@ glm::dvec3 gradient_at(const Piece& piece, const glm::dvec3& w) {
 }
 
 /// The distance of a point from the piece, to the first order and to some digits.
-double distance(const Piece& piece, const glm::dvec3& w) {
+double distance_from(const Piece& piece, const glm::dvec3& w) {
   const double distance = std::abs(value_at(piece.equation(), w)) / glm::length(gradient_at(piece, w));
   return std::isnan(distance) ? HUGE_VAL : distance;
+}
+
+/// The value at a point, exact but for its last rounding.
+double value_at(const Formula& formula, const std::array<number::Dyadic, 3>& w) {
+  number::Rational sum(0);
+  for (const auto& [exponents, coefficient] : formula.terms()) {
+    number::Dyadic product(1);
+    for (std::size_t axis = 0; axis < w.size(); ++axis)
+      for (int i = 0; i < exponents[axis]; ++i) product *= w[axis];
+    sum += coefficient * product.rational();
+  }
+  return number::round_to_binary64(sum);
 }
 
 /// Whether the first meeting a is before b. At one t a point is before a stretch that begins there, as the stretch does
@@ -145,8 +157,26 @@ std::optional<std::vector<Root>> Surface::parameters(const model::Rayo& rayo, bo
   return met;
 }
 
+std::size_t Surface::degree() const {
+  std::size_t sum = 0;
+  for (const Piece& piece : pieces_) sum += static_cast<std::size_t>(piece.equation().degree());
+  return sum;
+}
+
+double Surface::distance(const std::array<number::Dyadic, 3>& w) const {
+  const auto rounded = [](const number::Dyadic& x) { return number::round_to_binary64(x); };
+  const glm::dvec3 near(rounded(w[0]), rounded(w[1]), rounded(w[2]));
+  double least = HUGE_VAL;
+  for (const Piece& piece : pieces_) {
+    const double value = value_at(piece.equation(), w), slope = glm::length(gradient_at(piece, near));
+    least = std::min(least, value == 0 ? 0 : std::abs(value) / slope);
+  }
+  return least;
+}
+
 glm::dvec3 Surface::normal(const glm::dvec3& w) const {
-  const auto nearest = std::ranges::min_element(pieces_, {}, [&](const Piece& piece) { return distance(piece, w); });
+  const auto nearest =
+      std::ranges::min_element(pieces_, {}, [&](const Piece& piece) { return distance_from(piece, w); });
   const glm::dvec3 gradient = gradient_at(*nearest, w);
   const double length = glm::length(gradient);
   return length > 0 && std::isfinite(length) ? gradient / length : glm::dvec3(0);

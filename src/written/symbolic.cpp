@@ -106,6 +106,20 @@ SymbolicValue Symbolic::apply(const std::string& section, const Name& function, 
   return call(parameters(section, function).value(), arguments, {});
 }
 
+void Symbolic::let_numerals_be_off(const Rational& part, std::size_t first) {
+  numeral_part_ = part;
+  first_error_ = first;
+  numeral_errors_.clear();
+}
+
+Formula Symbolic::numeral(const Term& term) {
+  const Rational value(number::Integer(term->name.word));
+  if (numeral_part_ == 0 || value == 0) return {value};
+  const std::size_t error =
+      numeral_errors_.try_emplace(term.get(), first_error_ + numeral_errors_.size()).first->second;
+  return Formula::off_by(value, error, numeral_part_ * value);
+}
+
 Outside Symbolic::outside(const Fields& names, const Term& schema, const ScopePtr& scope) {
   const zed::Global* const known = schema->kind == Kind::reference ? global(scope, schema->name) : nullptr;
   const zed::Paragraph* const paragraph = known ? paragraph_of(*known) : nullptr;
@@ -114,14 +128,15 @@ Outside Symbolic::outside(const Fields& names, const Term& schema, const ScopePt
   const ScopePtr there = global_scope(known->section);
   for (const zed::Declaration& declaration : box->text.declarations) {
     for (const Name& name : declaration.names)
-      if (!member_of(names.at(name), declaration.term, there).is(true))
+      if (!holds_as_given(member_of(names.at(name), declaration.term, there)))
         return {name, fmt::format("{} ∈ {}", name.text(), zed::to_unicode(declaration.term))};
-    if (declaration.form == zed::Declaration::Form::included && !member_of({names}, declaration.term, there).is(true))
+    if (declaration.form == zed::Declaration::Form::included &&
+        !holds_as_given(member_of({names}, declaration.term, there)))
       return outside(names, declaration.term, there);
   }
   const ScopePtr inner = std::make_shared<const SymbolicScope>(SymbolicScope{names, there, there->section});
   for (const zed::Predicate& predicate : box->text.predicates)
-    if (!condition(predicate.term, inner).is(true)) return {{}, zed::to_unicode(predicate.term)};
+    if (!holds_as_given(condition(predicate.term, inner))) return {{}, zed::to_unicode(predicate.term)};
   return {{}, zed::to_unicode(schema)};
 }
 
@@ -142,11 +157,11 @@ SymbolicValue Symbolic::call(const FunctionParameters& function, const Tuple& ar
   }
   for (const zed::Declaration& declaration : function.head.declarations) {
     if (declaration.form == zed::Declaration::Form::included) {
-      if (!member_of(SymbolicValue{names}, declaration.term, outer).is(true))
+      if (!holds_as_given(member_of(SymbolicValue{names}, declaration.term, outer)))
         throw outside(names, declaration.term, outer);
     }
     for (const Name& name : declaration.names) {
-      if (!names.contains(name) || member_of(names.at(name), declaration.term, outer).is(true)) continue;
+      if (!names.contains(name) || holds_as_given(member_of(names.at(name), declaration.term, outer))) continue;
       const auto* const fields = std::get_if<Fields>(&names.at(name).form);
       if (fields != nullptr && function.formal.size() == 1) throw outside(*fields, declaration.term, outer);
       throw Outside{name, fmt::format("{} ∈ {}", name.text(), zed::to_unicode(declaration.term))};
@@ -154,7 +169,7 @@ SymbolicValue Symbolic::call(const FunctionParameters& function, const Tuple& ar
   }
   const ScopePtr scope = std::make_shared<const SymbolicScope>(SymbolicScope{names, outer, function.section});
   for (const zed::Predicate& predicate : function.head.predicates)
-    if (!condition(predicate.term, scope).is(true)) throw Outside{{}, zed::to_unicode(predicate.term)};
+    if (!holds_as_given(condition(predicate.term, scope))) throw Outside{{}, zed::to_unicode(predicate.term)};
   return value(function.body, scope);
 }
 
@@ -164,7 +179,7 @@ SymbolicValue Symbolic::value(const Term& term, const ScopePtr& scope) {
   const auto rise = std::shared_ptr<void>(nullptr, [this](void*) { --depth_; });
   switch (term->kind) {
     case Kind::number:
-      return {Formula(Rational(number::Integer(term->name.word)))};
+      return {numeral(term)};
     case Kind::reference:
       return reference(term, scope);
     case Kind::selection:

@@ -67,6 +67,9 @@ class Symbolic {
 
   /// The parameters of a global that the section sees; nothing where no equation defines it as a function.
   std::optional<FunctionParameters> parameters(const std::string& section, const zed::Name& function) const;
+  /// From now on each numeral of a text is off by so much of itself; each that stands in it has an error of its own,
+  /// numbered from `first` on. Nothing is off where it is 0.
+  void let_numerals_be_off(const number::Rational& part, std::size_t first);
   /// The value f(arguments). Throws Outside where an argument is not in its set, Refusal where a term cannot be
   /// evaluated.
   SymbolicValue apply(const std::string& section, const zed::Name& function, const Tuple& arguments);
@@ -79,6 +82,7 @@ class Symbolic {
 
   // Expressions: symbolic.cpp.
   SymbolicValue value(const zed::Term& term, const ScopePtr& scope);
+  Formula numeral(const zed::Term& term);
   SymbolicValue reference(const zed::Term& term, const ScopePtr& scope);
   SymbolicValue constant(const zed::Term& term, const ScopePtr& scope);
   SymbolicValue converted(const zed::Value& known, const zed::Term& term, const ScopePtr& scope) const;
@@ -113,6 +117,9 @@ class Symbolic {
   zed::Steps steps_;
   zed::Evaluator evaluator_;
   unsigned depth_ = 0;
+  number::Rational numeral_part_ = 0;
+  std::size_t first_error_ = 0;
+  std::map<const zed::Node*, std::size_t> numeral_errors_{};  // by the numeral, which the specification holds
 };
 
 }  // namespace durero::written

@@ -56,25 +56,61 @@ std::optional<io::WrittenKind> kind_of(const Type& type) {
   return std::nullopt;
 }
 
-SymbolicValue number_value(double x) { return {Formula(number::exact(x))}; }
-
-SymbolicValue triple_value(const glm::dvec3& v) {
-  return {Fields{{{"x", ""}, number_value(v.x)}, {{"y", ""}, number_value(v.y)}, {{"z", ""}, number_value(v.z)}}};
+SymbolicValue triple_value(SymbolicValue x, SymbolicValue y, SymbolicValue z) {
+  return {Fields{{{"x", ""}, std::move(x)}, {{"y", ""}, std::move(y)}, {{"z", ""}, std::move(z)}}};
 }
 
-SymbolicValue value_of(const io::WrittenValue& value) {
-  if (const auto* const x = std::get_if<double>(&value)) return number_value(*x);
-  if (const auto* const v = std::get_if<glm::dvec3>(&value)) return triple_value(*v);
-  const auto& corners = std::get<scene::Corners>(value);
-  return {Fields{{{"a", ""}, triple_value(corners[0])},
-                 {{"b", ""}, triple_value(corners[1])},
-                 {{"c", ""}, triple_value(corners[2])}}};
-}
+/// The values of attributes, whose numbers may be off: each by an error of its own, in their order.
+class AttributeValues {
+ public:
+  explicit AttributeValues(const AttributeErrors* errors) : errors_(errors) {}
+
+  SymbolicValue operator()(const io::WrittenValue& value) {
+    largest_ = largest(value);
+    if (const auto* const x = std::get_if<double>(&value)) return number_value(*x);
+    if (const auto* const v = std::get_if<glm::dvec3>(&value)) return triple(*v);
+    const auto& corners = std::get<scene::Corners>(value);
+    return {Fields{{{"a", ""}, triple(corners[0])}, {{"b", ""}, triple(corners[1])}, {{"c", ""}, triple(corners[2])}}};
+  }
+  /// How many numbers there were.
+  std::size_t count() const { return count_; }
+
+ private:
+  static double largest(const io::WrittenValue& value) {
+    const auto of_triple = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    if (const auto* const x = std::get_if<double>(&value)) return std::abs(*x);
+    if (const auto* const v = std::get_if<glm::dvec3>(&value)) return of_triple(*v);
+    const auto& corners = std::get<scene::Corners>(value);
+    return std::max({of_triple(corners[0]), of_triple(corners[1]), of_triple(corners[2])});
+  }
+  SymbolicValue number_value(double x) {
+    const std::size_t number = count_++;
+    if (errors_ == nullptr) return {Formula(number::exact(x))};
+    return {Formula::off_by(number::exact(x), number, errors_->part * number::exact(largest_) + errors_->least)};
+  }
+  SymbolicValue triple(const glm::dvec3& v) {
+    SymbolicValue x = number_value(v.x), y = number_value(v.y), z = number_value(v.z);
+    return triple_value(std::move(x), std::move(y), std::move(z));
+  }
+
+  const AttributeErrors* errors_;
+  double largest_ = 0;
+  std::size_t count_ = 0;
+};
 
 SymbolicValue any_point() {
-  return {Fields{{{"x", ""}, {Formula::coordinate(0)}},
-                 {{"y", ""}, {Formula::coordinate(1)}},
-                 {{"z", ""}, {Formula::coordinate(2)}}}};
+  return triple_value({Formula::coordinate(0)}, {Formula::coordinate(1)}, {Formula::coordinate(2)});
+}
+
+/// The moving point, whose s is the coordinate x. Its coordinates have the errors of that number and the next two.
+SymbolicValue moving(const MovedPoint& point, std::size_t first_error) {
+  const Formula s = Formula::coordinate(0);
+  const auto coordinate = [&](std::size_t axis) -> SymbolicValue {
+    const std::size_t error = first_error + axis;
+    return {Formula::off_by(point.at.at(axis), error, point.off) +
+            s * Formula::off_by(point.step.at(axis), error, point.off_by_step)};
+  };
+  return triple_value(coordinate(0), coordinate(1), coordinate(2));
 }
 
 bool is_shape(std::string_view word) {
@@ -177,14 +213,64 @@ struct Text::State {
     return function.formal.size() == 1 && type.is(Type::Kind::schema) && !kind_of(type);
   }
 
-  Tuple arguments(const FunctionParameters& function, const std::vector<io::WrittenValue>& attributes) const {
-    Tuple values;
-    for (const io::WrittenValue& attribute : attributes) values.push_back(value_of(attribute));
+  Tuple arguments(const FunctionParameters& function, Tuple values) const {
     const auto type = type_of(function, function.formal[0]);
     if (!type || !is_whole(function, *type)) return values;
     Fields fields;
     for (std::size_t i = 0; i < values.size(); ++i) fields.emplace(type->fields()[i], values[i]);
     return {SymbolicValue{std::move(fields)}};
+  }
+
+  /// The condition under which a point, point(the number of errors of attributes), is one of an element, and what
+  /// `made` makes of it.
+  template <class PointOf, class Maker>
+  auto of_points(const std::string& type, const std::vector<io::WrittenValue>& attributes,
+                 const AttributeErrors* errors, PointOf point, Maker made) {
+    const std::scoped_lock lock(asking);
+    const Name function{std::string(prefix) + type, ""};
+    const auto parameters = symbolic->parameters(section, function);
+    if (!parameters)
+      throw io::InputError(file, {1, 1}, fmt::format("no equation gives {} a value", function.text()),
+                           fmt::format("expected ∀ … • {}(…) = {{ w : Punto | … }}", function.text()));
+    AttributeValues value_of(errors);
+    Tuple values;
+    for (const io::WrittenValue& attribute : attributes) values.push_back(value_of(attribute));
+    const Tuple of_function = arguments(*parameters, std::move(values));
+    const zed::Place place = parameters->body->place;
+    const std::string& where = specification.find(parameters->section)->file;
+    if (of_function.size() != parameters->formal.size())
+      fail({where, place, fmt::format("{} takes {} arguments", function.text(), parameters->formal.size()),
+            fmt::format("expected {}, the attributes of {}", of_function.size(), type)});
+    constexpr std::size_t axes = 3;  // whose errors stand behind those of the attributes
+    symbolic->let_numerals_be_off(errors ? errors->part : number::Rational(0), value_of.count() + axes);
+    try {
+      const SymbolicValue set = symbolic->apply(section, function, of_function);
+      const auto* const suspended = std::get_if<Suspended>(&set.form);
+      Condition points = suspended ? symbolic->member(point(value_of.count()), *suspended) : always(true);
+      if (errors == nullptr) require_surface(points, function, {where, place});
+      return made(std::move(points));
+    } catch (const Refusal& refusal) {
+      fail(refusal.defect);
+    } catch (const Outside& outside) {
+      throw NotInDomain{type, outside.parameter.text(), outside.expected};
+    } catch (const std::length_error& error) {
+      fail({where, place, fmt::format("{} comes to {}", function.text(), error.what()),
+            fmt::format("expected a degree of {} at most, and fewer digits", Formula::max_degree)});
+    } catch (const zed::StepsSpent&) {
+      fail({where, place, fmt::format("{} takes more steps than it may", function.text()), "expected a shorter text"});
+    }
+  }
+
+  /// Checks that a condition is that of an algebraic surface.
+  static void require_surface(const Condition& points, const Name& function,
+                              const std::pair<std::string, zed::Place>& at) {
+    const std::size_t pieces = Surface::pieces(points);
+    if (pieces == 0)
+      fail({at.first, at.second, fmt::format("not all points of {} satisfy an equation", function.text()),
+            "expected p = q ∧ clips, where p and q are polynomials, or a union of such"});
+    if (pieces > Surface::most_pieces)
+      fail({at.first, at.second, fmt::format("{} is a union of {} pieces", function.text(), pieces),
+            fmt::format("expected {} at most", Surface::most_pieces)});
   }
 
   std::string file, section;
@@ -206,40 +292,16 @@ const std::vector<io::WrittenType>& Text::types() const { return state_->types; 
 bool Text::declares_shapes() const { return state_->declares_shapes; }
 
 Surface Text::surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const {
-  const std::scoped_lock lock(state_->asking);
-  const Name function{std::string(prefix) + type, ""};
-  const auto parameters = state_->symbolic->parameters(state_->section, function);
-  if (!parameters)
-    throw io::InputError(file(), {1, 1}, fmt::format("no equation gives {} a value", function.text()),
-                         fmt::format("expected ∀ … • {}(…) = {{ w : Punto | … }}", function.text()));
-  const Tuple arguments = state_->arguments(*parameters, attributes);
-  const zed::Place place = parameters->body->place;
-  const std::string& where = state_->specification.find(parameters->section)->file;
-  if (arguments.size() != parameters->formal.size())
-    fail({where, place, fmt::format("{} takes {} arguments", function.text(), parameters->formal.size()),
-          fmt::format("expected {}, the attributes of {}", arguments.size(), type)});
-  try {
-    const SymbolicValue set = state_->symbolic->apply(state_->section, function, arguments);
-    const auto* const suspended = std::get_if<Suspended>(&set.form);
-    const Condition points = suspended ? state_->symbolic->member(any_point(), *suspended) : always(true);
-    const std::size_t pieces = Surface::pieces(points);
-    if (pieces == 0)
-      fail({where, place, fmt::format("not all points of {} satisfy an equation", function.text()),
-            "expected p = q ∧ clips, where p and q are polynomials, or a union of such"});
-    if (pieces > Surface::most_pieces)
-      fail({where, place, fmt::format("{} is a union of {} pieces", function.text(), pieces),
-            fmt::format("expected {} at most", Surface::most_pieces)});
-    return Surface(points);
-  } catch (const Refusal& refusal) {
-    fail(refusal.defect);
-  } catch (const Outside& outside) {
-    throw NotInDomain{type, outside.parameter.text(), outside.expected};
-  } catch (const std::length_error& error) {
-    fail({where, place, fmt::format("{} comes to {}", function.text(), error.what()),
-          fmt::format("expected a degree of {} at most, and fewer digits", Formula::max_degree)});
-  } catch (const zed::StepsSpent&) {
-    fail({where, place, fmt::format("{} takes more steps than it may", function.text()), "expected a shorter text"});
-  }
+  return state_->of_points(
+      type, attributes, nullptr, [](std::size_t) { return any_point(); },
+      [](const Condition& points) { return Surface(points); });
+}
+
+MovedPoints Text::moved_points(const std::string& type, const std::vector<io::WrittenValue>& attributes,
+                               const AttributeErrors& errors, const MovedPoint& at) const {
+  return state_->of_points(
+      type, attributes, &errors, [&](std::size_t numbers) { return moving(at, numbers); },
+      [](Condition points) { return MovedPoints(std::move(points)); });
 }
 
 }  // namespace durero::written

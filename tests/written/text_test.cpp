@@ -239,5 +239,34 @@ TEST_CASE("The types of POV-Ray's surfaces are those that their text declares") 
   CHECK((std::vector(types.begin(), types.end()) == text.types()));
 }
 
+TEST_CASE("Numbers of an element, numerals and the point are off where points are asked that may be moved") {
+  using number::Rational;
+  const Written written(cosa("w.x - centro.x = radio + 3"));
+  const Text text = written.text();
+  const auto met = [&](const Rational& x, const AttributeErrors& errors, const Rational& off) {
+    const MovedPoint at{{x, 0, 0}, {1, 0, 0}, off, 0};
+    return text.moved_points("cosa", {glm::dvec3(1, 0, 0), 2.0}, errors, at).may_be_within({0, 0});
+  };
+  const AttributeErrors none{0, 0}, part{Rational(1, 8), 0}, least{0, Rational(1, 16)};
+  CHECK(met(6, none, 0));
+  CHECK_FALSE(met(Rational(25, 4), none, 0));
+  // 1/8 of 1, 2 and 3 together are 3/4.
+  CHECK(met(Rational(53, 8), part, 0));
+  CHECK_FALSE(met(Rational(55, 8), part, 0));
+  CHECK(met(Rational(49, 8) - Rational(1, 64), least, 0));
+  CHECK_FALSE(met(Rational(49, 8) + Rational(1, 64), least, 0));
+  CHECK(met(Rational(25, 4), none, Rational(1, 4)));
+  CHECK_FALSE(met(Rational(25, 4), none, Rational(1, 8)));
+}
+
+TEST_CASE("A text that asks which polynomial it is of numbers that are off is an error") {
+  const Written written(cosa("(\\IF radio = 2 \\THEN w.x \\ELSE w.y) = 0"));
+  const Text text = written.text();
+  const MovedPoint at{{0, 0, 0}, {1, 0, 0}, 0, 0};
+  CHECK_THROWS_AS(text.moved_points("cosa", {glm::dvec3(1, 0, 0), 2.0}, {number::Rational(1, 8), 0}, at),
+                  io::InputError);
+  CHECK_NOTHROW(text.moved_points("cosa", {glm::dvec3(1, 0, 0), 5.0}, {number::Rational(1, 8), 0}, at));
+}
+
 }  // namespace
 }  // namespace durero::written

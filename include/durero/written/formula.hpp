@@ -5,17 +5,16 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "durero/number/rational.hpp"
+#include "durero/written/spread.hpp"
 
 namespace durero::written {
 
-/// The exponents of x, y and z in a product.
-using Exponents = std::array<std::uint8_t, 3>;
-
-/// A polynomial in x, y and z.
+/// A polynomial in x, y and z. Numbers in it may be off, and it then knows how far that moves it.
 class Formula {
  public:
   /// The greatest degree of a formula.
@@ -26,18 +25,24 @@ class Formula {
   Formula() = default;  ///< 0
   /// A constant.
   Formula(const number::Rational& value);
+  /// A number that is off by `amount` at most; all that is made of it knows the error by its number.
+  static Formula off_by(const number::Rational& value, std::size_t error, const number::Rational& amount);
   /// The coordinate x (0), y (1) or z (2).
   static Formula coordinate(std::size_t axis);
 
   /// The coefficients, none of which is 0, by their exponents.
-  const std::map<Exponents, number::Rational>& terms() const { return terms_; }
+  const ExactTerms& terms() const { return terms_; }
+  /// How far errors move it.
+  const FormulaSpread& spread() const { return spread_; }
   /// Whether no coordinate stands in it.
-  bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first == Exponents{}); }
+  bool is_constant() const;
   /// The constant term: the value, where it is constant.
   number::Rational constant() const;
+  /// The sign of every number that it may be, where it is constant; nothing where these have several.
+  std::optional<int> certain_sign() const;
   /// The greatest sum of exponents; 0 of a constant.
   int degree() const;
-  /// The derivative by that coordinate.
+  /// The derivative by that coordinate. Precondition: nothing is off.
   Formula derivative(std::size_t axis) const;
 
   /// @{ Throws std::length_error where the result is beyond max_degree or max_bits.
@@ -49,7 +54,8 @@ class Formula {
 
  private:
   void add(const Exponents& exponents, const number::Rational& coefficient);
-  std::map<Exponents, number::Rational> terms_;
+  ExactTerms terms_;
+  FormulaSpread spread_;
 };
 
 /// A set of the signs −1, 0 and 1.
@@ -83,8 +89,11 @@ struct Condition {
 
 /// Makes a constant.
 Condition always(bool truth);
-/// Makes a comparison; a constant where the formula is one.
+/// Makes a comparison; a constant where the formula is one and its sign is certain.
 Condition compared(Formula formula, Signs signs);
+/// Whether the condition is true of the numbers as they are given, whatever they are off by. False where it depends on
+/// coordinates.
+bool holds_as_given(const Condition& of);
 /// @{ Makes a connective of conditions.
 Condition both(Condition a, Condition b);
 Condition either(Condition a, Condition b);

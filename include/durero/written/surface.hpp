@@ -116,6 +116,12 @@ class Surface {
   /// in a piece that it meets there.
   std::optional<std::vector<algebra::Root>> parameters(const model::Rayo& rayo, bool starts_on, RayPart part) const;
 
+  /// The sum of the degrees of its pieces' first equations: a line that does not lie in the surface meets it no more
+  /// often.
+  std::size_t degree() const;
+  /// About how far a point is from the nearest piece, to the first order; clips do not count. The value of the piece's
+  /// first equation there is exact, and what it is divided by known to some digits.
+  double distance(const std::array<number::Dyadic, 3>& w) const;
   /// The direction in which the first equation of the piece that is nearest to a point grows most there, to some
   /// digits: a unit vector, or null where it grows in none.
   glm::dvec3 normal(const glm::dvec3& w) const;

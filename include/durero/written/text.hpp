@@ -11,9 +11,17 @@
 #include <vector>
 
 #include "durero/io/json/written_elements.hpp"
+#include "durero/written/moved_points.hpp"
 #include "durero/written/surface.hpp"
 
 namespace durero::written {
+
+/// How far the numbers of an attribute are off: by a part of the largest magnitude of them, and by a length besides. A
+/// numeral of the text is off by that part of itself.
+struct AttributeErrors {
+  number::Rational part;   ///< not negative
+  number::Rational least;  ///< not negative
+};
 
 /// A Z text with types of elements, which any number of threads may use at once.
 class Text {
@@ -38,6 +46,11 @@ class Text {
   /// NotInDomain where the text defines none for them, and io::InputError at the place of a definition that is no
   /// algebraic surface, or where the text declares no such function.
   Surface surface(const std::string& type, const std::vector<io::WrittenValue>& attributes) const;
+  /// The points of an element at a point that moves, where its numbers and that point are off. Whether the numbers are
+  /// in the domain, the numbers as they are given say. Throws as surface() does, and where the text asks which of two
+  /// polynomials it is, and numbers that are off have either.
+  MovedPoints moved_points(const std::string& type, const std::vector<io::WrittenValue>& attributes,
+                           const AttributeErrors& errors, const MovedPoint& at) const;
 
  private:
   struct State;
