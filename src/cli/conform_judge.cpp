@@ -20,6 +20,7 @@
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/rays/rays_file.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/written/engine.hpp"
 #include "file_error.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
@@ -31,7 +32,7 @@ using namespace conform;
 
 struct ConformJudgeOptions {
   std::vector<std::string> files;  // the suite and the hits, or the hits alone
-  std::string scene, rays, ranges, format = "text", profile, report;
+  std::string scene, rays, ranges, with, format = "text", profile, report;
   std::string question{word(QuestionKind::first)};
   std::string systems = default_systems();
   bool quiet = false;
@@ -53,20 +54,46 @@ void check_together(const ConformJudgeOptions& options) {
     throw std::invalid_argument("--format json is for one's own rays; expected --scene, or --report for a suite");
 }
 
+/// A user's scene, whose elements a text may define.
+struct OwnScene {
+  scene::Scene scene;
+  std::vector<NamedSurface> surfaces{};
+};
+
+/// Reads a scene by a text. Throws io::InputError, also of a text that says itself what the model's shapes are: their
+/// allowances are those of the model.
+OwnScene read_own_scene(const std::string& scene_file, const std::string& text_file) {
+  const io::Source source = io::read_source(scene_file);
+  if (text_file.empty()) return {io::read_scene(source)};
+  const auto text = std::make_shared<const written::Text>(text_file);
+  if (text->declares_shapes())
+    throw io::InputError(text_file, {1, 1}, "it says what points elements of the model's types have",
+                         "expected types of its own alone");
+  written::Written read = written::read(source, *text, io::Bodies::refused);
+  std::vector<NamedSurface> surfaces = surfaces_of(read.scene, read.elements, text);
+  return {std::move(read.scene), std::move(surfaces)};
+}
+
 /// A user's scene and rays. Throws io::InputError, and std::invalid_argument of rays that no system is asked.
-SuiteCase read_own(const std::string& scene_file, const std::string& rays_file) {
-  scene::Scene scene = io::read_scene(io::read_source(scene_file));
-  std::vector<scene::Query> rays = io::read_rays(io::read_source(rays_file), scene);
-  return naming_file<std::invalid_argument>(rays_file, [&] { return own_case(std::move(scene), std::move(rays)); });
+SuiteCase read_own(const ConformJudgeOptions& options) {
+  auto [scene, surfaces] = read_own_scene(options.scene, options.with);
+  std::vector<scene::Query> rays = io::read_rays(io::read_source(options.rays), scene);
+  return naming_file<std::invalid_argument>(options.rays, [&] {
+    SuiteCase of = own_case(std::move(scene), std::move(rays));
+    of.surfaces = std::move(surfaces);
+    return of;
+  });
 }
 
 /// Judges the hits of a user's own rays.
 int run_own(const ConformJudgeOptions& options) {
   const Profile profile = read_profile(options.profile, options.systems);
   std::optional<Progress> progress(std::in_place, options.quiet, "judge");
-  SuiteCase of = read_own(options.scene, options.rays);
+  SuiteCase of = read_own(options);
   of.question = question_of(options.question);
   require_claimed(profile, of.question);
+  if (of.question == QuestionKind::closest && !of.surfaces.empty())
+    throw std::invalid_argument("the nearest point of a surface of a text is not known; expected another question");
   if (!options.ranges.empty())
     of.ranges = read_ranges(io::read_lines(options.ranges), of.question, of.the_case.rays.size());
   const std::vector<Claims> claims = read_claims(io::read_lines(options.hits()), {&of, 1});
@@ -117,6 +144,10 @@ void add_conform_judge(CLI::App& conform, int& status) {
   rays->needs(scene);
   auto* const question = add_question(*command, options->question)->needs(scene);
   command
+      ->add_option("--with", options->with,
+                   "A Z text that declares types of elements: the profile names those that it claims as surfaces")
+      ->needs(scene);
+  command
       ->add_option("--ranges", options->ranges, "The ends of the rays, a line each: T of shadow rays, T0 T1 of ranges")
       ->needs(question);
   command->add_option("--format", options->format, "How verdicts on one's own rays are printed; json: a line a ray")
@@ -135,7 +166,9 @@ void add_conform_judge(CLI::App& conform, int& status) {
       "A ray without a line is unanswered. Hits of one's own rays need no case.\n\n" +
       exit_status("no answer is off", "some is, or none was judged", "the call or a file is bad") +
       examples({"conform judge suite hits.csv --profile embree",
-                "conform judge --scene demo/still-life.json --rays rays.txt hits.jsonl --profile mine.json"}));
+                "conform judge --scene demo/still-life.json --rays rays.txt hits.jsonl --profile mine.json",
+                "conform judge --scene demo/surfaces/torus.json --with demo/surfaces/torus.tex --rays rays.txt "
+                "hits.jsonl --profile mine.json"}));
   command->callback([options, &status] {
     check_together(*options);
     status = options->scene.empty() ? run(*options) : run_own(*options);

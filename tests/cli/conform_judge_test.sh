@@ -1,4 +1,5 @@
 # durero conform judge, show and compare: hits from files, a ray explained, systems side by side.
+surfaces=$(cd "$(dirname "$0")/../../demo/surfaces" && pwd)
 . "$(dirname "$0")/harness.sh"
 
 run 0 conform make suite --family generic,rim --rays 24
@@ -131,5 +132,38 @@ run 2 conform judge --scene own.json own.jsonl --profile durero
 run 2 conform judge --scene own.json --rays own.txt own.jsonl --profile durero --report found
 printf '0 0 4 0 0 1 @ball\n' >named.txt
 refused 'named.txt: ray 0 names elements that it starts on' conform judge --scene own.json --rays named.txt own.jsonl --profile durero
+
+# Elements that a text describes: the profile names their types.
+printf '0.25 0 -6 0 0 1\n0.25 0 -6 0 1 0\n' >ring.txt
+printf '{"ray":0,"outcome":"hit","element":"ring","t":3.2613872124741694}\n{"ray":1,"outcome":"miss"}\n' >ring.jsonl
+cat >ring.json <<'END'
+{"format":"durero-profile","version":1,"system":"mine","profile":{"format":"binary64","tipos":["esfera","plano"],
+"surfaces":["toro"],"caps":"open","measure":"parameter","directions":"any","inside":"exit_point","names_elements":true,
+"questions":["first","shadow","closest"]}}
+END
+judge_ring() {
+  expected=$1
+  shift
+  run "$expected" conform judge --scene "$surfaces/torus.json" --with "$surfaces/torus.tex" --rays ring.txt ring.jsonl "$@"
+}
+judge_ring 0 --profile ring.json
+is out '2 rays: 2 exact'
+judge_ring 1 --profile durero
+has out 'ray 0 skipped: no toro'
+printf '{"ray":0,"outcome":"hit","element":"ring","t":3.261387212474}\n{"ray":1,"outcome":"miss"}\n' >ring.jsonl
+judge_ring 1 --profile ring.json
+has out 'ray 0 off: expected ring at t = 3.2613872124741694'
+printf '{"ray":0,"outcome":"hit","element":"ball","t":5.6}\n{"ray":1,"outcome":"miss"}\n' >ring.jsonl
+judge_ring 1 --profile ring.json
+has out 'ray 0 misplaced: expected ring'
+judge_ring 2 --profile ring.json --question closest
+has err 'the nearest point of a surface of a text is not known; expected another question'
+run 2 conform judge suite ring.jsonl --with "$surfaces/torus.tex" --profile ring.json
+sed 's/"esfera","plano"//; s/"toro"//' ring.json >empty.json
+judge_ring 2 --profile empty.json
+has err 'empty.json:1:95: tipos is empty; expected one type of elements at least'
+sed 's/"esfera","plano"//' ring.json >text.json
+judge_ring 1 --profile text.json
+has out 'skipped: no '
 
 finish

@@ -1,11 +1,13 @@
 #pragma once
-/// The elements of a scene as questions to a system see them: shapes and bodies. A disc that closes a solid is no
-/// element of its own for a system with solids: it follows from its wall, and is off by the errors of the wall.
+/// The elements of a scene as questions to a system see them: shapes, bodies and surfaces of a text. A disc that closes
+/// a solid is no element of its own for a system with solids: it follows from its wall, and is off by the errors of the
+/// wall.
 
 #include <span>
 
 #include "conform/families/solids.hpp"
 #include "conform/judge/allowance.hpp"
+#include "durero/conform/families/asked_surface.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -27,18 +29,19 @@ inline Dyadic magnitude(const DiscOfSolid& e, const model::Rayo& rayo, const Dya
 /// The elements of a scene, some of them discs of solids. Precondition of each visit: the element is in the scene.
 class AskedElements {
  public:
-  /// Without solids every disc is an element of its own. Scene, solids and bodies must outlive this object.
-  AskedElements(const scene::Scene& scene, std::span<const Solid> solids = {}, std::span<const NamedBody> bodies = {})
-      : scene_(&scene), solids_(solids), bodies_(bodies) {}
+  /// Without solids every disc is an element of its own. Scene, solids and the others must outlive this object.
+  AskedElements(const scene::Scene& scene, std::span<const Solid> solids = {}, const OtherElements& others = {})
+      : scene_(&scene), solids_(solids), others_(others) {}
 
   const scene::Scene& scene() const { return *scene_; }
 
   template <class Visit>
   decltype(auto) visit(scene::ElementRef element, Visit&& visit) const {
-    const AskedBody* const of_body = body(element);
-    return of_body == nullptr ? visit_shape(element, visit) : visit(*of_body);
+    if (const AskedBody* const of_body = body(element)) return visit(*of_body);
+    if (const AskedSurface* const of_text = surface(element)) return visit(*of_text);
+    return visit_shape(element, visit);
   }
-  /// visit() of an element that is no body.
+  /// visit() of one of the model's shapes.
   template <class Visit>
   decltype(auto) visit_shape(scene::ElementRef element, Visit&& visit) const {
     const Solid* solid = solid_closed_by(solids_, element);
@@ -48,11 +51,14 @@ class AskedElements {
   /// visit() where a disc that closes a solid is a disc like any other.
   template <class Visit>
   decltype(auto) visit_plain(scene::ElementRef element, Visit&& visit) const {
-    const AskedBody* const of_body = body(element);
-    return of_body == nullptr ? scene_->visit(element, visit) : visit(*of_body);
+    if (const AskedBody* const of_body = body(element)) return visit(*of_body);
+    if (const AskedSurface* const of_text = surface(element)) return visit(*of_text);
+    return scene_->visit(element, visit);
   }
-  /// The body that the element is; null of a shape.
-  const AskedBody* body(scene::ElementRef element) const { return find_body(bodies_, element); }
+  /// The body that the element is; null of another.
+  const AskedBody* body(scene::ElementRef element) const { return others_.body(element); }
+  /// The surface of a text that the element is; null of another.
+  const AskedSurface* surface(scene::ElementRef element) const { return others_.surface(element); }
 
  private:
   DiscOfSolid disc_of(const Solid& solid, scene::ElementRef element) const {
@@ -67,7 +73,7 @@ class AskedElements {
 
   const scene::Scene* scene_;
   std::span<const Solid> solids_;
-  std::span<const NamedBody> bodies_;
+  OtherElements others_;
 };
 
 }  // namespace durero::conform

@@ -32,7 +32,8 @@ enum ProfileKey : std::size_t {
   questions,
   error,
   half_spaces,
-  back_faces
+  back_faces,
+  surfaces
 };
 constexpr std::string_view profile_keys[] = {"format",
                                              "tipos",
@@ -55,7 +56,8 @@ constexpr std::string_view profile_keys[] = {"format",
                                              "questions",
                                              "error",
                                              "half_spaces",
-                                             "back_faces"};
+                                             "back_faces",
+                                             "surfaces"};
 constexpr std::size_t required_keys = 7;
 
 /// The words of the types, and then those of the kinds of bodies.
@@ -88,6 +90,29 @@ void read_questions(Reader& in, std::string_view what, std::vector<QuestionKind>
   if (read.empty()) in.fail(at, fmt::format("{} is empty", what), "expected one question at least");
 }
 
+void read_surfaces(Reader& in, std::string_view what, std::vector<std::string>& read) {
+  in.array(what, [&] {
+    const std::size_t at = in.offset();
+    read.emplace_back(in.string("a type of a text"));
+    if (read.back().empty()) in.fail(at, "a type of a text is empty", "expected its word in scene files");
+  });
+}
+
+/// Reads the words of types, of which there may be none.
+void read_type_words(Reader& in, std::string_view what, std::vector<model::Tipo>& types, std::vector<BodyKind>& kinds) {
+  in.array(what, [&] {
+    const std::size_t number = read_word<std::size_t>(in, "a tipo", type_names);
+    if (number < model::tipo_count)
+      types.push_back(static_cast<model::Tipo>(number));
+    else
+      kinds.push_back(static_cast<BodyKind>(number - model::tipo_count));
+  });
+}
+
+[[noreturn]] void fail_without_types(Reader& in, std::size_t at, std::string_view what) {
+  in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
+}
+
 void read_member(Reader& in, ProfileKey key, Profile& profile) {
   const std::string_view what = profile_keys[key];
   switch (key) {
@@ -95,7 +120,7 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
       profile.format = read_word<NumberFormat>(in, what, format_words);
       return;
     case tipos:
-      return read_tipos(in, what, profile.tipos, profile.bodies);
+      return read_type_words(in, what, profile.tipos, profile.bodies);
     case caps:
       profile.caps = read_word<Caps>(in, what, caps_words);
       return;
@@ -148,6 +173,8 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
     case back_faces:
       profile.back_faces = read_word<BackFaces>(in, what, back_faces_words);
       return;
+    case surfaces:
+      return read_surfaces(in, what, profile.surfaces);
   }
 }
 
@@ -169,8 +196,13 @@ Citation read_source_of_claim(Reader& in) {
 }  // namespace
 
 void read_profile_members(Reader& in, Profile& profile) {
-  in.object("a profile", profile_keys, required_keys,
-            [&](std::size_t key) { read_member(in, static_cast<ProfileKey>(key), profile); });
+  std::size_t types_at = in.offset();
+  in.object("a profile", profile_keys, required_keys, [&](std::size_t key) {
+    if (key == tipos) types_at = in.offset();
+    read_member(in, static_cast<ProfileKey>(key), profile);
+  });
+  if (profile.tipos.empty() && profile.bodies.empty() && profile.surfaces.empty())
+    fail_without_types(in, types_at, profile_keys[tipos]);
 }
 
 std::vector<Citation> read_sources(Reader& in) {
@@ -181,15 +213,8 @@ std::vector<Citation> read_sources(Reader& in) {
 
 void read_tipos(Reader& in, std::string_view what, std::vector<model::Tipo>& tipos, std::vector<BodyKind>& bodies) {
   const std::size_t at = in.offset();
-  in.array(what, [&] {
-    const std::size_t number = read_word<std::size_t>(in, "a tipo", type_names);
-    if (number < model::tipo_count)
-      tipos.push_back(static_cast<model::Tipo>(number));
-    else
-      bodies.push_back(static_cast<BodyKind>(number - model::tipo_count));
-  });
-  if (tipos.empty() && bodies.empty())
-    in.fail(at, fmt::format("{} is empty", what), "expected one type of elements at least");
+  read_type_words(in, what, tipos, bodies);
+  if (tipos.empty() && bodies.empty()) fail_without_types(in, at, what);
 }
 
 void read_exactly(Reader& in, std::string_view what, std::string_view expected) {

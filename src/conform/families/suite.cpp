@@ -92,11 +92,12 @@ void ask_question(SuiteCase& of, const SuiteOptions& options) {
 void answer(SuiteCase& of) {
   const auto& [scene, rays] = of.the_case;
   if (of.question == QuestionKind::range)
-    of.truths = truths_within(scene, rays, of.ranges, of.bodies);
+    of.truths = truths_within(scene, rays, of.ranges, of.others());
   else if (of.question == QuestionKind::closest)
     of.truths = truths_of_nearest(scene, rays);
   else
-    of.truths = is_about_all(of.question) ? truths_with_all(scene, rays, of.bodies) : truths(scene, rays, of.bodies);
+    of.truths =
+        is_about_all(of.question) ? truths_with_all(scene, rays, of.others()) : truths(scene, rays, of.others());
 }
 
 }  // namespace durero::conform

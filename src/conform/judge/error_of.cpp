@@ -7,6 +7,7 @@
 
 #include "conform/judge/body_space.hpp"
 #include "conform/judge/shell.hpp"
+#include "conform/judge/text_space.hpp"
 #include "durero/number/quotient.hpp"
 #include "durero/surface/normal.hpp"
 #include "durero/surface/surfaces.hpp"
@@ -38,6 +39,12 @@ Dyadic squared_size(const Shape& shape, const Dyadic& squared_way) {
 
 Dyadic squared_size(const AskedBody& body, const Dyadic&) { return squared_size_of_body(body); }
 double distance(const AskedBody& body, const Point<Dyadic>& w, const Dyadic& M) { return distance_of_body(body, w, M); }
+
+/// The square of the way to a surface of a text stands for that of its size, which nobody says.
+Dyadic squared_size(const AskedSurface&, const Dyadic& squared_way) { return squared_way; }
+double distance(const AskedSurface& surface, const Point<Dyadic>& w, const Dyadic& M) {
+  return distance_of_surface(surface, w, M);
+}
 
 /// Whether a distance, given by its square, is at most 0.001 of the shape's size.
 template <class Shape>
@@ -170,7 +177,7 @@ double backward_error_near_truth(const ClaimContext& trial, const Claim& claim, 
   const glm::dvec3 way = place.given ? (*place.given - hit.t) * v : *claim.punto - hit.punto;
   const auto element = std::find_if(hit.elementos.begin(), hit.elementos.end(),
                                     [&](scene::ElementRef candidate) { return trial.names(claim, candidate); });
-  if (trial.elements().body(*element)) return backward_error(trial, claim, place);
+  if (trial.elements().body(*element) || trial.elements().surface(*element)) return backward_error(trial, claim, place);
   const double length = trial.scene.visit(*element, [](const auto& shape) { return largest_length(shape); });
   const double M = std::max({length, largest(p), hit.t * largest(v)});
   const double across = std::abs(glm::dot(way, surface::normal(trial.scene, *element, hit.punto))) / M;

@@ -9,6 +9,7 @@
 #include "conform/judge/body_space.hpp"
 #include "conform/judge/draft.hpp"
 #include "conform/judge/limits.hpp"
+#include "conform/judge/text_space.hpp"
 #include "conform/judge/trial.hpp"
 #include "conform/report/report_parts.hpp"
 #include "durero/io/number_text.hpp"

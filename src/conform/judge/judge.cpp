@@ -209,7 +209,7 @@ Verdict otherwise(const SuiteCase& of, std::size_t ray, const Claim& claim, cons
 class CaseJudge::Parts {
  public:
   Parts(const SuiteCase& of, const Profile& profile)
-      : of_(&of), profile_(&profile), facts_(of.the_case.scene, of.the_case.rays.size(), of.bodies) {}
+      : of_(&of), profile_(&profile), facts_(of.the_case.scene, of.the_case.rays.size(), of.others()) {}
 
   ClaimJudgement judge(std::size_t ray, const Claim& claim) const {
     const ClaimContext trial(*of_, ray, *profile_, facts_);

@@ -97,7 +97,7 @@ bool is_all_beyond_limits(const ClaimContext& trial) {
     return compared(trial, *begin, least, {}) < 0 ||
            (std::isfinite(greatest) && compared(trial, *begin, greatest, {}) > 0);
   };
-  const auto crossings = all_crossings(trial.scene, trial.ray, trial.bodies);
+  const auto crossings = all_crossings(trial.scene, trial.ray, trial.others);
   return std::all_of(crossings.begin(), crossings.end(), is_beyond);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "conform/judge/body_space.hpp"
+#include "conform/judge/text_space.hpp"
 #include "durero/number/quotient.hpp"
 
 namespace durero::conform {
@@ -60,6 +61,7 @@ NormalBall normals_at(const DiscOfSolid& e, const Vector&, const Allowance& allo
 
 /// Of the normal of a body only its length is judged: here any direction is right.
 NormalBall normals_at(const AskedBody&, const Vector&, const Allowance&) { return {{0, 0, 0}, 1}; }
+NormalBall normals_at(const AskedSurface&, const Vector&, const Allowance&) { return {{0, 0, 0}, 1}; }
 
 /// The edges of a triangle are off by 2√3·δ < 3.47·δ each, and the product of two, a × b, by 3.47·δ·(|a| + |b|) +
 /// (3.47·δ)². Any two edges have the same product; the shortest have the least error.

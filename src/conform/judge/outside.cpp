@@ -85,13 +85,24 @@ std::string clause_of_body(const Profile& profile, const AskedBody& body) {
   return is_of(body.centro, profile.format) ? clause : "numbers of binary32";
 }
 
+/// The clause of a surface of a text, whose type the profile must name; numbers of binary32 cannot be too large or too
+/// small for it.
+std::string clause_of_surface(const Profile& profile, const AskedSurface& surface) {
+  if (std::ranges::find(profile.surfaces, surface.type) == profile.surfaces.end())
+    return fmt::format("no {}", surface.type);
+  return {};
+}
+
 }  // namespace
 
 std::string outside_by_scene(const ClaimContext& trial) {
   std::string clause;
   trial.scene.any_of([&](ElementRef element, const auto& shape) {
     const AskedBody* const body = trial.elements().body(element);
-    clause = body ? clause_of_body(trial.profile, *body) : clause_of(trial, element, shape);
+    const AskedSurface* const surface = trial.elements().surface(element);
+    clause = body      ? clause_of_body(trial.profile, *body)
+             : surface ? clause_of_surface(trial.profile, *surface)
+                       : clause_of(trial, element, shape);
     return !clause.empty();
   });
   return clause;

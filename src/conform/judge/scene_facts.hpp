@@ -13,16 +13,16 @@ namespace durero::conform {
 
 class SceneFacts {
  public:
-  /// The facts about a scene, which must outlive them unedited with its bodies, for about so many rays.
-  SceneFacts(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies)
-      : scene_(&scene), rays_(rays), bodies_(bodies) {}
+  /// The facts about a scene, which must outlive them unedited with its other elements, for about so many rays.
+  SceneFacts(const scene::Scene& scene, std::size_t rays, const OtherElements& others)
+      : scene_(&scene), rays_(rays), others_(others) {}
 
   const scene::Scene& scene() const { return *scene_; }
 
   /// A thread that builds the tree in parallel takes no other work meanwhile, which could wait for the tree.
   const SceneTree& tree() const {
     std::call_once(tree_once_,
-                   [&] { oneapi::tbb::this_task_arena::isolate([&] { tree_.emplace(*scene_, rays_, bodies_); }); });
+                   [&] { oneapi::tbb::this_task_arena::isolate([&] { tree_.emplace(*scene_, rays_, others_); }); });
     return *tree_;
   }
   /// All triangles of the scene, where they are a closed mesh.
@@ -41,7 +41,7 @@ class SceneFacts {
  private:
   const scene::Scene* scene_;
   std::size_t rays_;
-  std::span<const NamedBody> bodies_;
+  OtherElements others_;
   mutable std::once_flag tree_once_, mesh_once_, length_once_;
   mutable std::optional<SceneTree> tree_{};
   mutable std::optional<ClosedMesh> mesh_{};

@@ -21,19 +21,23 @@ namespace durero::conform {
 class SceneTree {
  public:
   /// The tree of a scene, which must outlive it unedited, for about so many rays. Few elements, or few rays, are asked
-  /// one by one: there is no tree then. Nor is there one of a scene with bodies, which stand elsewhere in the tables;
-  /// `bodies` says which of them are tori.
-  SceneTree(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies = {}) : scene_(&scene) {
-    if (scene.has_bodies())
-      make_figures(bodies);
-    else if (scene.size() >= least_elements && rays >= least_rays)
+  /// one by one: there is no tree then. Nor is there one of a scene with bodies or surfaces of a text, which stand
+  /// elsewhere in the tables; `others`, which must outlive the tree, says which of them are tori, and has the surfaces.
+  SceneTree(const scene::Scene& scene, std::size_t rays, const OtherElements& others = {})
+      : scene_(&scene), others_(others) {
+    if (scene.has_bodies()) make_figures(others.bodies);
+    if (!scene.has_bodies() && others.surfaces.empty() && scene.size() >= least_elements && rays >= least_rays)
       tree_.emplace(scene);
   }
 
   const scene::Scene& scene() const { return *scene_; }
 
-  /// Whether the element is a body.
-  bool is_body(scene::ElementRef e) const { return figure(e) != nullptr || torus(e) != nullptr; }
+  /// Whether the element is none of the model's shapes.
+  bool is_other(scene::ElementRef e) const {
+    return figure(e) != nullptr || torus(e) != nullptr || surface(e) != nullptr;
+  }
+  /// The element, where it is a surface of a text; otherwise null.
+  const AskedSurface* surface(scene::ElementRef e) const { return others_.surface(e); }
   /// The element, where it is a torus; otherwise null.
   const Torus* torus(scene::ElementRef e) const {
     const auto found = std::ranges::find(tori_, e, &NamedTorus::element);
@@ -80,6 +84,7 @@ class SceneTree {
   static constexpr std::size_t least_elements = 48, least_rays = 8;
 
   const scene::Scene* scene_;
+  OtherElements others_;
   std::optional<accel::WideBvh> tree_{};
   std::vector<NamedTorus> tori_{};
   std::vector<std::unique_ptr<const composed::Figure>> figures_{};  // by the row of the sphere that a body stands as

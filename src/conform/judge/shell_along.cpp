@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "conform/judge/body_space.hpp"
+#include "conform/judge/text_space.hpp"
 #include "conform/judge/torus_space.hpp"
 #include "conform/judge/zones.hpp"
 
@@ -200,13 +201,15 @@ std::optional<std::vector<ShellStretch>> stretches_of(const Shape& shape, const 
 }  // namespace
 
 std::size_t most_meetings_of(const AskedElements& elements, scene::ElementRef element) {
+  if (const AskedSurface* const surface = elements.surface(element)) return most_meetings_of(*surface);
   const AskedBody* const body = elements.body(element);
   return body && body->kind == BodyKind::toro ? most_meetings_of_torus : most_meetings;
 }
 
 std::optional<std::vector<ShellStretch>> stretches(const AskedElements& elements, scene::ElementRef element,
                                                    const model::Rayo& rayo, const Precision& precision) {
-  return elements.visit(element, [&](const auto& asked) { return stretches_of(asked, rayo, precision); });
+  using Found = std::optional<std::vector<ShellStretch>>;
+  return elements.visit(element, [&](const auto& asked) -> Found { return stretches_of(asked, rayo, precision); });
 }
 
 std::optional<Parameter> earliest(const AskedElements& elements, scene::ElementRef element, const model::Rayo& rayo,

@@ -9,6 +9,9 @@ using algebra::Polynomial;
 
 Point<Dyadic> exact_vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
+/// Bounds on a root are apart by less than 2 to the power −bits of it.
+constexpr std::int64_t bits = 400;
+
 /// The square of a + b·t + c·t².
 Polynomial squared(const Dyadic& a, const Dyadic& b, const Dyadic& c) {
   return {a * a, number::shifted(a * b, 1), b * b + number::shifted(a * c, 1), number::shifted(b * c, 1), c * c};
@@ -44,7 +47,6 @@ Polynomial Torus::along(const model::Rayo& rayo, const Dyadic& rho) const {
 }
 
 std::vector<TubeRoot> tube_roots(const Polynomial& of) {
-  constexpr std::int64_t bits = 400;
   Polynomial slope;
   for (std::size_t i = 1; i < of.size(); ++i) slope.push_back(Dyadic(static_cast<double>(i)) * of[i]);
   algebra::normalise(slope);
@@ -67,6 +69,13 @@ surface::exact::Parameter crossing_at(const TubeRoot& root) {
   const auto* const isolated = std::get_if<algebra::Isolated>(&root.root);
   if (isolated == nullptr) return root.low;
   return {.x = number::shifted(isolated->low + isolated->high, -1)};
+}
+
+surface::exact::Parameter crossing_at(const algebra::Root& root) {
+  const algebra::Root fine = algebra::refined(root, bits);
+  if (const auto* const surd = std::get_if<number::DyadicSurd>(&fine)) return *surd;
+  const auto& isolated = std::get<algebra::Isolated>(fine);
+  return {.x = number::shifted(isolated.low + isolated.high, -1)};
 }
 
 }  // namespace durero::conform

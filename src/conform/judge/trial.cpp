@@ -65,6 +65,7 @@ scene::ElementRef ClaimContext::body(scene::ElementRef element) const {
 }
 
 bool ClaimContext::is_solid(scene::ElementRef element) const {
+  if (others.surface(element)) return false;
   if (element.tipo == model::Tipo::soy_esfera) return true;
   if (element.tipo == model::Tipo::soy_plano) return profile.half_spaces;
   return profile.caps == Caps::solid &&

@@ -16,7 +16,7 @@ namespace durero::conform {
 struct ClaimContext {
   const scene::Scene& scene;
   const std::vector<Solid>& solids;
-  const std::vector<NamedBody>& bodies;
+  OtherElements others;  ///< those of the scene that are no shapes of the model
   const scene::Query& ray;
   const ExactAnswer& truth;
   const Profile& profile;
@@ -28,7 +28,7 @@ struct ClaimContext {
   ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
       : scene(of.the_case.scene),
         solids(of.solids),
-        bodies(of.bodies),
+        others(of.others()),
         ray(of.the_case.rays[number]),
         truth(of.truths[number]),
         profile(asked),
@@ -42,7 +42,7 @@ struct ClaimContext {
   Precision precision() const { return {profile.format, profile.thickness, profile.error}; }
   /// The elements as the system is asked about them: with solids where its profile closes walls with discs.
   AskedElements elements() const {
-    return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>(), bodies};
+    return {scene, profile.caps == Caps::solid ? std::span<const Solid>(solids) : std::span<const Solid>(), others};
   }
   bool has_hit() const { return truth.hit.resultado == model::Resultado::hit; }
   /// The element that stands for this one in the system: the wall, where the system has solids and the element is a

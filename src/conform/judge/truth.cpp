@@ -68,7 +68,25 @@ ElementPlaces places_of(const Torus& torus, scene::ElementRef e, const scene::Qu
   return all;
 }
 
+/// The places on a surface of a text. A stretch in it is one from its beginning on, since any place there is as good.
+ElementPlaces places_of(const AskedSurface& surface, scene::ElementRef e, const scene::Query& ray) {
+  ElementPlaces all;
+  const auto roots = surface.points.parameters(ray.rayo, false, written::RayPart::whole);
+  if (roots) {
+    for (const algebra::Root& root : *roots) all.points.push_back({crossing_at(root), e, Ambiguity::none});
+    return all;
+  }
+  const written::First first = surface.points.first(ray.rayo, false);
+  if (const auto* const root = std::get_if<algebra::Root>(&first))
+    all.points.push_back({crossing_at(*root), e, Ambiguity::in_surface});
+  if (const auto* const after = std::get_if<written::After>(&first))
+    all.segment =
+        surface::exact::Segment{after->t ? std::optional(crossing_at(*after->t)) : std::nullopt, std::nullopt};
+  return all;
+}
+
 ElementPlaces places_of(const SceneTree& tree, const AnsweredQuery& query, scene::ElementRef e) {
+  if (const AskedSurface* const surface = tree.surface(e)) return places_of(*surface, e, query.query);
   if (const Torus* const torus = tree.torus(e)) return places_of(*torus, e, query.query);
   const composed::Figure* const figure = tree.figure(e);
   return figure ? places_of(*figure, e, query.query) : places_of(quadratic(query, e));
@@ -111,8 +129,8 @@ std::vector<ElementMeeting> places_within(const SceneTree& tree, const scene::Qu
   trace::Counts counts;
   const trace::Search search(tree.scene(), ray.rayo, ray.en, counts);
   const auto look_at = [&](scene::ElementRef e) {
-    const bool is_body = tree.is_body(e);
-    const std::optional<trace::Meeting> met = is_body ? std::nullopt : search.certified_meeting(e, range.end);
+    const bool is_other = tree.is_other(e);
+    const std::optional<trace::Meeting> met = is_other ? std::nullopt : search.certified_meeting(e, range.end);
     if (!met || met->kind != trace::Meeting::Kind::none) add_places_within(all, e, places_of(tree, query, e), range);
   };
   tree.along(
@@ -168,7 +186,7 @@ class Sight {
 
  private:
   void look_at(scene::ElementRef e) {
-    if (tree_->is_body(e)) return unclear_.push_back(e);
+    if (tree_->is_other(e)) return unclear_.push_back(e);
     std::optional<trace::Meeting> met = search_.certified_meeting(e, limit_);
     if (!met) return unclear_.push_back(e);
     if (met->kind == trace::Meeting::Kind::none) return;
@@ -294,8 +312,8 @@ ExactAnswer truth_by(const SceneTree& tree, const scene::Query& ray) {
 
 ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray) { return truth_by({scene, 1}, ray); }
 
-SceneTruths::SceneTruths(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies)
-    : tree_(std::make_unique<const SceneTree>(scene, rays, bodies)) {}
+SceneTruths::SceneTruths(const scene::Scene& scene, std::size_t rays, const OtherElements& others)
+    : tree_(std::make_unique<const SceneTree>(scene, rays, others)) {}
 SceneTruths::~SceneTruths() = default;
 
 ExactAnswer SceneTruths::of(const scene::Query& ray) const { return truth_by(*tree_, ray); }
@@ -312,9 +330,9 @@ std::vector<double> SceneTruths::crossings(const scene::Query& ray) const {
 }
 
 std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, const scene::Query& ray,
-                                                    std::span<const NamedBody> bodies) {
-  if (!scene.has_bodies()) return surface::exact::all_hits(scene, ray.rayo, ray.en);
-  const SceneTree tree(scene, 1, bodies);
+                                                    const OtherElements& others) {
+  if (!scene.has_bodies() && others.surfaces.empty()) return surface::exact::all_hits(scene, ray.rayo, ray.en);
+  const SceneTree tree(scene, 1, others);
   const AnsweredQuery query{scene, ray, {}};
   std::vector<surface::exact::Crossing> all;
   scene.for_each([&](scene::ElementRef e, const auto&) {
@@ -352,14 +370,14 @@ std::vector<ExactAnswer> answers(std::size_t rays, Answer answer) {
 }  // namespace
 
 std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                std::span<const NamedBody> bodies) {
-  const SceneTruths of_scene(scene, rays.size(), bodies);
+                                const OtherElements& others) {
+  const SceneTruths of_scene(scene, rays.size(), others);
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.of(rays[ray]); });
 }
 
 std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                         std::span<const NamedBody> bodies) {
-  const SceneTruths of_scene(scene, rays.size(), bodies);
+                                         const OtherElements& others) {
+  const SceneTruths of_scene(scene, rays.size(), others);
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.with_all(rays[ray]); });
 }
 
@@ -375,8 +393,8 @@ std::vector<ExactAnswer> truths_of_nearest(const scene::Scene& scene, std::span<
 }
 
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                       std::span<const AskedRange> ranges, std::span<const NamedBody> bodies) {
-  const SceneTruths of_scene(scene, rays.size(), bodies);
+                                       std::span<const AskedRange> ranges, const OtherElements& others) {
+  const SceneTruths of_scene(scene, rays.size(), others);
   return answers(rays.size(), [&](std::size_t ray) { return of_scene.within(rays[ray], ranges[ray]); });
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "conform/judge/body_space.hpp"
+#include "conform/judge/text_space.hpp"
 #include "conform/judge/torus.hpp"
 #include "conform/judge/torus_space.hpp"
 #include "durero/trace/search.hpp"
@@ -149,6 +150,11 @@ bool is_on(const AskedBody& body, const ClaimedPoint& place, const model::Rayo& 
          place_in(body, place.punto, -eta) != BodyPlace::inside;
 }
 
+bool is_on(const AskedSurface& surface, const ClaimedPoint& place, const model::Rayo& rayo,
+           const Precision& precision) {
+  return may_lie_on(surface, place, rayo, precision);
+}
+
 template <class Shape>
 bool is_within(const Shape& shape, const ClaimedPoint& place, const model::Rayo& rayo, const Precision& precision) {
   return may_hold_inside(shell_at(shape, place, rayo, precision));
@@ -157,6 +163,9 @@ bool is_within(const AskedBody& body, const ClaimedPoint& place, const model::Ra
   const Dyadic eta = eta_of(body, Allowance(precision, magnitude(body, rayo, place.way), rayo));
   return place_in(body, place.punto, eta) != BodyPlace::outside;
 }
+
+/// A surface of a text is no solid: it has no inside.
+bool is_within(const AskedSurface&, const ClaimedPoint&, const model::Rayo&, const Precision&) { return false; }
 
 }  // namespace
 
@@ -172,6 +181,11 @@ std::vector<Zone> zones(const AskedElements& elements, const SceneTree& tree, co
       if (starts_on_it) return;
       const auto add_all = body->kind == BodyKind::toro ? add_torus_zones : add_zones;
       return add_all(all, element, *body, ray.rayo, precision);
+    }
+    if (const AskedSurface* const surface = elements.surface(element)) {
+      const std::vector<Zone> of_surface = zones_of(element, *surface, ray.rayo, precision);
+      all.insert(all.end(), of_surface.begin(), of_surface.end());
+      return;
     }
     const std::optional<trace::Meeting> met = search.certified_meeting(element, limit);
     if (met && met->kind == trace::Meeting::Kind::none) return;

@@ -91,6 +91,7 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
                                     {"directions", std::string(word(profile.directions))},
                                     {"inside", std::string(word(profile.inside))},
                                     {"names_elements", profile.names_elements ? "true" : "false"}};
+  if (!profile.surfaces.empty()) lines.push_back({"surfaces", fmt::format("{}", fmt::join(profile.surfaces, ","))});
   if (profile.questions != Profile().questions) {
     std::string words;
     for (const QuestionKind question : profile.questions) words.append(words.empty() ? "" : ",").append(word(question));

@@ -121,6 +121,7 @@ struct Profile {
   NumberFormat format = NumberFormat::binary64;  ///< a scene or ray with numbers beyond its range is outside
   std::vector<model::Tipo> tipos{};              ///< the types of element that it has: a scene with another is outside
   std::vector<BodyKind> bodies{};                ///< the kinds of bodies that it has, likewise
+  std::vector<std::string> surfaces{};           ///< the types of a text that it has, likewise
   Caps caps = Caps::open;                   ///< solid: a scene with an open cylinder, cone or truncated cone is outside
   Measure measure = Measure::parameter;     ///< the meaning of Claim::t
   Directions directions = Directions::any;  ///< the demand on v

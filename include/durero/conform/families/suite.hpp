@@ -41,6 +41,7 @@ struct SuiteCase {
   Case the_case;                                ///< the scene and its rays, which in a suite start on no elements
   std::vector<Solid> solids{};                  ///< with Caps::solid, the elements that discs close
   std::vector<NamedBody> bodies{};              ///< the elements that are bodies
+  std::vector<NamedSurface> surfaces{};         ///< the elements that a text defines, in a case of one's own
   std::vector<ExactAnswer> truths{};            ///< the truths of the rays, in their order
   QuestionKind question = QuestionKind::first;  ///< the question about each ray
   bool is_grid = false;                         ///< the scene is asked about as the grid that its mesh is (grid_of)
@@ -48,6 +49,8 @@ struct SuiteCase {
   std::vector<AskedRange> ranges{};
 
   std::string name() const;  ///< FAMILY/0000
+  /// The elements that are no shapes of the model; the case must outlive them.
+  OtherElements others() const { return {bodies, surfaces}; }
 };
 
 /// The families of the options, all where they name none, in the order of families().

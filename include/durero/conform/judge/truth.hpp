@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "durero/conform/families/asked_body.hpp"
+#include "durero/conform/families/asked_surface.hpp"
 #include "durero/scene/hit.hpp"
 #include "durero/scene/query.hpp"
 #include "durero/scene/scene.hpp"
@@ -57,10 +57,11 @@ struct ExactAnswer {
 /// elements that these steps leave open. Precondition: the ray is of the scene.
 ExactAnswer truth(const scene::Scene& scene, const scene::Query& ray);
 
-/// Every crossing of a ray with shapes and bodies, ascending: points, and stretches inside a surface. `bodies` says
-/// which bodies are tori, here and below. Precondition: the ray is of the scene.
+/// Every crossing of a ray with the elements of the scene, ascending: points, and stretches inside a surface. `others`
+/// says which bodies are tori, and which elements a text defines, here and below. Precondition: the ray is of the
+/// scene.
 std::vector<surface::exact::Crossing> all_crossings(const scene::Scene& scene, const scene::Query& ray,
-                                                    std::span<const NamedBody> bodies = {});
+                                                    const OtherElements& others = {});
 
 class SceneTree;
 
@@ -69,7 +70,7 @@ class SceneTree;
 class SceneTruths {
  public:
   /// The scene must outlive it unedited. `rays` is about how many are asked.
-  SceneTruths(const scene::Scene& scene, std::size_t rays, std::span<const NamedBody> bodies = {});
+  SceneTruths(const scene::Scene& scene, std::size_t rays, const OtherElements& others = {});
   ~SceneTruths();  ///< lets go of the tree
   SceneTruths(const SceneTruths&) = delete;
   SceneTruths& operator=(const SceneTruths&) = delete;
@@ -92,15 +93,15 @@ class SceneTruths {
 /// The truth() of each ray, in order, by as many threads as the calling one may use. Precondition: the rays are of the
 /// scene.
 std::vector<ExactAnswer> truths(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                std::span<const NamedBody> bodies = {});
+                                const OtherElements& others = {});
 /// SceneTruths::with_all() of each ray, likewise.
 std::vector<ExactAnswer> truths_with_all(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                         std::span<const NamedBody> bodies = {});
+                                         const OtherElements& others = {});
 /// The nearest point of the scene to the origin of each ray, likewise: as a hit at the place with the distance for t,
 /// of the elements that attain it. Several nearest points are a tie. Precondition: the scene has an element.
 std::vector<ExactAnswer> truths_of_nearest(const scene::Scene& scene, std::span<const scene::Query> rays);
 /// SceneTruths::within() of each ray, likewise. Precondition: there is a range for each ray.
 std::vector<ExactAnswer> truths_within(const scene::Scene& scene, std::span<const scene::Query> rays,
-                                       std::span<const AskedRange> ranges, std::span<const NamedBody> bodies = {});
+                                       std::span<const AskedRange> ranges, const OtherElements& others = {});
 
 }  // namespace durero::conform
