@@ -1,11 +1,15 @@
 """Smallest failures of other people's systems, as `durero conform bug` writes them: docs/findings/SYSTEM/NAME.md, with a
-program beside it that reproduces it.
+program beside it that reproduces it. Where a line of the system is the cause, docs/findings/SYSTEM/fix.patch changes it.
 
 findings.py DURERO write [SYSTEM/NAME]…           writes pages anew, all by default, with the calls that they name
 findings.py DURERO write SYSTEM NAME CASE RAY     writes a new one
-findings.py DURERO check                          asks each system that is set up again, and runs the programs
+findings.py DURERO check                          asks each system that is set up again, and runs the programs; asks
+                                                  a copy that the patch was applied to, whose answers must be exact
 """
+import contextlib
+import copy
 import json
+import math
 import os
 import pathlib
 import re
@@ -30,6 +34,18 @@ class System:
 
     def is_set_up(self):
         return (self.setup / "complete").exists()
+
+    @contextlib.contextmanager
+    def patched(self, patch):
+        """The system in a copy of its folder, of which the patch changed files: linked ones stay as they are."""
+        with tempfile.TemporaryDirectory(dir=SETUPS) as folder:
+            other = copy.copy(self)
+            other.setup = pathlib.Path(folder) / self.setup.name
+            subprocess.run(["cp", "-al", self.setup, other.setup], check=True)
+            subprocess.run(["patch", "--quiet", "-p1", "-d", other.setup, "-i", patch], check=True)
+            moved = lambda place: str(place).replace(str(self.setup), str(other.setup))
+            other.places = {key: place if key == "here" else moved(place) for key, place in self.places.items()}
+            yield other
 
     def filled_in(self, command, **places):
         places = {**self.places, **places}
@@ -62,6 +78,26 @@ def is_same(answer, other):
         except ValueError:
             return word
     return [read(word) for word in answer.split()] == [read(word) for word in other.split()]
+
+
+def numbers_of(answer):
+    """The element of a hit, and its t and point, as far as the answer has them."""
+    words = answer.split()
+    if words[:1] != ["hit"]:
+        return None, None, []
+    return words[1], None if words[2] == "-" else float(words[2]), [float(word) for word in words[3:6]]
+
+
+def is_exact(answer, page, measure):
+    """Whether the answer is the exact one of the page, to some digits: its element, and t or else the point."""
+    element, t = re.match(r"(\S+) at t = (\S+)", block(page, "exact")).groups()
+    if measure == "length":
+        t = float(t) * math.hypot(*map(float, block(page, "question").split()[-3:]))
+    point = re.search(r"Expected .*?point \((.*?)\)", page.read_text())[1].split(", ")
+    of, at, where = numbers_of(answer)
+    got, expected = ([at], [t]) if at is not None else (where, point)
+    near = lambda a, b: math.isclose(a, float(b), rel_tol=2 ** -20)
+    return of == element and len(got) == len(expected) and all(map(near, got, expected))
 
 
 def block(page, kind):
@@ -112,6 +148,17 @@ def wrong_in(page, system, answer, words):
     return wrong
 
 
+def wrong_with_patch(page, system):
+    """What a patched system answers to the question of the page, where that is not exact."""
+    patch = page.parent / "fix.patch"
+    if not patch.exists():
+        return []
+    with system.patched(patch) as mended:
+        version, answer, words = mended.ask(block(page, "question") + "\n")
+    measure = system.says["profile"]["measure"]
+    return [] if is_exact(answer, page, measure) else ["with %s %s (%s)" % (patch.name, answer or "no answer", words)]
+
+
 def check():
     """Status 1 where a system answers otherwise than its page says, 77 where none could be asked."""
     not_asked, wrong, asked = set(), 0, 0
@@ -126,7 +173,7 @@ def check():
             not_asked.add(why)
             continue
         asked += 1
-        for what in wrong_in(page, system, answer, words):
+        for what in wrong_in(page, system, answer, words) + wrong_with_patch(page, system):
             wrong += 1
             print("%s: %s" % (page.relative_to(ROOT), what))
     print("%d asked again, %d answered otherwise; %s" % (asked, wrong, "; ".join(sorted(not_asked)) or "all were asked"))
