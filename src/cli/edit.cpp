@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/contract/contract.hpp"
+#include "durero/io/file_lock.hpp"
 #include "durero/io/file_name.hpp"
 #include "durero/io/json/edited_scene.hpp"
 #include "durero/io/json/groups_file.hpp"
@@ -56,6 +57,8 @@ std::unique_ptr<io::EditedScene> read(const EditOptions& options) {
 
 int edit(const EditOptions& options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
+  std::optional<io::FileLock> lock;  // until the edited scene is in place
+  if (io::is_same_file(options.scene, options.out)) lock.emplace(options.out);
   std::optional<io::OutputFile> out;
   if (!options.out.empty()) {
     io::require_ending(options.out, io::json_endings, "a scene");
@@ -104,6 +107,7 @@ void add_edit(CLI::App& app, int& status) {
       "Without --script and --op, operations are read from the standard input. With --with, the types that the text\n"
       "declares have operations too: puntos_toro gives Agregar_Toro and Eliminar_Toro; what the text gives\n"
       "no points is refused with the predicate that does not hold.\n\n"
+      "Where FILE is SCENE itself, others that edit it so wait for each other, and no edit is lost.\n\n"
       "An operation takes no longer in a large scene than in a small one; one on a mesh takes as long as the mesh is\n"
       "large. With --audit or --by-spec each looks at every element, before and after, so that time grows with the\n"
       "operations times the elements.\n\n" +

@@ -82,7 +82,7 @@ std::string part_name(const std::string& target, unsigned n) {
   return fmt::format("{}.durero-{}.part", target.substr(0, name_at + most), n);
 }
 
-std::string folder_of(const std::string& target) {
+std::string folder_above(const std::string& target) {
   const std::size_t slash = target.find_last_of('/');
   return slash == std::string::npos ? "." : target.substr(0, slash + 1);
 }
@@ -158,7 +158,7 @@ Temporary::Temporary(const std::string& target, PartName named) : target_(target
 
 /// Leaves it to open_with_name() to say why a file cannot be made.
 void Temporary::open_without_name() {
-  own_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, owner_alone);
+  own_ = ::open(folder_above(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, owner_alone);
   if (own_ < 0) return;
   lock_now(own_);
   if (::access(link_to(own_).c_str(), F_OK) != 0) ::close(std::exchange(own_, -1));  // no /proc to name it by

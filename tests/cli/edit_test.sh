@@ -108,4 +108,16 @@ has out '{"line":1,"ok":true,"r":"closed"}'
 has out '{"line":2,"ok":false,"r":"elemento_ya_existe","violated":"Agregar_Elemento.pre.1",'
 has out '{"line":3,"ok":false,"r":"not_closed","violated":"close.pre.2",'
 has closed.json '"id":"k1:base"'
+# Many that edit one file at a time wait for each other: no edit is lost, also by a link.
+sample >one.json
+ln -s one.json link.json
+for number in $(seq 24); do
+  file=one.json
+  [ $((number % 3)) != 0 ] || file=link.json
+  "$durero" edit $file --op "Agregar_Esfera e?=m$number centro?=(0,0,$number) radio?=1" -o $file >/dev/null 2>&1 </dev/null &
+done
+wait
+run 0 check one.json
+checks=$((checks + 1))
+[ "$(grep -c '"id":"m[0-9]*"' one.json)" = 24 ] || fail 'an accepted edit is lost'
 finish
