@@ -73,6 +73,8 @@ struct Ray {
   bool is_about_all = false;                                        // all hits are asked for, or
   bool is_count = false;                                            // their number
   bool is_point = false;                                            // the nearest point to p is asked for
+  bool is_cast = false;                                             // a ball is cast, of this
+  double radius = 0;
 };
 
 struct Scene {
@@ -124,7 +126,7 @@ inline bool read(Scene& scene) {
   bool has_begins = false;
   const auto is_head = [&] {
     return word == "rays" || word == "shadows" || word == "ranges" || word == "crossings" || word == "counts" ||
-           word == "points";
+           word == "points" || word == "casts";
   };
   if (!std::getline(std::cin, line)) return false;
   std::istringstream(line) >> word >> scene.name;
@@ -140,6 +142,7 @@ inline bool read(Scene& scene) {
         ray.is_count = word == "counts";
         ray.is_about_all = ray.is_count || word == "crossings";
         ray.is_point = word == "points";
+        ray.is_cast = word == "casts";
       }
       has_begins = word == "ranges";
       break;
@@ -157,6 +160,7 @@ inline bool read(Scene& scene) {
     for (double& x : ray.v) x = read_number(in);
     if (has_begins) ray.begin = read_number(in);
     if (has_begins || ray.is_shadow) ray.end = read_number(in);
+    if (ray.is_cast) ray.radius = read_number(in);
   }
   return true;
 }
@@ -166,6 +170,10 @@ inline void hit(const std::string& element, double t) { std::printf("hit %s %.17
 // A hit of which the point alone is known.
 inline void hit_at(const std::string& element, Vec point) {
   std::printf("hit %s - %.17g %.17g %.17g\n", element.c_str(), point[0], point[1], point[2]);
+}
+// A hit with the place of contact.
+inline void touch(const std::string& element, double t, Vec point) {
+  std::printf("hit %s %.17g %.17g %.17g %.17g\n", element.c_str(), t, point[0], point[1], point[2]);
 }
 // A hit with its normal, and perhaps u and v of a triangle.
 inline void hit(const std::string& element, double t, Vec normal, const double* uv = nullptr) {

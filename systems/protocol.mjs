@@ -148,7 +148,8 @@ const parts = (n) => (n.length < 6 ? [n] : [n.slice(0, 3), n.slice(3, 6), ...n.s
 // Answers until the questions end. load(elements) is a function of an origin and a direction to undefined for a miss,
 // or to [name, t], or [name, t, point], behind which may stand { normal, front, uv } or some of it. Of a system that
 // answers ranges, others.ranges(elements) is the same of an origin, a direction and two ends; of one that answers
-// nearest points, others.points(elements) is a function of a point to [name, distance, point].
+// nearest points, others.points(elements) is a function of a point to [name, distance, point]; of one that casts balls,
+// others.casts(elements) is the same as load(elements) of an origin, a direction and a radius.
 export async function serve(system, version, load, others = {}) {
   const loads = { ...others, rays: load };
   const write = (lines) => writeSync(1, lines.join("\n") + "\n");

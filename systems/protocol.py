@@ -231,17 +231,18 @@ def lines_of_rays(load, elements, rays):
 
 
 def serve(system, version, load, load_shadows=None, load_ranges=None, load_all=None, load_count=None,
-          load_closest=None):
+          load_closest=None, load_casts=None):
     """Answers until the questions end: load(elements) is a function of the rays to their answers, see each().
 
     Of a system that answers shadow rays, load_shadows(elements)(p, v, end) is whether anything is hit up to the end; of
     one that answers ranges, load_ranges(elements)(p, v, begin, end) is the first hit between the two ends; of one that
     answers all hits and their number, load_all(elements)(p, v) has them, in any order, or load_count(elements)(p, v) is
-    their number; of one that answers nearest points, load_closest(elements)(p) is (name, distance, point).
+    their number; of one that answers nearest points, load_closest(elements)(p) is (name, distance, point); of one that
+    casts balls, load_casts(elements)(p, v, radius) is the first touch, as each() has it.
     """
     others = {"shadows": (load_shadows, lambda is_hit: "hit" if is_hit else "miss"), "ranges": (load_ranges, shown),
               "crossings": (load_all, listed), "counts": (load_count or counting(load_all), lambda number: f"count {number}"),
-              "points": (load_closest, shown)}
+              "points": (load_closest, shown), "casts": (load_casts, shown)}
     print("system", system, version, file=answers, flush=True)
     elements = []
     for line in sys.stdin:

@@ -11,6 +11,7 @@
 #include "description.hpp"
 #include "durero/composed/engine.hpp"
 #include "durero/conform/ask/question.hpp"
+#include "durero/conform/judge/cast_truth.hpp"
 #include "durero/conform/judge/truth.hpp"
 #include "durero/distance/distances.hpp"
 #include "durero/io/standard_output.hpp"
@@ -130,6 +131,17 @@ conform::Claim nearest_to(const distance::Distances& distances, const glm::dvec3
       .outcome = conform::Claim::Outcome::hit, .element = is.elementos.front(), .t = is.distance, .punto = is.point};
 }
 
+/// The first touches of balls, with the place of contact.
+std::vector<conform::Claim> claims_on_casts(const conform::Question& question) {
+  std::vector<conform::Claim> claims;
+  for (const conform::ExactAnswer& truth : conform::truths_of_casts(question.scene, question.rays, question.ranges)) {
+    claims.push_back(claim_of(truth.hit));
+    if (claims.back().punto)
+      claims.back().punto = conform::contact_of(question.scene, truth.hit.elementos.front(), truth.hit.punto);
+  }
+  return claims;
+}
+
 /// The claims on the rays of a question.
 std::vector<conform::Claim> claims_of(const conform::Question& question, const engine::Engine& engine) {
   using Kind = conform::QuestionKind;
@@ -151,6 +163,8 @@ std::vector<conform::Claim> claims_of(const conform::Question& question, const e
       const distance::Distances distances(question.scene);
       return each([&](std::size_t i) { return nearest_to(distances, question.rays[i].rayo.p().xyz()); });
     }
+    case Kind::cast:
+      return claims_on_casts(question);
     case Kind::count:
       return each([&](std::size_t i) { return counted(all_hits_of(question.scene, question.rays[i])); });
   }
@@ -174,8 +188,9 @@ int answer(const std::string& engine_name, bool says_more) {
     std::string answers;
     std::vector<conform::Claim> claims = claims_of(*question, *engine);
     for (std::size_t i = 0; i < claims.size(); ++i) {
-      if (says_more && question->kind != conform::QuestionKind::closest)
-        add_besides_of_all(claims[i], question->scene, question->rays[i]);
+      const bool has_besides =
+          question->kind != conform::QuestionKind::closest && question->kind != conform::QuestionKind::cast;
+      if (says_more && has_besides) add_besides_of_all(claims[i], question->scene, question->rays[i]);
       answers += answer_line(claims[i], question->scene) + "\n";
     }
     io::print(answers);

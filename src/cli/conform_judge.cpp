@@ -46,10 +46,11 @@ void check_together(const ConformJudgeOptions& options) {
   if (is_own != (options.files.size() == 1))
     throw std::invalid_argument(is_own ? "HITS alone stands beside --scene; expected no suite"
                                        : "HITS is missing; expected DIR and HITS, or --scene, --rays and HITS");
-  const bool wants_ranges = is_own && has_range(question_of(options.question));
+  const bool wants_ranges = is_own && has_numbers(question_of(options.question));
   if (wants_ranges != !options.ranges.empty())
-    throw std::invalid_argument(wants_ranges ? "--ranges is missing; expected the file of the rays' ends"
-                                             : "--ranges is for shadow rays and ranges; expected no such file");
+    throw std::invalid_argument(wants_ranges
+                                    ? "--ranges is missing; expected the file of the rays' ends, or of balls' radii"
+                                    : "--ranges is for shadow rays, ranges and casts; expected no such file");
   if (!is_own && options.format != "text")
     throw std::invalid_argument("--format json is for one's own rays; expected --scene, or --report for a suite");
 }
@@ -148,7 +149,8 @@ void add_conform_judge(CLI::App& conform, int& status) {
                    "A Z text that declares types of elements: the profile names those that it claims as surfaces")
       ->needs(scene);
   command
-      ->add_option("--ranges", options->ranges, "The ends of the rays, a line each: T of shadow rays, T0 T1 of ranges")
+      ->add_option("--ranges", options->ranges,
+                   "The numbers behind the rays, a line each: T of shadow rays, T0 T1 of ranges, R of balls")
       ->needs(question);
   command->add_option("--format", options->format, "How verdicts on one's own rays are printed; json: a line a ray")
       ->check(one_of("format", {"text", "json"}))

@@ -72,8 +72,8 @@ void add_conform_make(CLI::App& conform, int& status) {
   command->footer(
       "The same options give the same bytes on any machine. DIR/suite.json says what the suite has; a case is\n"
       "DIR/FAMILY/0000.scene.json, .rays.txt, .hits.jsonl (and .npy of both), .case.json, of 16 rays at most; and\n"
-      "where something else than the first hit is asked for, .claims.jsonl, and .ranges.txt with the ends of "
-      "rays.\n\n" +
+      "where something else than the first hit is asked for, .claims.jsonl, and .ranges.txt with the ends of rays or "
+      "the radii of balls.\n\n" +
       exit_status("it is written", "the call is bad, or the folder is not empty") +
       examples({"conform make suite --rays 1000", "conform make suite --family grazing --numbers binary64"}));
   command->callback([options, &status] { status = run(*options); });

@@ -109,8 +109,8 @@ CLI::Option* add_question(CLI::App& command, std::string& question) {
       .add_option(
           "--question", question,
           "What is asked: the first hit; shadow, whether anything is hit up to an end of each ray; range, the first "
-          "hit between two ends of each ray; all hits in order; count, their number; or closest, the nearest "
-          "point to a point")
+          "hit between two ends of each ray; all hits in order; count, their number; closest, the nearest point "
+          "to a point; or cast, the first touch of a ball that moves along each ray")
       ->check(one_of("question", {question_words.begin(), question_words.end()}))
       ->capture_default_str();
 }

@@ -35,6 +35,17 @@ is out 'system durero 0.1.0 fast
 hit e 4 0 0 4
 hit e 1 -1 0 5'
 
+# Balls: Durero, and a question with a radius behind each ray.
+run 0 conform run durero durero-exact --question cast --rays 32
+run 0 conform fuzz durero --steps 200 --question cast
+run 0 conform show --case generic/0000 --ray 3 --question cast
+grep -A1 '^casts 1' out | tail -n 1 | awk 'NF != 7 {exit 1}' || fail 'a cast has seven numbers'
+printf 'scene a\nesfera e 0 0 5 1\ncasts 3\n0 0 0 0 0 2 1\n0 0 0 0 0 1 7\n9 0 0 0 0 1 1\n' | "$durero" conform answer --besides >out 2>err || fail 'conform answer'
+is out 'system durero 0.1.0 fast
+hit e 1.5 0 0 4
+hit e 0 0 0 4
+miss'
+
 # A system that leaves out the last hit is caught, and the calls of its report show it again.
 cat >short.py <<'PY'
 import subprocess, sys

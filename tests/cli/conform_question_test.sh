@@ -4,7 +4,7 @@
 export XDG_CACHE_HOME="$PWD/cache"
 
 # A suite has the exact answers as claims, and the ends of its rays; judging them finds nothing, and less than all is seen.
-for question in shadow range all count; do
+for question in shadow range all count cast; do
   run 0 conform make "suite-$question" --family rim,in_surface --rays 32 --question "$question"
   has "suite-$question/suite.json" "\"question\":\"$question\""
   cat "suite-$question"/*/*.claims.jsonl >claims.jsonl
@@ -18,6 +18,7 @@ done
 has suite-all/rim/0000.claims.jsonl '"hits":[{"element":"e'
 absent suite-all/rim/0000.ranges.txt
 lines suite-range/rim/0000.ranges.txt 16
+lines suite-cast/rim/0000.ranges.txt 16
 [ "$(awk '{print NF}' suite-range/rim/0000.ranges.txt | sort -u)" = 2 ] || fail 'a range has two ends'
 [ "$(awk '{print NF}' suite-shadow/rim/0000.ranges.txt | sort -u)" = 1 ] || fail 'a shadow ray has one end'
 sed 's/^0/1/' suite-range/rim/0000.ranges.txt >changed && cp changed suite-range/rim/0000.ranges.txt
@@ -58,8 +59,18 @@ has out 'ray 0 far_root: expected ball at t = 4, point (0, 0, 4) within t = 0 â€
 printf '{"ray":0,"outcome":"hit","element":"ball","t":4,"point":[0,0,4]}\n{"ray":1,"outcome":"hit","t":5}\n' >own.jsonl
 own 1 closest
 has out 'ray 1 misplaced: expected ball at a distance of 4.8309518948453'
+printf '{"ray":0,"outcome":"hit","element":"ball","t":3.5,"point":[0,0,4]}\n{"ray":1,"outcome":"hit","t":5}\n' >own.jsonl
+printf '0.5\n1  # just passes\n' >radii.txt
+own 1 cast --ranges radii.txt
+has out 'ray 1 phantom: expected a ball of radius 1 touches nothing; got'
+printf '0.5\n2\n' >radii.txt
+own 0 cast --ranges radii.txt
+is out '2 rays: 2 exact'
+printf '0.5\n0\n' >radii.txt
+refused 'radii.txt:2:1: "0"; expected a radius that is positive' conform judge --scene own.json --rays own.txt own.jsonl --profile durero --question cast --ranges radii.txt
+refused '--ranges is missing; expected the file' conform judge --scene own.json --rays own.txt own.jsonl --profile durero --question cast
 refused '--ranges is missing; expected the file' conform judge --scene own.json --rays own.txt own.jsonl --profile durero --question range
-refused '--ranges is for shadow rays and ranges' conform judge --scene own.json --rays own.txt own.jsonl --profile durero --question all --ranges ends.txt
+refused '--ranges is for shadow rays, ranges and casts' conform judge --scene own.json --rays own.txt own.jsonl --profile durero --question all --ranges ends.txt
 refused 'embree-user does not claim the question all' conform judge --scene own.json --rays own.txt own.jsonl --profile embree-user --question all
 printf '0 0 0 0 0 1\n0 3 0 0 0 1\n0 9 0 0 0 1\n' >three.txt
 refused 'ends.txt:3:1: 2 ranges; expected 3, one a ray' conform judge --scene own.json --rays three.txt own.jsonl --profile durero --question range --ranges ends.txt

@@ -80,6 +80,7 @@ inline conform::Profile drawn_profile(conform::Random& random, const conform::Su
   profile.normal_length = static_cast<conform::NormalLength>(random.below(2));
   profile.faces = random.chance(1, 2);
   profile.uv = random.chance(1, 2);
+  profile.touching = static_cast<conform::Touching>(random.chance(7, 8));
   return profile;
 }
 

@@ -47,8 +47,8 @@ struct RightTracer {
 /// Surfaces of a text, which no family has, are asked in judge/text_space_test.cpp.
 inline std::map<std::string, std::string> clauses(const conform::Profile& profile) {
   const auto& [system, format, tipos, bodies, surfaces, caps, measure, directions, inside, error, thickness, least_t,
-               greatest_t, least_size, greatest_size, greatest_coordinate, names_elements, half_spaces, back_faces,
-               watertight, normal, normal_length, faces, uv, questions, sources] = profile;
+               greatest_t, least_size, greatest_size, greatest_coordinate, names_elements, half_spaces, touching,
+               back_faces, watertight, normal, normal_length, faces, uv, questions, sources] = profile;
   const auto claimed = [](bool is) { return std::string(is ? "claimed" : "none"); };
   return {{"format", std::string(word(format))},
           {"tipos", claimed(tipos.size() < model::tipo_count)},
@@ -66,6 +66,7 @@ inline std::map<std::string, std::string> clauses(const conform::Profile& profil
           {"names_elements", claimed(names_elements)},
           {"error", claimed(error > conform::usual_error)},
           {"half_spaces", claimed(half_spaces)},
+          {"touching", std::string(word(touching))},
           {"back_faces", std::string(word(back_faces))},
           {"watertight", claimed(watertight)},
           {"normal", std::string(word(normal))},

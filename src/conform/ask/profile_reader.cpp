@@ -33,7 +33,8 @@ enum ProfileKey : std::size_t {
   error,
   half_spaces,
   back_faces,
-  surfaces
+  surfaces,
+  touching
 };
 constexpr std::string_view profile_keys[] = {"format",
                                              "tipos",
@@ -57,7 +58,8 @@ constexpr std::string_view profile_keys[] = {"format",
                                              "error",
                                              "half_spaces",
                                              "back_faces",
-                                             "surfaces"};
+                                             "surfaces",
+                                             "touching"};
 constexpr std::size_t required_keys = 7;
 
 /// The words of the types, and then those of the kinds of bodies.
@@ -175,6 +177,9 @@ void read_member(Reader& in, ProfileKey key, Profile& profile) {
       return;
     case surfaces:
       return read_surfaces(in, what, profile.surfaces);
+    case touching:
+      profile.touching = read_word<Touching>(in, what, touching_words);
+      return;
   }
 }
 

@@ -93,6 +93,7 @@ std::string question_text(const SuiteCase& of, Caps caps, std::span<const std::s
     if (of.question != QuestionKind::closest) append(line, rayo.v().xyz());
     if (of.question == QuestionKind::range) append(line, of.ranges[ray].begin);
     if (has_range(of.question)) append(line, of.ranges[ray].end);
+    if (of.question == QuestionKind::cast) append(line, of.ranges[ray].radio);
     text.append(line, 1).append("\n");
   }
   return text;

@@ -155,6 +155,13 @@ double read_end(const QuestionLine& line, std::size_t word) {
   return end;
 }
 
+/// The radius of a ball, at that word of the line.
+double read_radius(const QuestionLine& line, std::size_t word) {
+  const double radius = line.number_at(word);
+  if (!(radius > 0)) line.fail(word, text::shown(line.words[word]), "expected a radius that is positive");
+  return radius;
+}
+
 /// Reads a ray, and its range where the question has some.
 scene::Query read_ray(const QuestionLine& line, QuestionKind kind, std::vector<AskedRange>& ranges) {
   glm::dvec3 p, v(0, 0, 1);
@@ -167,10 +174,9 @@ scene::Query read_ray(const QuestionLine& line, QuestionKind kind, std::vector<A
   }
   AskedRange range;
   if (kind == QuestionKind::range) range.begin = read_end(line, next++);
-  if (has_range(kind)) {
-    range.end = read_end(line, next++);
-    ranges.push_back(range);
-  }
+  if (has_range(kind)) range.end = read_end(line, next++);
+  if (kind == QuestionKind::cast) range.radio = read_radius(line, next++);
+  if (has_numbers(kind)) ranges.push_back(range);
   NumberReader(line, next).end();
   if (v == glm::dvec3(0)) line.fail(3, "v is (0, 0, 0)", model::Rayo_inv_1);
   return {{model::Punto(p), model::Vector(v)}};

@@ -19,6 +19,21 @@ double end_of(const io::Source& source, std::string_view word) {
   return *end;
 }
 
+/// The radius of a ball, likewise.
+double radius_of(const io::Source& source, std::string_view word) {
+  const std::optional<double> radius = io::read_finite(word);
+  if (!radius || !(*radius > 0))
+    source.fail(static_cast<std::size_t>(word.data() - source.text().data()), text::shown(word),
+                "expected a radius that is positive");
+  return *radius;
+}
+
+/// The words that a line of the file has.
+std::string_view expected_line(QuestionKind question) {
+  if (question == QuestionKind::range) return "expected T0 T1, the ends of a ray";
+  return question == QuestionKind::cast ? "expected R, the radius of a ball" : "expected T, the end of a ray";
+}
+
 }  // namespace
 
 std::vector<AskedRange> read_ranges(const io::Source& source, QuestionKind question, std::size_t rays) {
@@ -31,9 +46,11 @@ std::vector<AskedRange> read_ranges(const io::Source& source, QuestionKind quest
     const std::vector<std::string_view> words = words_of(whole.substr(0, whole.find('#')));
     if (words.empty()) continue;
     if (words.size() != ends)
-      source.fail(line->begin, fmt::format("{} numbers", words.size()),
-                  ends == 2 ? "expected T0 T1, the ends of a ray" : "expected T, the end of a ray");
-    all.push_back({ends == 2 ? end_of(source, words[0]) : 0, end_of(source, words.back())});
+      source.fail(line->begin, fmt::format("{} numbers", words.size()), std::string(expected_line(question)));
+    if (question == QuestionKind::cast)
+      all.push_back({.radio = radius_of(source, words[0])});
+    else
+      all.push_back({ends == 2 ? end_of(source, words[0]) : 0, end_of(source, words.back())});
   }
   if (all.size() != rays)
     source.fail(text.size(), fmt::format("{} ranges", all.size()), fmt::format("expected {}, one a ray", rays));
@@ -42,9 +59,9 @@ std::vector<AskedRange> read_ranges(const io::Source& source, QuestionKind quest
 
 std::string ranges_text(QuestionKind question, std::span<const AskedRange> ranges) {
   std::string text;
-  for (const auto& [begin, end] : ranges) {
+  for (const auto& [begin, end, radio] : ranges) {
     if (question == QuestionKind::range) text += io::number_text(begin) + ' ';
-    text += io::number_text(end) + '\n';
+    text += io::number_text(question == QuestionKind::cast ? radio : end) + '\n';
   }
   return text;
 }

@@ -11,8 +11,8 @@
 namespace durero::conform {
 
 /// The words before the number of rays, by the question about them.
-inline constexpr std::array<std::string_view, question_words.size()> heads_of_rays = {"rays",      "shadows", "ranges",
-                                                                                      "crossings", "counts",  "points"};
+inline constexpr std::array<std::string_view, question_words.size()> heads_of_rays = {
+    "rays", "shadows", "ranges", "crossings", "counts", "points", "casts"};
 
 inline std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view blanks = " \t\r\v\f";

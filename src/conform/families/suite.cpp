@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "conform/families/asked_points.hpp"
+#include "conform/families/asked_radii.hpp"
 #include "conform/families/asked_ranges.hpp"
 #include "conform/families/scattered.hpp"
+#include "durero/conform/judge/cast_truth.hpp"
 
 namespace durero::conform {
 namespace {
@@ -20,7 +22,8 @@ CaseOptions of_cases(const SuiteOptions& options) {
   return {.numbers = options.numbers,
           .tipos = options.tipos,
           .bodies = options.bodies,
-          .has_bodies = options.question != QuestionKind::closest,  // the distance knows the types alone
+          // The distance, and what a ball touches, are known of the types alone.
+          .has_bodies = options.question != QuestionKind::closest && options.question != QuestionKind::cast,
           .caps = options.caps,
           .faces = options.faces};
 }
@@ -82,6 +85,9 @@ void ask_question(SuiteCase& of, const SuiteOptions& options) {
     case QuestionKind::all:
     case QuestionKind::count:
       return answer(of);
+    case QuestionKind::cast:
+      of.ranges = radii_of_balls(of, options.numbers, random);
+      return answer(of);
     case QuestionKind::closest:
       put_points_near(of, options.numbers, random);
       answer(of);
@@ -93,6 +99,8 @@ void answer(SuiteCase& of) {
   const auto& [scene, rays] = of.the_case;
   if (of.question == QuestionKind::range)
     of.truths = truths_within(scene, rays, of.ranges, of.others());
+  else if (of.question == QuestionKind::cast)
+    of.truths = truths_of_casts(scene, rays, of.ranges);
   else if (of.question == QuestionKind::closest)
     of.truths = truths_of_nearest(scene, rays);
   else

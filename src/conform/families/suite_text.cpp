@@ -104,6 +104,8 @@ Claim exact_claim(const SuiteCase& of, std::size_t ray) {
   const bool is_from_start = hit.resultado == model::Resultado::no_minimum;
   if (of.question == QuestionKind::shadow)
     return {.outcome = is_from_start || hit.t <= of.ranges[ray].end ? Outcome::hit : Outcome::miss};
+  if (of.question == QuestionKind::cast)  // the hit has the middle of the ball, and no place of contact
+    return {.outcome = Outcome::hit, .element = hit.elementos.front(), .t = hit.t};
   if (of.question != QuestionKind::all) return claim_of(is_from_start ? permissible.front() : hit);
   Claim first = claim_of(all.front());
   for (const scene::Hit& behind : std::span(all).subspan(1)) first.behind.push_back(claim_of(behind));
@@ -139,7 +141,7 @@ std::vector<File> case_files(const SuiteCase& of, const Count& counted) {
   std::vector<File> files = {{scene_ending, io::scene_text(scene)},    {rays_ending, io::rays_text(rays, scene)},
                              {".rays.npy", io::rays_npy(rays)},        {".hits.jsonl", hits_text(hits, scene)},
                              {".hits.npy", io::hits_npy(hits, scene)}, {sidecar_ending, sidecar_text(of, counted)}};
-  if (has_range(of.question)) files.push_back({ranges_ending, ranges_text(of.question, of.ranges)});
+  if (has_numbers(of.question)) files.push_back({ranges_ending, ranges_text(of.question, of.ranges)});
   if (of.question != QuestionKind::first) files.push_back({".claims.jsonl", claims_text(of)});
   return files;
 }

@@ -73,6 +73,12 @@ bool add(SuiteCase& of, const Draft::Element& element) {
   return std::visit([&](const auto& shape) { return add_to(of, name, shape); }, element.shape);
 }
 
+/// Whether the numbers behind a ray are ends, or a radius.
+bool is_asked_of(QuestionKind question, const AskedRange& range) {
+  if (question == QuestionKind::cast) return std::isfinite(range.radio) && range.radio > 0;
+  return std::isfinite(range.end) && range.end >= 0 && range.begin >= 0;
+}
+
 }  // namespace
 
 std::string_view word_of(const AskedShape& any) {
@@ -98,7 +104,7 @@ Draft::Draft(const SuiteCase& of)
     elements.push_back({std::string(scene.name(e).name()), body ? AskedShape(*body) : AskedShape(shape)});
   });
   question = of.question;
-  if (has_range(question)) range = of.ranges[0];
+  if (has_numbers(question)) range = of.ranges[0];
   for (const scene::ElementRef e : of.the_case.rays[0].en) on.emplace_back(scene.name(e).name());
 }
 
@@ -114,7 +120,7 @@ bool Draft::are_of(const scene::Scene& scene) const {
 
 std::optional<SuiteCase> Draft::built(const SuiteCase& like) const {
   if (!is_finite(p) || !is_finite(v) || v == glm::dvec3(0)) return std::nullopt;
-  if (range && !(std::isfinite(range->end) && range->end >= 0 && range->begin >= 0)) return std::nullopt;
+  if (range && !is_asked_of(question, *range)) return std::nullopt;
   SuiteCase of{
       .family = like.family, .number = like.number, .parameter = like.parameter, .the_case = {}, .question = question};
   of.is_grid = is_grid;
@@ -180,6 +186,11 @@ std::vector<double*> ends(Draft& draft) {
   return {};
 }
 
+std::vector<double*> numbers_behind(Draft& draft) {
+  if (draft.question == QuestionKind::cast) return {&draft.range->radio};
+  return ends(draft);
+}
+
 void scale_range(Draft& draft, double factor) {
   for (double* const end : ends(draft)) *end *= factor;
 }
@@ -204,6 +215,7 @@ void scale_with_t(Draft& draft, int k) {
   const double factor = std::ldexp(1, k);
   draft.p *= factor;
   scale_range(draft, factor);
+  if (draft.range) draft.range->radio *= factor;
   for (Draft::Element& element : draft.elements) {
     const Places of = places(element.shape);
     for (glm::dvec3* point : of.points) *point *= factor;

@@ -30,7 +30,7 @@ struct Draft {
   std::vector<Element> elements;
   glm::dvec3 p{}, v{};
   QuestionKind question = QuestionKind::first;
-  std::optional<AskedRange> range{};  ///< of the ray, where the question has some
+  std::optional<AskedRange> range{};  ///< of the ray, where has_numbers(question)
   std::vector<std::string> on;        ///< the names of the elements that the ray starts on
   bool are_closed = false;            ///< discs close the elements that have ends
   bool is_grid = false;               ///< the elements are those of a grid, and may not be changed
@@ -56,8 +56,10 @@ struct Places {
 };
 Places places(AskedShape& shape);
 
-/// The numbers of the draft's range.
+/// The ends of the draft's range.
 std::vector<double*> ends(Draft& draft);
+/// The numbers behind the draft's ray: the ends of its range, or the radius of its ball.
+std::vector<double*> numbers_behind(Draft& draft);
 /// Scales the range of the draft, if it has one.
 void scale_range(Draft& draft, double factor);
 /// Scales v, and the range so that it stays where it is.

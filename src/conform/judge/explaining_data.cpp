@@ -52,7 +52,8 @@ bool is_right(const SuiteCase& of, const Claim& claim, const Profile& profile) {
 bool has_answer(const SuiteCase& of, const Claim& claim, const Profile& profile) {
   const bool is_miss = claim.outcome == Claim::Outcome::miss;
   if (of.question == QuestionKind::closest) return is_right(of, claim, profile);
-  if (of.question == QuestionKind::shadow || is_about_all(of.question) || (is_miss && has_range(of.question)))
+  if (of.question == QuestionKind::cast && !is_miss) return is_right(of, claim, profile);
+  if (of.question == QuestionKind::shadow || is_about_all(of.question) || (is_miss && has_numbers(of.question)))
     return judge(of, 0, claim, profile).verdict == Verdict::exact;
   if (!is_miss) return is_right(of, claim, profile);
   const SceneFacts facts(of.the_case.scene, 1, of.bodies);

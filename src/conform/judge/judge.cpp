@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "conform/judge/allowance.hpp"
+#include "conform/judge/cast.hpp"
 #include "conform/judge/closest.hpp"
 #include "conform/judge/crossings.hpp"
 #include "conform/judge/error_of.hpp"
@@ -176,6 +177,7 @@ ClaimJudgement inside_profile(const ClaimContext& trial, const Claim& claim) {
   const bool is_answer = claim.outcome == Claim::Outcome::hit || claim.outcome == Claim::Outcome::miss;
   if (trial.question == QuestionKind::shadow && is_answer) return {.verdict = of_shadow(trial, claim)};
   if (trial.question == QuestionKind::closest && is_answer) return judgement_of_closest(trial, claim);
+  if (trial.question == QuestionKind::cast && is_answer) return judgement_of_cast(trial, claim);
   if (trial.question == QuestionKind::all && is_answer) return judgement_of_all(trial, claim);
   if (trial.question == QuestionKind::count && is_answer) {
     if (!claim.count && claim.outcome == Claim::Outcome::hit) return {.clause = "no answer: no count"};

@@ -53,7 +53,7 @@ int compared(const ClaimContext& trial, const Parameter& t, double limit, const 
 
 bool is_within_range(const ClaimContext& trial, const Zone& zone) {
   if (!trial.range) return true;
-  const auto& [begin, end] = *trial.range;
+  const auto& [begin, end, radio] = *trial.range;
   const Dyadic apart(number::shifted(zone.delta, 1));
   return (begin == 0 || compared(trial, Measure::parameter, zone.begin, begin, apart) >= 0) &&
          (std::isinf(end) || compared(trial, Measure::parameter, zone.end, end, -apart) <= 0);
@@ -61,7 +61,7 @@ bool is_within_range(const ClaimContext& trial, const Zone& zone) {
 
 bool may_be_within_range(const ClaimContext& trial, scene::ElementRef element, const ClaimedPoint& place) {
   if (!trial.range) return true;
-  const auto& [begin, end] = *trial.range;
+  const auto& [begin, end, radio] = *trial.range;
   const Dyadic apart = Dyadic(2 + place.deviation) * delta_at(trial, element, place);
   return compared(trial, Measure::parameter, place.t, begin, -apart) >= 0 &&
          (std::isinf(end) || compared(trial, Measure::parameter, place.t, end, apart) <= 0);
@@ -72,7 +72,7 @@ std::optional<Parameter> earliest_asked(const ClaimContext& trial, scene::Elemen
     return earliest(trial.elements(), element, trial.ray.rayo, trial.precision(), from);
   };
   if (!trial.range) return first_from({});
-  const auto& [begin, end] = *trial.range;
+  const auto& [begin, end, radio] = *trial.range;
   const auto apart = [&](double t) {
     return number::shifted(delta_at(trial, element, place_of_t(trial.ray.rayo, t)), 1);
   };

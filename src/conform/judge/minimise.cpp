@@ -128,7 +128,7 @@ std::vector<double*> numbers(Draft& draft) {
   }
   add(draft.p);
   add(draft.v);
-  const std::vector<double*> of_range = ends(draft);
+  const std::vector<double*> of_range = numbers_behind(draft);
   all.insert(all.end(), of_range.begin(), of_range.end());
   return all;
 }

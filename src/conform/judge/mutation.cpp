@@ -24,7 +24,7 @@ std::vector<double*> free_numbers(Draft& draft) {
     all.insert(all.end(), of.lengths.begin(), of.lengths.end());
     all.insert(all.end(), of.ratios.begin(), of.ratios.end());
   }
-  const std::vector<double*> of_range = ends(draft);
+  const std::vector<double*> of_range = numbers_behind(draft);
   all.insert(all.end(), of_range.begin(), of_range.end());
   return all;
 }
@@ -55,6 +55,13 @@ void move_end(Draft& draft, const MeasuredQuestion& question, Random& random) {
   const double factor = 1 + random.signed_power(-50, -1);
   const std::vector<double*> all = ends(draft);
   if (!all.empty()) *all[all.size() == 1 ? 0 : random.below(all.size())] = question.distance / question.length * factor;
+}
+
+/// Makes the ball of another radius, where one is cast: of the order of the target, or so that it nearly touches.
+void change_radius(Draft& draft, const MeasuredQuestion& question, Random& random) {
+  if (draft.question != QuestionKind::cast) return;
+  const double to = random.chance(1, 2) ? question.size : std::max(question.distance, question.size);
+  draft.range->radio = to * (random.chance(1, 2) ? 1 + random.signed_power(-50, -1) : random.uniform(0, 2));
 }
 
 void move_scene(Draft& draft, const MeasuredQuestion& question, Random& random) {
@@ -153,6 +160,10 @@ void double_one(Draft& draft, const MeasuredQuestion& question, Random& random) 
 using Mutation = void (*)(Draft&, const MeasuredQuestion&, Random&);
 constexpr std::array<Mutation, 10> of_rays = {scale_scene,   scale_v,       move_origin, move_scene, move_end,
                                               change_number, change_number, aim,         aim,        align_v};
+/// Of a cast the radius takes the place of the ends.
+Mutation of_question(Mutation mutation, QuestionKind question) {
+  return mutation == move_end && question == QuestionKind::cast ? change_radius : mutation;
+}
 constexpr std::array<Mutation, 5> of_elements = {straighten_target, stretch_target, leave_out_one, double_one,
                                                  change_number};
 
@@ -171,7 +182,8 @@ void mutate_once(Draft& draft, const MeasuredQuestion& question, const Draft& ot
   const bool changes_elements = random.chance(1, 3) && !is_mesh(draft);
   const bool takes_one = changes_elements && random.chance(1, 8) && !is_mesh(other);
   if (takes_one) return take_one(draft, question, other, random);
-  (changes_elements ? random.any_of(of_elements) : random.any_of(of_rays))(draft, question, random);
+  const Mutation mutation = changes_elements ? random.any_of(of_elements) : random.any_of(of_rays);
+  of_question(mutation, draft.question)(draft, question, random);
 }
 
 }  // namespace

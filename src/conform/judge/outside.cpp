@@ -8,6 +8,7 @@
 
 #include "conform/families/framed_shape.hpp"
 #include "conform/judge/allowance.hpp"
+#include "conform/judge/cast.hpp"
 #include "durero/scene/attributes.hpp"
 
 namespace durero::conform {
@@ -93,6 +94,16 @@ std::string clause_of_surface(const Profile& profile, const AskedSurface& surfac
   return {};
 }
 
+/// The clause of a ball that is cast.
+std::string clause_of_ball(const ClaimContext& trial) {
+  const Profile& profile = trial.profile;
+  const double radius = trial.range->radio;
+  if (!is_of(radius, profile.format)) return "numbers of binary32";
+  if (is_beyond(radius, profile.least_size, profile.greatest_size))
+    return beyond(radius, "a size", profile.least_size, profile.greatest_size);
+  return profile.touching == Touching::undefined && may_begin_in_touch(trial) ? "a start in touch" : "";
+}
+
 }  // namespace
 
 std::string outside_by_scene(const ClaimContext& trial) {
@@ -114,6 +125,8 @@ std::string outside_by_ray(const ClaimContext& trial) {
   if (!is_of(rayo.p().xyz(), profile.format) || !is_of(largest(rayo.v().xyz()), profile.format))
     return "numbers of binary32";
   std::string clause = beyond(largest(rayo.p().xyz()), "a coordinate", 0, profile.greatest_coordinate);
+  if (!clause.empty()) return clause;
+  if (trial.question == QuestionKind::cast) clause = clause_of_ball(trial);
   if (!clause.empty()) return clause;
   if (profile.inside == Inside::undefined && !trial.solids_around_origin().empty()) return "a start inside";
   if (!trial.has_hit()) return clause;

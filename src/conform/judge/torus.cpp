@@ -7,7 +7,7 @@ namespace {
 
 using algebra::Polynomial;
 
-Point<Dyadic> exact_vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+Point<Dyadic> exact_of(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// Bounds on a root are apart by less than 2 to the power −bits of it.
 constexpr std::int64_t bits = 400;
@@ -20,10 +20,10 @@ Polynomial squared(const Dyadic& a, const Dyadic& b, const Dyadic& c) {
 }  // namespace
 
 Torus::Torus(const AskedBody& body)
-    : centro_(exact_vector(body.centro)),
-      n_(cross(exact_vector(body.sides[2]), exact_vector(body.sides[0]))),
+    : centro_(exact_of(body.centro)),
+      n_(cross(exact_of(body.sides[2]), exact_of(body.sides[0]))),
       nn_(squared_length(n_)),
-      squared_(squared_length(exact_vector(body.sides[0]))),
+      squared_(squared_length(exact_of(body.sides[0]))),
       radio_(body.radio) {}
 
 bool Torus::is_tube(const Dyadic& rho) const { return number::sign(rho) > 0 && square(rho) <= squared_; }
@@ -35,7 +35,7 @@ Dyadic Torus::at(const Point<Dyadic>& w, const Dyadic& rho) const {
 }
 
 Polynomial Torus::along(const model::Rayo& rayo, const Dyadic& rho) const {
-  const Point<Dyadic> p = exact_vector(rayo.p().xyz()), v = exact_vector(rayo.v().xyz());
+  const Point<Dyadic> p = exact_of(rayo.p().xyz()), v = exact_of(rayo.v().xyz());
   const Point<Dyadic> q{p.x - centro_.x, p.y - centro_.y, p.z - centro_.z};
   const Dyadic qq = squared_length(q), qv = dot(q, v), vv = squared_length(v), qn = dot(q, n_), vn = dot(v, n_);
   Polynomial f = squared(qq + squared_ - square(rho), number::shifted(qv, 1), vv);

@@ -23,7 +23,7 @@ struct ClaimContext {
   const SceneFacts& facts;            ///< about the scene
   QuestionKind question;              ///< what is asked about the ray
   bool is_grid;                       ///< whether the scene is asked about as a grid
-  std::optional<AskedRange> range{};  ///< of the ray, where the question has some
+  std::optional<AskedRange> range{};  ///< of the ray, where has_numbers(question)
 
   ClaimContext(const SuiteCase& of, std::size_t number, const Profile& asked, const SceneFacts& of_scene)
       : scene(of.the_case.scene),
@@ -35,7 +35,7 @@ struct ClaimContext {
         facts(of_scene),
         question(of.question),
         is_grid(of.is_grid) {
-    if (has_range(question)) range = of.ranges[number];
+    if (has_numbers(question)) range = of.ranges[number];
   }
 
   /// The format and the thickness of surfaces that the profile declares.

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "conform/judge/ball.hpp"
 #include "conform/report/report_parts.hpp"
 #include "durero/conform/ask/question.hpp"
 #include "durero/number/decimal.hpp"
@@ -31,12 +32,29 @@ std::string crossing_text(const SuiteCase& of, const surface::exact::Crossing& c
 }
 
 /// The point p + t·v, a line for each coordinate.
-std::string point_text(const model::Rayo& rayo, const Surd& t) {
+std::string point_text(std::string_view what, const model::Rayo& rayo, const Surd& t) {
   const glm::dvec3 p = rayo.p().xyz(), v = rayo.v().xyz();
-  std::string text = "the first point:\n";
+  std::string text = fmt::format("{}:\n", what);
   for (int i = 0; i < 3; ++i)
     text += fmt::format("  {} = {}\n", "xyz"[i], number::decimal_text(Surd(p[i]) + Surd(v[i]) * t, shown_digits));
   return text;
+}
+
+/// The first touch of a ball, for each element that it touches then. A root of a quartic is known by its digits alone.
+std::string touch_text(const SuiteCase& of, std::size_t ray) {
+  std::string text;
+  const model::Rayo& rayo = of.the_case.rays[ray].rayo;
+  std::optional<Surd> t;
+  for (const scene::ElementRef element : of.truths[ray].hit.elementos) {
+    const auto touch = first_touch(AskedElements(of.the_case.scene), element, rayo, of.ranges[ray].radio);
+    if (!touch) continue;
+    const bool is_surd = !touch->root || std::holds_alternative<number::DyadicSurd>(*touch->root);
+    t = Surd(touch->low());
+    text += fmt::format("{}:\n", of.the_case.scene.name(element).name());
+    text += is_surd ? parameter_lines("t", touch->low())
+                    : fmt::format("  t = {}\n", number::decimal_text(*t, shown_digits));
+  }
+  return t ? text + point_text("the middle of the ball", rayo, *t) : text;
 }
 
 std::string answer_text(const scene::Scene& scene, const scene::Hit& hit) {
@@ -53,10 +71,11 @@ std::string exact_answer(const SuiteCase& of, std::size_t ray) {
   const scene::Query& query = of.the_case.rays[ray];
   const ExactAnswer& truth = of.truths[ray];
   std::string text = fmt::format("the exact answer: {}\n", answer_text(scene, truth.hit));
+  if (of.question == QuestionKind::cast) return text + touch_text(of, ray);
   const auto crossings = all_crossings(scene, query, of.bodies);
   for (const surface::exact::Crossing& crossing : crossings) text += crossing_text(of, crossing);
   if (truth.hit.resultado == model::Resultado::hit)
-    text += point_text(query.rayo, Surd(crossings.front().segment.begin.value()));
+    text += point_text("the first point", query.rayo, Surd(crossings.front().segment.begin.value()));
   if (truth.ambiguity != Ambiguity::none) text += fmt::format("ambiguous: {}\n", name(truth.ambiguity));
   for (const scene::Hit& hit : truth.permissible) text += fmt::format("as good: {}\n", answer_text(scene, hit));
   return text;

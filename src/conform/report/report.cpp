@@ -131,6 +131,13 @@ std::string shadow_words(const scene::Hit& hit, double end, const std::string& f
                      first);
 }
 
+std::string cast_words(const scene::Hit& hit, double radius, const scene::Scene& scene) {
+  const std::string ball = fmt::format("a ball of radius {}", io::number_text(radius));
+  if (hit.resultado == model::Resultado::miss) return ball + " touches nothing";
+  return fmt::format("{} touches {} at t = {}, its middle at {}", ball, element_names(hit.elementos, scene),
+                     io::number_text(hit.t), point_text(hit.punto));
+}
+
 }  // namespace
 
 std::string claim_words(const Finding& finding) { return claim_words(finding.claim, finding.of.the_case.scene); }
@@ -152,6 +159,8 @@ std::string truth_words(const SuiteCase& of, std::size_t ray, const Claim& claim
     case QuestionKind::closest:
       return fmt::format("{} at a distance of {}, point {}", element_names(hit.elementos, scene),
                          io::number_text(hit.t), point_text(hit.punto));
+    case QuestionKind::cast:
+      return cast_words(hit, of.ranges[ray].radio, scene);
     case QuestionKind::count:
       return fmt::format("{}{}{}", count_words(all.size()), all.empty() ? "" : ": ",
                          all.empty() ? "" : all_words(all, scene));

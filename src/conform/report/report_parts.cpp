@@ -106,6 +106,7 @@ std::vector<ProfileLine> profile_lines(const Profile& profile) {
   if (profile.watertight) lines.push_back({"watertight", "true"});
   if (profile.half_spaces) lines.push_back({"half_spaces", "true"});
   if (profile.back_faces != BackFaces::seen) lines.push_back({"back_faces", std::string(word(profile.back_faces))});
+  if (profile.touching != Touching::undefined) lines.push_back({"touching", std::string(word(profile.touching))});
   add_limit(lines, "error", profile.error, usual_error);
   add_limit(lines, "thickness", profile.thickness, 0);
   add_limit(lines, "least_t", profile.least_t, 0);

@@ -86,7 +86,7 @@ SuiteCase with_ray_alone(const SuiteCase& of, std::size_t ray) {
   SuiteCase cut = of;
   cut.the_case.rays = {of.the_case.rays[ray]};
   cut.truths = {of.truths[ray]};
-  if (has_range(of.question)) cut.ranges = {of.ranges[ray]};
+  if (has_numbers(of.question)) cut.ranges = {of.ranges[ray]};
   return cut;
 }
 

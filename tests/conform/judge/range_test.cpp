@@ -239,7 +239,7 @@ TEST_CASE("ranges lie at, beside, between and behind crossings, from 0 and empty
     for (std::size_t i = 0; i < once.size(); ++i) {
       CHECK(once[i].ranges == again[i].ranges);
       for (std::size_t ray = 0; ray < once[i].ranges.size(); ++ray) {
-        const auto& [begin, end] = once[i].ranges[ray];
+        const auto& [begin, end, radio] = once[i].ranges[ray];
         CHECK((begin >= 0 && std::isfinite(begin) && end >= 0 && std::isfinite(end)));
         CHECK(begin == static_cast<double>(static_cast<float>(begin)));
         empty += begin > end;

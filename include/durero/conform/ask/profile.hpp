@@ -40,13 +40,17 @@ enum class Inside { exit_point, nothing, origin, undefined };
 
 /// The question that a system is asked about a ray.
 enum class QuestionKind {
-  first,   ///< the first hit
-  shadow,  ///< whether anything is hit at t ≤ the end of the ray's range, and no more
-  range,   ///< the first hit within the ray's range
-  all,     ///< every hit, in the order of t
-  count,   ///< the number of all hits
-  closest  ///< the nearest point of the scene to the ray's origin, and how far it is
+  first,    ///< the first hit
+  shadow,   ///< whether anything is hit at t ≤ the end of the ray's range, and no more
+  range,    ///< the first hit within the ray's range
+  all,      ///< every hit, in the order of t
+  count,    ///< the number of all hits
+  closest,  ///< the nearest point of the scene to the ray's origin, and how far it is
+  cast      ///< the first touch of a ball of the ray's radius, whose middle moves along the ray
 };
+
+/// The answer of a system to a ball that touches an element before it moves: t = 0, or nothing in particular.
+enum class Touching { undefined, zero };
 
 /// The side to which the normals of a system point. The outward side of a sphere, and of an element with an axis, is
 /// away from the centre or the axis; of a disc that closes a solid, away from the solid; of a plane or another disc,
@@ -76,8 +80,9 @@ inline constexpr std::array<std::string_view, 4> inside_words = {"exit_point", "
 inline constexpr std::array<std::string_view, 4> normal_words = {"none", "outward", "facing", "either"};
 inline constexpr std::array<std::string_view, 2> back_faces_words = {"seen", "unseen"};
 inline constexpr std::array<std::string_view, 2> normal_length_words = {"unit", "any"};
-inline constexpr std::array<std::string_view, 6> question_words = {"first", "shadow", "range",
-                                                                   "all",   "count",  "closest"};
+inline constexpr std::array<std::string_view, 2> touching_words = {"undefined", "zero"};
+inline constexpr std::array<std::string_view, 7> question_words = {"first", "shadow",  "range", "all",
+                                                                   "count", "closest", "cast"};
 /// @}
 
 /// @{ The word of a value in files.
@@ -91,6 +96,7 @@ constexpr std::string_view word(NormalSide side) { return normal_words[static_ca
 constexpr std::string_view word(BackFaces faces) { return back_faces_words[static_cast<std::size_t>(faces)]; }
 constexpr std::string_view word(NormalLength length) { return normal_length_words[static_cast<std::size_t>(length)]; }
 constexpr std::string_view word(QuestionKind question) { return question_words[static_cast<std::size_t>(question)]; }
+constexpr std::string_view word(Touching touching) { return touching_words[static_cast<std::size_t>(touching)]; }
 constexpr std::string_view word(Inside inside) { return inside_words[static_cast<std::size_t>(inside)]; }
 /// @}
 
@@ -98,6 +104,8 @@ constexpr std::string_view word(Inside inside) { return inside_words[static_cast
 constexpr bool has_range(QuestionKind question) {
   return question == QuestionKind::shadow || question == QuestionKind::range;
 }
+/// Whether rays have numbers behind them: a range, or the radius of a ball.
+constexpr bool has_numbers(QuestionKind question) { return has_range(question) || question == QuestionKind::cast; }
 /// Whether a question is about all crossings of a ray, and not about the first.
 constexpr bool is_about_all(QuestionKind question) {
   return question == QuestionKind::all || question == QuestionKind::count;
@@ -136,8 +144,9 @@ struct Profile {
   double greatest_size = std::numeric_limits<double>::infinity();        ///< the greatest size inside the profile
   double greatest_coordinate = std::numeric_limits<double>::infinity();  ///< magnitude of a coordinate
   bool names_elements = true;                                            ///< whether its hits name their element
-  bool half_spaces = false;                ///< whether a plane is a solid, all that lies behind it
-  BackFaces back_faces = BackFaces::seen;  ///< unseen: hits from the back of a flat element need not be seen
+  bool half_spaces = false;                 ///< whether a plane is a solid, all that lies behind it
+  Touching touching = Touching::undefined;  ///< undefined: a cast that may begin in touch is outside
+  BackFaces back_faces = BackFaces::seen;   ///< unseen: hits from the back of a flat element need not be seen
   bool watertight = false;  ///< no ray leaves a closed mesh between triangles that share an edge or a vertex
   NormalSide normal = NormalSide::none;             ///< the side to which the normals of its hits point
   NormalLength normal_length = NormalLength::unit;  ///< the length of these normals

@@ -20,7 +20,9 @@
 /// each ray: the first hit at T0 ≤ t ≤ T1, with t > 0 and nothing where T0 > T1. One that claims `all` may be asked
 /// `crossings N`: every hit at t > 0, in the order of t. One that claims `count` may be asked `counts N`: how many
 /// these are. One that claims `closest` may be asked `points N`, with PX PY PZ alone for each: the nearest point of the
-/// scene, answered as a hit whose T is its distance. The system writes `system NAME VERSION`, then a line for each ray,
+/// scene, answered as a hit whose T is its distance. One that claims `cast` may be asked `casts N`, with a number R > 0
+/// behind each ray: the first t ≥ 0 at which some point of an element is within R of p + t·v, answered as a hit whose
+/// point is the place of contact. The system writes `system NAME VERSION`, then a line for each ray,
 /// in order:
 ///
 ///   miss
@@ -73,7 +75,7 @@ struct Question {
   scene::Scene scene;                ///< the elements, in the order of their lines
   std::vector<scene::Query> rays{};  ///< in order; they start on no elements; a point that is asked is an origin
   QuestionKind kind{};               ///< what is asked
-  std::vector<AskedRange> ranges{};  ///< of shadow rays and of first hits within a range; otherwise none
+  std::vector<AskedRange> ranges{};  ///< where has_numbers(kind); otherwise none
 };
 
 /// A reader of questions, one by one.

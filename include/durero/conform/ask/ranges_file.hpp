@@ -1,6 +1,7 @@
 #pragma once
-/// A file of ranges holds the ends of the rays of a suite, or of a user: in each line T of a shadow ray, or T0 T1 of a
-/// range. What stands behind # is a comment, and a line without numbers is passed over.
+/// A file of ranges holds the ends of the rays of a suite, or of a user: in each line T of a shadow ray, T0 T1 of a
+/// range, or R, the radius of a ball that is cast. What stands behind # is a comment, and a line without numbers is
+/// passed over.
 
 #include <span>
 #include <string>
@@ -13,7 +14,7 @@
 namespace durero::conform {
 
 /// Reads the ranges of so many rays, in their order. Throws InputError where there are more or fewer, and on what is no
-/// such end. Precondition: has_range(question).
+/// such number. Precondition: has_numbers(question).
 std::vector<AskedRange> read_ranges(const io::Source& source, QuestionKind question, std::size_t rays);
 
 /// The file of these ranges. Precondition: that of read_ranges().

@@ -45,7 +45,7 @@ struct SuiteCase {
   std::vector<ExactAnswer> truths{};            ///< the truths of the rays, in their order
   QuestionKind question = QuestionKind::first;  ///< the question about each ray
   bool is_grid = false;                         ///< the scene is asked about as the grid that its mesh is (grid_of)
-  /// The ranges of the rays, in their order, where the question has some; a shadow ray's begins at 0.
+  /// The ranges of the rays, in their order, where has_numbers(question); a shadow ray's begins at 0.
   std::vector<AskedRange> ranges{};
 
   std::string name() const;  ///< FAMILY/0000
@@ -74,12 +74,14 @@ SuiteCase own_case(scene::Scene scene, std::vector<scene::Query> rays);
 
 /// Answers the rays of the case exactly. Each truth is that of truth(), the first hit, also of a shadow ray; where the
 /// question is the first hit within a range it is that of SceneTruths::within(), where it is about all hits that of
-/// SceneTruths::with_all(), and where it is the nearest point that of truths_of_nearest().
+/// SceneTruths::with_all(), where it is the nearest point that of truths_of_nearest(), and where a ball is cast that of
+/// truths_of_casts().
 void answer(SuiteCase& of);
 
 /// Makes the question of the options of a case of first hits, and answers it. The ends of ranges lie before, at and
 /// behind crossings, often by little. Points that the nearest is asked to take the place of the rays, near them and
-/// their crossings; each ray then goes from there to the nearest point. All is the same for the same options.
+/// their crossings; each ray then goes from there to the nearest point. A ball that is cast has a radius of any order,
+/// often so that it just touches. All is the same for the same options.
 /// Precondition: the case was answered.
 void ask_question(SuiteCase& of, const SuiteOptions& options);
 

@@ -33,9 +33,11 @@ enum class Ambiguity {
 std::string_view name(Ambiguity ambiguity);
 
 /// The part of a ray that a question is about: begin ≤ t ≤ end, and t > 0. It is empty where begin is larger than end.
+/// A ray along which a ball is cast has the ball's radius besides.
 struct AskedRange {
   double begin = 0;                                      ///< not negative
   double end = std::numeric_limits<double>::infinity();  ///< not negative
+  double radio = 0;                                      ///< of the ball that is cast, above 0; 0 of any other question
   bool operator==(const AskedRange&) const = default;
 };
 
