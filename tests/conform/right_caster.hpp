@@ -121,7 +121,7 @@ class RightCast {
   void find(scene::ElementRef e, const Shape& shape) {
     if (caster_->data == Data::given) return take(e, shape, p_, v_, radius_);
     if (caster_->data == Data::rounded) return take(e, rounded(shape), rounded(p_), rounded(v_), rounded(radius_));
-    // M has the way to the touch, which moved data may have a little earlier.
+    // M has the way to the touch, which moved data may have a little earlier; data with one before are moved too far.
     const double least = std::max({longest(shape), longest(p_), radius_});
     const std::optional<CastTouch> given = touch_of(shape, CastBall(p_, v_, radius_), false, least, is_lost_);
     const double way = given ? 0.99 * static_cast<double>(given->t) * longest(v_) : 0;
@@ -129,7 +129,7 @@ class RightCast {
     const scene::Sphere ball = mover_.moved(scene::Sphere{glm::dvec3(0), radius_}, M);
     const Shape moved = mover_.moved(shape, M);
     const glm::dvec3 p = mover_.moved_point(p_, M), v = mover_.moved_direction(v_);
-    take(e, moved, p, v, ball.radio);
+    take(e, moved, p, v, ball.radio, given ? 0.99 * given->t : Digits(0));
   }
 
   bool is_solid_around(const scene::Sphere& shape, const glm::dvec3& p) const {
@@ -160,7 +160,8 @@ class RightCast {
   }
 
   template <class Shape>
-  void take(scene::ElementRef e, const Shape& shape, const glm::dvec3& p, const glm::dvec3& v, double radius) {
+  void take(scene::ElementRef e, const Shape& shape, const glm::dvec3& p, const glm::dvec3& v, double radius,
+            const Digits& least = 0) {
     const bool is_usable = is_shape(shape) && std::isfinite(longest(p)) && std::isfinite(longest(v)) &&
                            longest(v) > 0 && std::isfinite(radius) && radius > 0;
     is_lost_ = is_lost_ || !is_usable;
@@ -170,6 +171,7 @@ class RightCast {
     if (is_around && inside == conform::Inside::nothing) return;
     const double M = std::max({longest(shape), longest(p), radius});
     std::optional<CastTouch> found = touch_of(shape, CastBall(p, v, radius), caster_->by_text, M, is_lost_);
+    is_lost_ = is_lost_ || (found && found->t < least);
     if (is_around && inside == conform::Inside::origin) found = CastTouch{0, {Digits3(p), 0}};
     if (found) keep(e, *found, v);
   }

@@ -217,7 +217,8 @@ std::optional<ClaimedPoint> middle_at(const CastTrial& of, ElementRef element, c
   const Dyadic rho = of.R() + of.errors(element, way).times(5);
   const Dyadic A = squared_length(v), B = dot(q, v), C = squared_length(q) - square(rho);
   if (number::sign(C) <= 0) return ClaimedPoint{.t = {}, .punto = p, .way = {}, .deviation = 4};
-  for (const Parameter& t : surface::exact::roots({A, B, C}).values()) {
+  const surface::exact::Roots roots = surface::exact::roots({A, B, C});
+  for (const Parameter& t : roots.values()) {
     if (number::sign(t) > 0) return ClaimedPoint{.t = t, .punto = {}, .way = way, .deviation = 4};
   }
   return std::nullopt;
