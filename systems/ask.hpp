@@ -103,14 +103,15 @@ inline Mesh mesh_of(const Scene& scene) {
   return mesh;
 }
 
-// For systems that ask of segments: a power of two f so that no point is beyond p + f v.
+// For systems that ask of segments: a power of two f so that no point is beyond p + f v, with
+// the radius of a ball.
 inline double segment(const Mesh& mesh, const Ray& ray) {
   double farthest = 0;
   for (const Vec& point : mesh.points) {
     const Vec away = point - ray.p;
     farthest = std::fmax(farthest, std::hypot(away[0], away[1], away[2]));
   }
-  return std::exp2(std::ceil(std::log2(2 * farthest / std::hypot(ray.v[0], ray.v[1], ray.v[2]))));
+  return std::exp2(std::ceil(std::log2(2 * (farthest + ray.radius) / std::hypot(ray.v[0], ray.v[1], ray.v[2]))));
 }
 
 inline double read_number(std::istream& in) {

@@ -39,19 +39,33 @@ pub fn claim(hit: Option<(usize, f64)>, elements: &[Element]) -> String {
     hit.map_or("miss".to_string(), |(i, t)| format!("hit {} {}", elements[i].name, t.to_string().to_lowercase()))
 }
 
+/// A miss, or a touch of the element at t, in a point.
+pub fn touch(hit: Option<(usize, f64, [f64; 3])>, elements: &[Element]) -> String {
+    let numbers = |t: f64, q: [f64; 3]| [t, q[0], q[1], q[2]].map(|x| x.to_string().to_lowercase()).join(" ");
+    hit.map_or("miss".to_string(), |(i, t, q)| format!("hit {} {}", elements[i].name, numbers(t, q)))
+}
+
 fn rays(count: usize, lines: &mut Lines<StdinLock>) -> Vec<Vec<f64>> {
     lines.take(count).map(|line| numbers(line.unwrap().split_whitespace())).collect()
 }
 
+/// The answers to rays, each of an origin, a direction, and the numbers behind them.
+pub type Ask = fn(&[Element], &[Vec<f64>]) -> Vec<String>;
+
 /// Answers until the questions end.
-pub fn serve(system: &str, ask: fn(&[Element], &[Vec<f64>]) -> Vec<String>) {
+pub fn serve(system: &str, ask: Ask) {
+    serve_all(system, &[("rays ", ask)]);
+}
+
+/// The same of a system that answers other questions, too: the word before the number of rays, and what answers them.
+pub fn serve_all(system: &str, asks: &[(&str, Ask)]) {
     println!("system {system}");
     let mut lines = stdin().lock().lines();
     let mut elements = Vec::new();
     while let Some(Ok(line)) = lines.next() {
         if line.starts_with("scene") {
             elements.clear();
-        } else if let Some(count) = line.strip_prefix("rays ") {
+        } else if let Some((count, ask)) = asks.iter().find_map(|(word, ask)| Some((line.strip_prefix(word)?, ask))) {
             let rays = rays(count.trim().parse().unwrap(), &mut lines);
             let refused = |_| vec!["refused it panicked".to_string(); rays.len()];
             let claims = if elements.is_empty() {

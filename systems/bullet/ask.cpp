@@ -1,5 +1,5 @@
 // Asks Bullet: btCollisionWorld::rayTest from p to p + L·v, with L a power of two that reaches behind the whole scene.
-// Its fraction times L is t.
+// Its fraction times L is t. Balls are cast by convexSweepTest on the same way.
 #include "../ask.hpp"
 
 #include <btBulletCollisionCommon.h>
@@ -104,8 +104,9 @@ class Asked {
   void ask(const Ray& ray) {
     double farthest = 0;
     for (const Element& e : of_->elements) farthest = std::fmax(farthest, reach(e, ray));
-    const double L = std::exp2(std::ceil(std::log2(farthest)) + 1);
+    const double L = std::exp2(std::ceil(std::log2(farthest + ray.radius / std::sqrt(dot(ray.v, ray.v)))) + 1);
     const btVector3 from = bt(ray.p), to = bt(ray.p + L * ray.v);
+    if (ray.is_cast) return cast(btScalar(ray.radius), from, to, L);
     btCollisionWorld::ClosestRayResultCallback result(from, to);
     world_.rayTest(from, to, result);
     if (!result.hasHit()) return miss();
@@ -115,6 +116,17 @@ class Asked {
   }
 
  private:
+  void cast(btScalar radius, const btVector3& from, const btVector3& to, double L) {
+    const btSphereShape ball(radius);
+    btCollisionWorld::ClosestConvexResultCallback result(from, to);
+    world_.convexSweepTest(&ball, btTransform(btQuaternion::getIdentity(), from),
+                           btTransform(btQuaternion::getIdentity(), to), result);
+    if (!result.hasHit()) return miss();
+    const btVector3& q = result.m_hitPointWorld;
+    touch(of_->elements[std::size_t(result.m_hitCollisionObject->getUserIndex())].name,
+          double(result.m_closestHitFraction) * L, {q.x(), q.y(), q.z()});
+  }
+
   const Scene* of_;
   std::vector<Body> bodies_;
   btDefaultCollisionConfiguration configuration_;

@@ -1,4 +1,5 @@
-// Asks Bullet: btCollisionWorld::rayTest of one btBvhTriangleMeshShape, of a segment that no point is beyond.
+// Asks Bullet: btCollisionWorld::rayTest of one btBvhTriangleMeshShape, of a segment that no point is beyond. Balls
+// are cast by convexSweepTest on the same way.
 #include <btBulletCollisionCommon.h>
 
 #include <memory>
@@ -18,6 +19,15 @@ struct FirstFace : btCollisionWorld::ClosestRayResultCallback {
   int face = -1;
 };
 
+struct FirstTouch : btCollisionWorld::ClosestConvexResultCallback {
+  using ClosestConvexResultCallback::ClosestConvexResultCallback;
+  btScalar addSingleResult(btCollisionWorld::LocalConvexResult& result, bool in_world) override {
+    face = result.m_localShapeInfo->m_triangleIndex;
+    return ClosestConvexResultCallback::addSingleResult(result, in_world);
+  }
+  int face = -1;
+};
+
 class Asked {
  public:
   explicit Asked(const Scene& of) : of_(&of), mesh_(mesh_of(of)) {
@@ -31,6 +41,7 @@ class Asked {
   void ask(const Ray& ray) {
     const double f = segment(mesh_, ray);
     const btVector3 from = bt(ray.p), to = bt(ray.p + f * ray.v);
+    if (ray.is_cast) return cast(btScalar(ray.radius), from, to, f);
     FirstFace first(from, to);
     world_.rayTest(from, to, first);
     if (!first.hasHit()) return miss();
@@ -39,6 +50,16 @@ class Asked {
   }
 
  private:
+  void cast(btScalar radius, const btVector3& from, const btVector3& to, double f) {
+    const btSphereShape ball(radius);
+    FirstTouch first(from, to);
+    world_.convexSweepTest(&ball, btTransform(btQuaternion::getIdentity(), from),
+                           btTransform(btQuaternion::getIdentity(), to), first);
+    if (!first.hasHit()) return miss();
+    const btVector3& q = first.m_hitPointWorld;
+    touch(of_->elements[std::size_t(first.face)].name, double(first.m_closestHitFraction) * f, {q.x(), q.y(), q.z()});
+  }
+
   const Scene* of_;
   Mesh mesh_;
   btTriangleMesh triangles_;

@@ -1,7 +1,7 @@
 // Asks Jolt Physics by NarrowPhaseQuery.CastRay, of a segment that no element is beyond. Convex shapes are not treated
 // as solid and back faces are reported, so that a ray from inside is answered with where it leaves.
-import { created, jolt, LAYER, physics } from "./physics.mjs";
-import { along, half as halves, isBody, quaternionOfY, radii, segment, serve, turn } from "../protocol.mjs";
+import { created, jolt, LAYER, physics, sphereCast } from "./physics.mjs";
+import { along, half as halves, isBody, past, quaternionOfY, radii, segment, serve, turn } from "../protocol.mjs";
 
 function shape(element) {
   if (element.tipo === "caja") return created(new jolt.BoxShapeSettings(new jolt.Vec3(...halves(element)), 0));
@@ -45,7 +45,7 @@ const ray = new jolt.RRayCast(origin, direction);
 const collector = new jolt.CastRayClosestHitCollisionCollector();
 let names = new Map();
 
-function load(elements) {
+function make(elements) {
   for (const id of names.values()) { bodies.RemoveBody(id); bodies.DestroyBody(id); }
   names = new Map();
   for (const element of elements) {
@@ -53,6 +53,15 @@ function load(elements) {
     names.set(element.name, id);
     bodies.AddBody(id, jolt.EActivation_DontActivate);
   }
+}
+
+const nameOf = (hit) => {
+  const index = hit.mBodyID2?.GetIndexAndSequenceNumber() ?? hit.mBodyID.GetIndexAndSequenceNumber();
+  return [...names].find(([, id]) => id.GetIndexAndSequenceNumber() === index)[0];
+};
+
+function load(elements) {
+  make(elements);
   return (p, v) => {
     const f = segment(elements, p, v);
     origin.Set(...p);
@@ -62,10 +71,21 @@ function load(elements) {
     collector.Reset();
     system.GetNarrowPhaseQuery().CastRay(ray, settings, collector, ...filters);
     if (!collector.HadHit()) return undefined;
-    const index = collector.mHit.mBodyID.GetIndexAndSequenceNumber();
-    const [name] = [...names].find(([, id]) => id.GetIndexAndSequenceNumber() === index);
-    return [name, f * collector.mHit.mFraction];
+    return [nameOf(collector.mHit), f * collector.mHit.mFraction];
   };
 }
 
-await serve("Jolt", "1.1.0", load);
+// A ball on a way that is longer than that of its middle by its radius.
+const castSphere = sphereCast(system, filters);
+function casts(elements) {
+  make(elements);
+  return (p, v, radius) => {
+    const f = Math.max(segment(elements, p, v), past(4 * radius, v));
+    const hit = castSphere(p, v.map((x) => f * x), radius);
+    if (!hit) return undefined;
+    const q = hit.mContactPointOn2;
+    return [nameOf(hit), f * hit.mFraction, [q.GetX(), q.GetY(), q.GetZ()]];
+  };
+}
+
+await serve("Jolt", "1.1.0", load, { casts });

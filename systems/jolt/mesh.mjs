@@ -1,5 +1,6 @@
-// Asks Jolt Physics by NarrowPhaseQuery.CastRay of one MeshShape, of a segment that no point is beyond.
-import { created, jolt, LAYER, physics } from "./physics.mjs";
+// Asks Jolt Physics by NarrowPhaseQuery.CastRay of one MeshShape, of a segment that no point is beyond, and by CastShape
+// of a sphere on the same way.
+import { created, jolt, LAYER, physics, sphereCast } from "./physics.mjs";
 import { distance, ofFaces, past, serve } from "../protocol.mjs";
 
 const system = physics();
@@ -12,6 +13,7 @@ const place = new jolt.RVec3(0, 0, 0), turned = new jolt.Quat(0, 0, 0, 1);
 const start = new jolt.RVec3(0, 0, 0), direction = new jolt.Vec3(0, 0, 0);
 const ray = new jolt.RRayCast(start, direction);
 const collector = new jolt.CastRayClosestHitCollisionCollector();
+const castSphere = sphereCast(system, filters);
 let id, shape;
 
 function meshOf(points, faces) {
@@ -36,12 +38,16 @@ function clear() {
   id = undefined;
 }
 
-function build(points, faces) {
+function make(points, faces) {
   clear();
   shape = jolt.castObject(meshOf(points, faces), jolt.MeshShape);
   const body = new jolt.BodyCreationSettings(shape, place, turned, jolt.EMotionType_Static, LAYER);
   id = bodies.CreateAndAddBody(body, jolt.EActivation_DontActivate);
   jolt.destroy(body);
+}
+
+function build(points, faces) {
+  make(points, faces);
   return (p, v) => {
     const f = past(Math.max(...points.map((point) => distance(p, point))), v);
     start.Set(...p);
@@ -55,4 +61,15 @@ function build(points, faces) {
   };
 }
 
-await serve("Jolt", "1.1.0 MeshShape", ofFaces(build));
+const coordinates = (v) => [v.GetX(), v.GetY(), v.GetZ()];
+
+function casts(points, faces) {
+  make(points, faces);
+  return (p, v, radius) => {
+    const f = past(radius + Math.max(...points.map((point) => distance(p, point))), v);
+    const hit = castSphere(p, v.map((x) => f * x), radius);
+    return hit && [shape.GetTriangleUserData(hit.mSubShapeID2), f * hit.mFraction, coordinates(hit.mContactPointOn2)];
+  };
+}
+
+await serve("Jolt", "1.1.0 MeshShape", ofFaces(build), { casts: ofFaces(casts) });

@@ -1,7 +1,8 @@
-//! Asks parry by the cast of a ray on a compound of the elements, in the format that the argument names: f32 or f64.
+//! Asks parry by the cast of a ray, or of a ball, on a compound of the elements, in the format that the argument names:
+//! f32 or f64.
 #[path = "../protocol.rs"]
 mod protocol;
-use protocol::Element;
+use protocol::{Ask, Element, touch};
 
 /// x, y, z and w of the least rotation that takes the y axis, which is that of parry's shapes, to the vector.
 fn quaternion(v: &[f64]) -> [f64; 4] {
@@ -15,11 +16,10 @@ fn quaternion(v: &[f64]) -> [f64; 4] {
 }
 
 macro_rules! asks {
-    ($ask:ident, $parry:ident, $real:ty) => {
-        fn $ask(elements: &[Element], rays: &[Vec<f64>]) -> Vec<String> {
+    ($ask:ident, $cast:ident, $compound:ident, $parry:ident, $real:ty) => {
+        fn $compound(elements: &[Element]) -> $parry::shape::Compound {
             use $parry::math::{Pose, Rotation, Vector};
-            use $parry::query::Ray;
-            use $parry::shape::{Ball, CompositeShapeRef, Compound, Cone, Cylinder, HalfSpace, SharedShape, Triangle};
+            use $parry::shape::{Ball, Compound, Cone, Cylinder, HalfSpace, SharedShape, Triangle};
             let vector = |n: &[f64]| Vector::new(n[0] as $real, n[1] as $real, n[2] as $real);
             let placed = |e: &Element| {
                 let n = &e.n;
@@ -46,7 +46,14 @@ macro_rules! asks {
                     tipo => panic!("no {tipo}"),
                 }
             };
-            let compound = Compound::new(elements.iter().map(placed).collect());
+            Compound::new(elements.iter().map(placed).collect())
+        }
+        fn $ask(elements: &[Element], rays: &[Vec<f64>]) -> Vec<String> {
+            use $parry::math::Vector;
+            use $parry::query::Ray;
+            use $parry::shape::CompositeShapeRef;
+            let vector = |n: &[f64]| Vector::new(n[0] as $real, n[1] as $real, n[2] as $real);
+            let compound = $compound(elements);
             let first = |ray: &Vec<f64>| {
                 let ray = Ray::new(vector(&ray[..3]), vector(&ray[3..]));
                 match CompositeShapeRef(&compound).cast_local_ray(&ray, <$real>::MAX, false) {
@@ -56,12 +63,31 @@ macro_rules! asks {
             };
             rays.iter().map(first).collect()
         }
+        fn $cast(elements: &[Element], rays: &[Vec<f64>]) -> Vec<String> {
+            use $parry::math::{Pose, Vector};
+            use $parry::query::{DefaultQueryDispatcher, ShapeCastOptions};
+            use $parry::shape::{Ball, CompositeShapeRef};
+            let vector = |n: &[f64]| Vector::new(n[0] as $real, n[1] as $real, n[2] as $real);
+            let compound = $compound(elements);
+            let first = |ray: &Vec<f64>| {
+                let (pose, ball) = (Pose::from_translation(vector(&ray[..3])), Ball::new(ray[6] as $real));
+                let options = ShapeCastOptions::with_max_time_of_impact(<$real>::MAX);
+                let way = vector(&ray[3..6]);
+                let hit = CompositeShapeRef(&compound).cast_shape(&DefaultQueryDispatcher, &pose, way, &ball, options);
+                touch(hit.map(|(part, hit)| {
+                    let q = hit.witness1;
+                    (part as usize, hit.time_of_impact as f64, [q.x as f64, q.y as f64, q.z as f64])
+                }), elements)
+            };
+            rays.iter().map(first).collect()
+        }
     };
 }
-asks!(ask_f32, parry3d, f32);
-asks!(ask_f64, parry3d_f64, f64);
+asks!(ask_f32, cast_f32, compound_f32, parry3d, f32);
+asks!(ask_f64, cast_f64, compound_f64, parry3d_f64, f64);
 
 fn main() {
-    let ask = if std::env::args().nth(1).unwrap() == "f32" { ask_f32 } else { ask_f64 };
-    protocol::serve("parry3d 0.31.1", ask);
+    let is_f32 = std::env::args().nth(1).unwrap() == "f32";
+    let (ask, cast): (Ask, Ask) = if is_f32 { (ask_f32, cast_f32) } else { (ask_f64, cast_f64) };
+    protocol::serve_all("parry3d 0.31.1", &[("rays ", ask), ("casts ", cast)]);
 }
