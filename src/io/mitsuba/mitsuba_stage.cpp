@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "durero/io/json/whole_number.hpp"
+#include "durero/io/number_text.hpp"
 #include "durero/scene/camera.hpp"
 #include "durero/text/nearest.hpp"
 #include "durero/text/shown.hpp"
