@@ -256,7 +256,7 @@ folder: 4 of 6 files are read
 not read: 2 × … in sphere; expected a finite number
   first folder/below/four.POV:2:2: "There" in sphere; expected a finite number
 read: in 2 of them, 3 in all: elements in no group: its identifier is no name
-read: in 2 of them, 3 in all: surfaces of degree two to four left out: a scene has such by a Z text alone (--with)
+read: in 2 of them, 3 in all: surfaces left out: a scene has such by a Z text alone (--with)
 TEXT
 same expected out
 rm folder/three.pov folder/below/four.POV

@@ -166,6 +166,6 @@ printf 'poly { 1.5, <1,2> }\n#version 3.7;' >thin.pov
 refused 'thin.pov:1:8: a poly of degree 1.5; expected a whole number from 2 to 35' import thin.pov -o none.json
 absent none.json
 run 0 import "$surfaces/rings.pov" -o without.json
-has err 'rings.pov: 7 surfaces of degree two to four left out: a scene has such by a Z text alone (--with)'
+has err 'rings.pov: 7 surfaces left out: a scene has such by a Z text alone (--with)'
 
 finish

@@ -3,8 +3,8 @@
 them.
 
 Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, tori, quadrics and
-quartics (by demo/surfaces/algebraic.tex), solids of the first by union, merge, intersection and difference, all moved by transformations of every kind, made by macros and loops, and
-placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
+quartics, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
+intersection and difference, all moved by transformations of every kind, made by macros and loops, and placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
 than its own tolerance, which is 0.0001 of a polynomial, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
 passes where one of these has its answer. Exit status 77 (skipped) where POV-Ray is absent (Debian: povray).
 """
@@ -83,12 +83,30 @@ class Text:
                                 f"poly {{ 4, <{', '.join(coefficients)}> sturm }}",
                                 f"cubic {{ <{', '.join(coefficients[:20])}> sturm }}"])
 
+    def clipped(self):
+        """A thing of which others leave a part."""
+        kind = self.rng.choice(["plane", "sphere", "box", "cylinder", "two", "solid"])
+        move = self.move() if self.rng.random() < 0.5 else ""
+        inverse = self.rng.choice(["", "inverse"])
+        by = {"plane": lambda: f"plane {{ {self.point()}, {self.number(-0.5, 0.5)} {inverse} {move} }}",
+              "sphere": lambda: f"sphere {{ {self.point(1)}, {self.number(0.8, 2)} {inverse} {move} }}",
+              "box": lambda: f"box {{ {self.point()}, {self.point()} {inverse} {move} }}",
+              "cylinder": lambda: f"cylinder {{ {self.point()}, {self.point()}, {self.number(0.5, 1.5)} {inverse} {move} }}",
+              "two": lambda: f"plane {{ {self.point()}, 0.5 }} cone {{ {self.point()}, 1.5, {self.point()}, 0.25 {move} }}",
+              "solid": lambda: f"intersection {{ plane {{ {self.point()}, 1 }} sphere {{ {self.point(0.5)}, 2 }} {move} }}"}[kind]()
+        thing = self.algebraic() if self.rng.random() < 0.3 else self.solid()
+        return f"object {{ {thing} {self.move()} clipped_by {{ {by} }} }}"
+
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 11)
+        kind = self.rng.randint(0, 13)
+        if kind == 12:
+            return self.clipped()
+        if kind == 13:
+            return f"disc {{ {self.point()}, {self.point()}, {self.number(1, 2)}, {self.number(0.2, 0.9)} }}"
         if kind <= 2:
             return self.solid()
-        if kind >= 10:
+        if kind in (10, 11):
             return self.algebraic()
         if kind == 3:
             return f"cylinder {{ {self.point()}, {self.point()}, {self.number(0.2, 1)} open }}"

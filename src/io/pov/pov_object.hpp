@@ -30,6 +30,8 @@ struct PovObject {
   std::optional<PovShape> shape{};
   std::optional<std::array<glm::dvec3, 2>> box{};  ///< its corners
   std::optional<PovSurface> surface{};
+  std::vector<PovClip> clips{};    ///< by what it is clipped, as that is moved
+  std::optional<PovClip> bound{};  ///< its bound, likewise, where it could clip
   std::optional<PovLight> light{};
   std::vector<PovObject> parts{};
   ObjectMaterial look{};
@@ -37,6 +39,11 @@ struct PovObject {
   PovTransform moved{};         ///< by its own transformations
   bool is_left_out = false;     ///< no scene has such
   bool is_inverse = false;      ///< its inside is outside
+  bool has_lost_clip = false;   ///< it is clipped by what is no PovClip
+
+  bool may_be_cut = false;  ///< its bound may not hold all of it
+
+  bool is_clipped() const { return has_lost_clip || !clips.empty(); }
 };
 
 }  // namespace durero::io

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "durero/io/pov/algebraic.hpp"
 #include "durero/io/pov/pov.hpp"
 #include "durero/scene/closing.hpp"
 #include "durero/scene/scene.hpp"
@@ -15,9 +16,11 @@
 #include "io/letters.hpp"
 #include "io/losses.hpp"
 #include "io/mesh/numbered_materials.hpp"
+#include "pov_bounds.hpp"
 #include "pov_look.hpp"
 #include "pov_mesh.hpp"
 #include "pov_pattern.hpp"
+#include "pov_pieces.hpp"
 #include "pov_program.hpp"
 #include "pov_shapes.hpp"
 #include "pov_solids.hpp"
@@ -40,14 +43,15 @@ constexpr std::string_view others[] = {"bicubic_patch", "blob",  "height_field",
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
 constexpr std::string_view solid_words[] = {"merge", "intersection", "difference", "box"};
-/// Attributes that tell of the look, that are read by themselves, and that no picture of such surfaces shows.
+/// Attributes that tell of the look, that are read by themselves, that no picture of such surfaces shows, and that
+/// limit what is shown.
 constexpr std::string_view looks[] = {"texture", "pigment", "finish", "normal", "interior", "material"},
                            moves[] = {"translate", "rotate", "scale", "matrix", "transform"},
                            flags[] = {"no_shadow", "no_image", "no_reflection"},
-                           unseen[] = {"hollow",          "split_union", "double_illuminate", "bounded_by",
-                                       "sturm",           "hierarchy",   "inside_vector",     "uv_mapping",
-                                       "photons",         "radiosity",   "no_radiosity",      "cutaway_textures",
-                                       "interior_texture"};
+                           unseen[] = {"hollow",    "split_union",   "double_illuminate", "sturm",
+                                       "hierarchy", "inside_vector", "uv_mapping",        "photons",
+                                       "radiosity", "no_radiosity",  "cutaway_textures",  "interior_texture"},
+                           limits[] = {"bounded_by", "clipped_by"};
 
 bool is_object(std::string_view word) {
   return is_one_of(PovShapes::words, word) || is_one_of(holders, word) || is_one_of(pov_surface_words, word) ||
@@ -94,7 +98,7 @@ class PovReader {
       if (in_.take(";")) continue;
       if (!is_object(in_.word())) fail_unknown("", {PovShapes::words, holders, PovStage::statements});
       const PovObject object = read_object(1);
-      add(object, default_material(), {}, all);
+      add(object, default_material(), {}, {}, all);
     }
     materials_.finish();
     scene_.stage().textures = looks_.patterns();
@@ -108,7 +112,7 @@ class PovReader {
  private:
   struct Counts {
     std::size_t aligned = 0, empty = 0, bare = 0, rounded_rims = 0, unseen = 0, part_seen = 0, colored_shadows = 0,
-                attributes = 0, solids = 0, clipped = 0, zeros = 0;
+                attributes = 0, solids = 0, clipped = 0, rounded = 0, bounded = 0, zeros = 0;
   };
 
   [[noreturn]] void fail_unknown(const std::string& where, std::initializer_list<Words> expected) const {
@@ -132,11 +136,9 @@ class PovReader {
     }
     const bool is_whole = is_shape || is_one_of(solid_words, object.word) || is_one_of(pov_surface_words, object.word);
     const std::size_t from = is_whole ? object.at : in_.offset();
-    if (is_shape) {
+    if (is_shape)
       object.shape = shapes_.read(object.word);
-      object.is_left_out = object.shape->has_hole;
-      if (object.shape->has_hole) ++left_out_["disc with a hole"];
-    } else if (is_one_of(pov_surface_words, object.word))
+    else if (is_one_of(pov_surface_words, object.word))
       read_surface(object);
     else if (object.word == "box")
       object.box = solids_.box();
@@ -145,7 +147,7 @@ class PovReader {
     else
       read_parts(object, depth);
     object.text = in_.passed(from);
-    read_attributes(object);
+    read_attributes(object, depth);
     return object;
   }
 
@@ -179,7 +181,7 @@ class PovReader {
     return object;
   }
 
-  void read_attributes(PovObject& object) {
+  void read_attributes(PovObject& object, int depth) {
     PovLook look;
     for (bool is_first = true; !in_.take("}"); is_first = false) {
       const auto* const flag = std::ranges::find(flags, in_.word());
@@ -192,14 +194,14 @@ class PovReader {
         in_.skip_value();
       } else if (const auto move = take_pov_transform(in_)) {
         object.moved = object.moved.then(*move);
+        for (PovClip& clip : object.clips) clip.place = clip.place.then(*move);
+        if (object.bound) object.bound->place = object.bound->place.then(*move);
         counts_.zeros += move->zeros;
         if (look.at) looks_.move(look);
       } else if (in_.take("inverse")) {
         object.is_inverse = !object.is_inverse;
-      } else if (in_.take("clipped_by")) {
-        ++counts_.clipped;
-        object.is_left_out = true;
-        in_.skip_value();
+      } else if (is_one_of(limits, in_.word())) {
+        read_limit(object, depth);
       } else if (in_.take("material")) {
         in_.expect("{", "behind material");
         while (!in_.take("}"))
@@ -208,11 +210,52 @@ class PovReader {
         fail_in(object, is_first);
       }
     }
+    if (object.may_be_cut) ++counts_.bounded;
     object.look.is_told = look.at.has_value();
     auto read = looks_.material(look);
     if (!read) return;
     object.look.material = materials_.number(std::move(read->material));
     object.look.at = std::move(read->at);
+  }
+
+  /// A bound or a clip: objects, or the word of the other one, which is then the same.
+  void read_limit(PovObject& object, int depth) {
+    const bool is_clip = in_.word() == "clipped_by";
+    const std::string_view other = is_clip ? "bounded_by" : "clipped_by";
+    in_.pass();
+    in_.expect("{", is_clip ? "behind clipped_by" : "behind bounded_by");
+    if (in_.take(other)) {
+      in_.expect("}", fmt::format("behind {}", other));
+      if (is_clip) clip(object, object.bound);
+      object.may_be_cut = false;  // it lies within both
+      return;
+    }
+    const std::vector<PovObject> by = read_limiting(depth);
+    if (is_clip) return clip(object, clip_by(by));
+    object.may_be_cut = !surely_hold(by, object);
+    if (!object.may_be_cut) ++counts_.attributes;
+    object.bound = clip_by(by);
+  }
+
+  static void clip(PovObject& object, std::optional<PovClip> by) {
+    if (by)
+      object.clips.push_back(*std::move(by));
+    else
+      object.has_lost_clip = true;
+  }
+
+  /// Objects up to a }, of which nothing is told: they are not shown.
+  std::vector<PovObject> read_limiting(int depth) {
+    const Counts counts = counts_;
+    const auto left_out = left_out_;
+    const std::size_t only_by_text = only_by_text_;
+    std::vector<PovObject> all;
+    while (is_object(in_.word())) all.push_back(read_object(depth + 1));
+    const PovTransform by = take_pov_transforms(in_);
+    for (PovObject& each : all) each.moved = each.moved.then(by);
+    in_.expect("}", "behind what limits an object");
+    counts_ = counts, left_out_ = left_out, only_by_text_ = only_by_text;
+    return all;
   }
 
   /// Its parts stand before its attributes.
@@ -222,23 +265,59 @@ class PovReader {
                is_mesh = may_be_part && object.word == "mesh";
     const Words first = is_mesh ? Words(meshes) : is_union ? Words(PovShapes::words) : Words();
     const Words second = is_union ? Words(holders) : Words();
-    fail_unknown(std::string(object.word), {first, second, looks, moves, flags, unseen});
+    fail_unknown(std::string(object.word), {first, second, looks, moves, flags, unseen, limits});
   }
 
   /// Adds what an object stands for to the scene, and to the group that it is in. What it does not tell of its look, it
-  /// has from what it is in.
-  void add(const PovObject& object, const ObjectMaterial& around, const PovTransform& by, scene::Group& into) {
+  /// has from what it is in; and what clips that clips it.
+  void add(const PovObject& object, const ObjectMaterial& around, const PovTransform& by,
+           const std::vector<PovClip>& clips_around, scene::Group& into) {
     if (object.is_left_out || is_only_a_shadow(object)) return;
     const ObjectMaterial& look = object.look.is_told ? object.look : around;
     const PovTransform here = object.moved.then(by);
     if (object.light) return stage_.add(*object.light, here);
+    if (object.has_lost_clip) return count_clipped();
+    std::vector<PovClip> clips = clips_around;
+    for (PovClip clip : object.clips) {
+      clip.place = clip.place.then(by);
+      clip.is_rounded = clip.is_rounded || !by.is_identity();
+      clips.push_back(std::move(clip));
+    }
+    if (object.word == "object") return add(object.parts.front(), look, here, clips, into);
+    const bool is_clipped = !clips.empty() && object.word != "union";
+    if (is_clipped || (object.shape && object.shape->hole != 0)) return add_pieces(object, look, here, clips, into);
     if (object.shape) return add_shape(object, look, here, into);
-    if (object.surface) return add_surface(*object.surface, look, here, into);
-    if (object.word == "object") return add(object.parts.front(), look, here, into);
+    if (object.surface) return add_surface(object, look, here, into);
     if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);
     scene::Group own;
-    for (const PovObject& part : object.parts) add(part, look, here, own);
+    for (const PovObject& part : object.parts) add(part, look, here, clips, own);
     add_group(is_of_triangles(object.word) ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
+  }
+
+  void count_clipped() { ++counts_.clipped; }
+
+  /// Adds the pieces of a surface that is clipped, or has a hole, as elements of a Z text.
+  void add_pieces(const PovObject& object, const ObjectMaterial& look, const PovTransform& by,
+                  const std::vector<PovClip>& clips, scene::Group& into) {
+    const auto pieces = pieces_of(object);
+    const auto clip = clips.empty() ? std::nullopt : common_clip(clips);
+    if (!pieces || clip.has_value() == clips.empty()) return count_clipped();
+    std::vector<std::vector<WrittenValue>> elements;
+    bool is_rounded = false;
+    for (const PovPiece& piece : *pieces) {
+      auto values = clipped_piece(piece, clip ? &*clip : nullptr, by, is_rounded);
+      if (!values) return count_clipped();
+      elements.push_back(*std::move(values));
+    }
+    if (!keeps_surfaces_) {
+      ++only_by_text_;
+      return;
+    }
+    if (is_rounded) ++counts_.rounded;
+    scene::Group own;
+    for (auto& values : elements) add_written(clipped_surface, std::move(values), look, own);
+    if (elements.size() == 1) return into.elementos.merge(own.elementos);
+    add_group(numbered('u', unions_), std::move(own), into);
   }
 
   /// The look of what tells of none: POV-Ray's own, where #default told of another.
@@ -328,9 +407,15 @@ class PovReader {
     add_group(name, std::move(own), into);
   }
 
-  void add_surface(const PovSurface& surface, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
+  void add_surface(const PovObject& object, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
+    auto values = placed_surface(*object.surface, by);
+    if (!values) in_.fail(object.at, "numbers beyond binary64", "expected smaller ones");
+    add_written(type_of(*object.surface), *std::move(values), look, into);
+  }
+
+  void add_written(std::size_t type, std::vector<WrittenValue> values, const ObjectMaterial& look, scene::Group& into) {
     const std::string name = add_stand_in('a', algebraic_, look);
-    surfaces_.emplace(name, WrittenElement{name, surface.type, 0, placed_surface(surface, by), {}});
+    surfaces_.emplace(name, WrittenElement{name, type, 0, std::move(values), {}});
     into.elementos.insert(name);
   }
 
@@ -426,10 +511,12 @@ class PovReader {
     add_loss(lost, counts_.colored_shadows, "object", "objects",
              "that light goes through: its shadow is that of a stone");
     for (const auto& [word, count] : left_out_) add_loss(lost, count, word, word, "left out: a scene has none");
-    add_loss(lost, only_by_text_, "surface", "surfaces",
-             "of degree two to four left out: a scene has such by a Z text alone (--with)");
+    add_loss(lost, only_by_text_, "surface", "surfaces", "left out: a scene has such by a Z text alone (--with)");
     add_loss(lost, counts_.solids, "solid", "solids", "left out: a part of it bounds nothing that a scene has");
     add_loss(lost, counts_.clipped, "object", "objects", "left out: clipped_by");
+    add_loss(lost, counts_.rounded, "surface", "surfaces", "by a Z text, with rounded numbers");
+    add_loss(lost, counts_.bounded, "bounded_by", "bounded_by",
+             "left out: it may cut, where POV-Ray shows a thing only to rays that meet its bound");
     for (const auto& [clause, count] : refused_)
       add_loss(lost, count, "object", "objects", "left out: a scene's have " + clause);
     add_loss(lost, counts_.zeros, "0", "0s", "that scale: taken for 1, as POV-Ray does");

@@ -59,7 +59,7 @@ PovShape PovShapes::disc() {
   const double radius = in_.number("disc");
   PovShape shape{scene::Disc{center, radius, vector}};
   in_.comma();
-  if (in_.here() != nullptr && begins_pov_expression(*in_.here())) shape.has_hole = in_.number("disc") != 0;
+  if (in_.here() != nullptr && begins_pov_expression(*in_.here())) shape.hole = in_.number("disc");
   return shape;
 }
 

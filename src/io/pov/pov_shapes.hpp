@@ -24,7 +24,7 @@ struct PovShape {
   std::optional<std::array<RoundEnd, 2>> ends{};
   std::optional<double> distance{};
   /// @}
-  bool has_hole = false;  ///< a disc, which no scene has then
+  double hole = 0;  ///< the radius of the hole in a disc
 };
 
 /// Reads shapes, and counts what of them is rounded.

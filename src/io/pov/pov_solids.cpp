@@ -28,7 +28,7 @@ std::array<glm::dvec3, 2> PovSolids::box() {
 }
 
 bool PovSolids::is_solid(const PovObject& object) {
-  if (object.is_left_out || object.is_inverse || object.light) return false;
+  if (object.is_left_out || object.is_inverse || object.is_clipped() || object.light) return false;
   if (object.box) return scene::box_between((*object.box)[0], (*object.box)[1]).has_value();
   if (object.shape) {
     const bool has_axis = object.shape->ends.has_value();

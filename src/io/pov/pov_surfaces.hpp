@@ -2,26 +2,24 @@
 /// The surfaces of a POV-Ray text that are the zeros of a polynomial.
 
 #include <array>
-#include <functional>
-#include <map>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "durero/io/json/written_elements.hpp"
-#include "pov_transform.hpp"
 #include "pov_words.hpp"
+#include "pov_written.hpp"
 
 namespace durero::io {
 
-/// The values of attributes by their words.
-using ValuesByWord = std::map<std::string, WrittenValue, std::less<>>;
+/// The radii of a torus: of the circle in the middle of its tube, and of that.
+struct PovTorus {
+  double major, minor;
+};
 
-/// A surface: the place of its type among algebraic_types(), and its attributes but for where it stands.
+/// A surface: the polynomial whose zeros it is, and the radii of a torus.
 struct PovSurface {
-  std::size_t type;
-  ValuesByWord own{};
+  PovPolynomial polynomial;
+  std::optional<PovTorus> torus{};
 };
 
 /// The words of such surfaces.
@@ -31,7 +29,11 @@ inline constexpr std::array<std::string_view, 5> pov_surface_words{"torus", "qua
 /// and of a part of a torus that passes through itself.
 std::optional<PovSurface> read_pov_surface(PovWords& in, std::string_view word);
 
-/// The attributes of a surface where a transformation puts it, in step with those of its type.
-std::vector<WrittenValue> placed_surface(const PovSurface& surface, const PovTransform& by);
+/// The place of its type among algebraic_types().
+std::size_t type_of(const PovSurface& surface);
+
+/// The attributes of a surface where a transformation puts it, in step with those of its type; nothing where that is
+/// beyond binary64.
+std::optional<std::vector<WrittenValue>> placed_surface(const PovSurface& surface, const PovTransform& by);
 
 }  // namespace durero::io

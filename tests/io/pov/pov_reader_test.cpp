@@ -576,8 +576,9 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
       statements = objects + ", camera, light_source, background, global_settings, sky_sphere, #version",
       attributes =
           "texture, pigment, finish, normal, interior, material, translate, rotate, scale, matrix, transform, "
-          "no_shadow, no_image, no_reflection, hollow, split_union, double_illuminate, bounded_by, sturm, hierarchy, "
-          "inside_vector, uv_mapping, photons, radiosity, no_radiosity, cutaway_textures, interior_texture";
+          "no_shadow, no_image, no_reflection, hollow, split_union, double_illuminate, sturm, hierarchy, "
+          "inside_vector, "
+          "uv_mapping, photons, radiosity, no_radiosity, cutaway_textures, interior_texture, bounded_by, clipped_by";
   const Case cases[] = {
       {"^spere { 0, 1 }", "\"spere\" is not read; expected sphere"},
       {"^}", "\"}\" is not read; expected one of " + statements},

@@ -1,0 +1,183 @@
+// POV-Ray's surfaces by demo/surfaces/algebraic.tex: what is imported is met where POV-Ray's own rules put it.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "durero/algebra/root.hpp"
+#include "durero/io/pov/algebraic.hpp"
+#include "durero/io/pov/pov.hpp"
+#include "durero/written/text.hpp"
+#include "support/catch.hpp"
+#include "support/tree.hpp"
+
+namespace durero::written {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+const Text& algebraic_text() {
+  static const Text text(test::source_dir() + "/demo/surfaces/algebraic.tex");
+  return text;
+}
+
+/// The surfaces of a text, asked by rays.
+class Imported {
+ public:
+  explicit Imported(const std::string& text) : read_(import_text(text)) {
+    for (const auto& [name, element] : read_.surfaces)
+      surfaces_.push_back(algebraic_text().surface(io::algebraic_types()[element.type].word, element.values));
+  }
+
+  /// How many elements of the Z text there are.
+  std::size_t size() const { return surfaces_.size(); }
+  const std::vector<std::string>& lost() const { return read_.lost; }
+  const io::Imported& all() const { return read_; }
+  /// Whether some line of what is lost begins so.
+  bool loses(std::string_view begin) const {
+    return std::ranges::any_of(read_.lost, [&](const std::string& line) { return line.starts_with(begin); });
+  }
+  /// The least t at which a ray meets one of them.
+  double first(const glm::dvec3& p, const glm::dvec3& v) const {
+    double least = never;
+    const model::Rayo rayo{model::Punto(p), model::Vector(v)};
+    for (const Surface& surface : surfaces_) {
+      const First first = surface.first(rayo, false);
+      if (const auto* const root = std::get_if<algebra::Root>(&first))
+        least = std::min(least, algebra::rounded_linear(0, 1, *root));
+    }
+    return least;
+  }
+
+ private:
+  static io::Imported import_text(const std::string& text) {
+    io::Source source("f", text + "\n#version 3.7;");
+    source.set_keeps_surfaces(true);
+    return io::read_pov(source);
+  }
+
+  io::Imported read_;
+  std::vector<Surface> surfaces_;
+};
+
+using V = glm::dvec3;
+
+TEST_CASE("A clip cuts what lies outside of it, and moves with what stands behind it") {
+  const Imported half("sphere { 0, 2 clipped_by { plane { y, 1 } } translate 4*x }");
+  REQUIRE(half.size() == 1);
+  CHECK(half.first(V(4, 9, 0), V(0, -1, 0)) == 11);  // through the hole, to the bottom
+  CHECK(half.first(V(4, -9, 0), V(0, 1, 0)) == 7);
+  CHECK(half.first(V(-9, 1, 0), V(1, 0, 0)) == 13 - std::sqrt(3.0));
+  CHECK(half.first(V(-9, 1.0000001, 0), V(1, 0, 0)) == never);
+  const Imported moved_first("sphere { 0, 2 translate 4*x clipped_by { plane { x, 4 } } }");
+  CHECK(moved_first.first(V(9, 0, 0), V(-1, 0, 0)) == 7);
+  const Imported turned("sphere { 0, 2 clipped_by { plane { y, 0 } rotate 180*x } }");
+  CHECK(turned.first(V(0, -9, 0), V(0, 1, 0)) == 11);
+  const Imported with_it("sphere { 0, 2 clipped_by { plane { y, 0 } } rotate 180*x }");
+  CHECK(with_it.first(V(0, -9, 0), V(0, 1, 0)) == 11);
+  const Imported inverse("sphere { 0, 2 clipped_by { plane { y, 0 inverse } } }");
+  CHECK(inverse.first(V(0, -9, 0), V(0, 1, 0)) == 11);
+}
+
+TEST_CASE("A box clips by its inside, and an inverse one by its outside") {
+  const Imported within("sphere { 0, 2 clipped_by { box { -1.5, <3, 3, 3> } } }");
+  CHECK(within.first(V(9, 0, 0), V(-1, 0, 0)) == 7);
+  CHECK(within.first(V(-9, 0, 0), V(1, 0, 0)) == 11);
+  const Imported outside("sphere { 0, 2 clipped_by { box { -1.5, <3, 3, 3> inverse } } }");
+  CHECK(outside.first(V(9, 0, 0), V(-1, 0, 0)) == 11);
+  CHECK(outside.first(V(-9, 0, 0), V(1, 0, 0)) == 7);
+  CHECK(outside.first(V(0, 9, 0), V(0, -1, 0)) == 11);
+}
+
+TEST_CASE("A closed thing that is clipped keeps its faces, walls and lids") {
+  const Imported box("box { <-1, -1, -1>, <1, 1, 1> clipped_by { sphere { x, 1.25 } } }");
+  CHECK(box.size() == 6);
+  CHECK(box.first(V(9, 0, 0), V(-1, 0, 0)) == 8);
+  CHECK(box.first(V(-9, 0, 0), V(1, 0, 0)) == 10);
+  const Imported can("cylinder { -y, y, 1 clipped_by { plane { x, 0 } } }");
+  CHECK(can.size() == 3);
+  CHECK(can.first(V(-0.5, 9, 0), V(0, -1, 0)) == 8);
+  CHECK(can.first(V(0.5, 9, 0), V(0, -1, 0)) == never);
+  CHECK(can.first(V(9, 0, 0), V(-1, 0, 0)) == 10);
+  CHECK(can.first(V(-9, 1.5, 0), V(1, 0, 0)) == never);
+  const Imported open("cylinder { -y, y, 1 open clipped_by { plane { x, 0 } } }");
+  CHECK(open.size() == 1);
+  const Imported cone("cone { 0, 2, 2*y, 1 clipped_by { box { <-9, 0.5, -9>, <9, 9, 9> } } }");
+  CHECK(cone.size() == 3);
+  CHECK(cone.first(V(-9, 1, 0), V(1, 0, 0)) == 7.5);
+  CHECK(cone.first(V(-9, 0.25, 0), V(1, 0, 0)) == never);
+  CHECK(cone.first(V(0, 9, 0), V(0, -1, 0)) == 7);
+  CHECK(cone.first(V(1.25, 9, 0), V(0, -1, 0)) == 7.5);
+}
+
+TEST_CASE("A clip of several things is where all of them are, and that of a union clips its parts") {
+  const Imported two(
+      "sphere { 0, 2 clipped_by { plane { x, 0 } plane { y, 0 rotate 90*z } } clipped_by { plane { z, 1 } } }");
+  REQUIRE(two.size() == 1);
+  CHECK(two.first(V(9, 0, 0), V(-1, 0, 0)) == never);  // x ≤ 0 and −x ≤ 0
+  CHECK(two.first(V(0, 9, 0), V(0, -1, 0)) == 7);
+  CHECK(two.first(V(0, 0, 9), V(0, 0, -1)) == 11);
+  const Imported parts("union { sphere { 0, 2 } sphere { 4*x, 2 } clipped_by { plane { x, 0 } } translate z }");
+  CHECK(parts.size() == 2);
+  CHECK(parts.first(V(9, 0, 1), V(-1, 0, 0)) == 11);
+}
+
+TEST_CASE("A clip that no quadrics hold leaves a thing out") {
+  for (const char* const clip :
+       {"union { plane { x, 0 } plane { y, 0 } }", "torus { 2, 1 }", "mesh { triangle { x, y, z } }",
+        "plane { x, 0 } plane { y, 0 } plane { z, 0 } plane { x, 1 }"}) {
+    const Imported none("sphere { 0, 2 clipped_by { " + std::string(clip) + " } }");
+    CHECK(none.size() == 0);
+    CHECK(none.loses("1 object left out: clipped_by"));
+  }
+  const Imported solid("intersection { sphere { 0, 1 } plane { y, 0 } clipped_by { plane { x, 0 } } }");
+  CHECK(solid.size() == 0);
+  CHECK(solid.loses("1 object left out: clipped_by"));
+  const Imported in_solid("difference { sphere { 0, 1 clipped_by { plane { x, 0 } } } sphere { y, 1 } }");
+  CHECK(in_solid.loses("1 solid left out"));
+}
+
+TEST_CASE("A disc may have a hole") {
+  const Imported ring("disc { y, y, 2, 0.5 translate x }");
+  REQUIRE(ring.size() == 1);
+  CHECK(ring.first(V(2, 9, 0), V(0, -1, 0)) == 8);
+  CHECK(ring.first(V(1.5, 9, 0), V(0, -1, 0)) == 8);
+  CHECK(ring.first(V(1.25, 9, 0), V(0, -1, 0)) == never);
+  CHECK(ring.first(V(3.5, 9, 0), V(0, -1, 0)) == never);
+}
+
+TEST_CASE("A bound that holds a thing shows nothing; another one may cut, which is told") {
+  const auto bound = [](const std::string& object, const std::string& by) {
+    return Imported(object + " bounded_by { " + by + " } }").loses("1 bounded_by left out: it may cut");
+  };
+  CHECK_FALSE(bound("sphere { 0, 2", "sphere { 0, 2 }"));
+  CHECK_FALSE(bound("sphere { y, 2", "sphere { 2*y, 3 }"));
+  CHECK(bound("sphere { y, 2", "sphere { 2*y, 2.9999999 }"));
+  CHECK(bound("sphere { y, 2", "sphere { y, 1 }"));
+  CHECK_FALSE(bound("sphere { 0, 2 translate 3*x", "box { <1, -2, -2>, <5, 2, 2> }"));
+  CHECK(bound("sphere { 0, 2 translate 3*x", "box { <1, -2, -2>, <5, 2, 1.5> }"));
+  CHECK_FALSE(bound("box { -1, 1 rotate 45*y", "box { -1.5, 1.5 }"));
+  CHECK(bound("box { -1, 1 rotate 45*y", "box { -1.25, 1.25 }"));
+  CHECK_FALSE(bound("cylinder { 0, 3*x, 1", "box { <-1, -1, -1>, <4, 1, 1> }"));
+  CHECK(bound("cylinder { 0, 3*x, 1", "box { <-1, -1, -1>, <3, 0.5, 1> }"));
+  CHECK_FALSE(bound("torus { 2, 1", "sphere { 0, 3 }"));
+  CHECK_FALSE(bound("union { sphere { 0, 1 } triangle { x, y, 2*z }", "plane { y, 1 }"));
+  CHECK(bound("union { sphere { 0, 1 } triangle { x, 2*y, z }", "plane { y, 1 }"));
+  CHECK_FALSE(bound("intersection { plane { x, 0 } sphere { 0, 1 }", "box { -1, 1 }"));
+  CHECK(bound("difference { plane { x, 0 } sphere { 0, 1 }", "box { -1, 1 }"));
+  CHECK(bound("sphere { 0, 1", "box { -2, 2 inverse }"));
+  CHECK(bound("sphere { 0, 1", "cylinder { -9*y, 9*y, 9 }"));  // of which nothing is known
+  CHECK_FALSE(bound("sphere { 0, 2", "box { -1, 1 } } clipped_by { bounded_by"));
+}
+
+TEST_CASE("A thing may be clipped by its own bound, or bounded by its clip") {
+  const Imported both("sphere { 0, 2 bounded_by { plane { y, 1 } } rotate 90*z clipped_by { bounded_by } }");
+  REQUIRE(both.size() == 1);
+  CHECK(both.first(V(-9, 0, 0), V(1, 0, 0)) == 11);  // y ≤ 1 has become −x ≤ 1
+  CHECK(both.first(V(9, 0, 0), V(-1, 0, 0)) == 7);
+  const Imported other("sphere { 0, 2 clipped_by { plane { y, 1 } } bounded_by { clipped_by } }");
+  CHECK(other.size() == 1);
+  CHECK(Imported("sphere { 0, 2 clipped_by { bounded_by } }").loses("1 object left out: clipped_by"));
+}
+
+}  // namespace
+}  // namespace durero::written
