@@ -3,7 +3,7 @@
 them.
 
 Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, tori, quadrics and
-quartics, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
+quartics, lathes, sors, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
 intersection and difference, all moved by transformations of every kind, made by macros and loops, and placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
 than its own tolerance, which is 0.0001 of a polynomial, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
 passes where one of these has its answer. Exit status 77 (skipped) where POV-Ray is absent (Debian: povray).
@@ -97,9 +97,18 @@ class Text:
         thing = self.algebraic() if self.rng.random() < 0.3 else self.solid()
         return f"object {{ {thing} {self.move()} clipped_by {{ {by} }} }}"
 
+    def turned(self):
+        """A line turned about an axis."""
+        count = self.rng.randint(4, 7)
+        word, kind = self.rng.choice([("lathe", "linear_spline "), ("sor", "")])
+        points = ", ".join(f"<{self.number(0.2, 1.5)}, {3 * i / count - 1.5:.4f}>" for i in range(count))
+        return f"{word} {{ {kind}{count}, {points} {self.rng.choice(['', 'open']) if word == 'sor' else ''} sturm }}"
+
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 13)
+        kind = self.rng.randint(0, 14)
+        if kind == 14:
+            return self.turned()
         if kind == 12:
             return self.clipped()
         if kind == 13:

@@ -179,5 +179,44 @@ TEST_CASE("A thing may be clipped by its own bound, or bounded by its clip") {
   CHECK(Imported("sphere { 0, 2 clipped_by { bounded_by } }").loses("1 object left out: clipped_by"));
 }
 
+TEST_CASE("A lathe of lines is cones, cylinders and discs, without lids") {
+  const Imported all("lathe { linear_spline 5, <0, 0>, <2, 2>, <2, 3>, <1, 3>, <1, 3> translate x }");
+  const scene::Scene& scene = all.all().scene;
+  CHECK(scene.shapes<scene::Cone>().size() == 1);
+  CHECK(scene.shapes<scene::Cylinder>().size() == 1);
+  CHECK(scene.shapes<scene::Disc>().size() == 0);
+  REQUIRE(all.size() == 1);  // a ring from 1 to 2
+  CHECK(all.first(V(2.5, 9, 0), V(0, -1, 0)) == 6);
+  CHECK(all.first(V(1.5, 9, 0), V(0, -1, 0)) == never);
+  CHECK(all.all().groups.table().contains("u1"));
+  const Imported lid("lathe { 3, <0, 1>, <-2, 1>, <-2, 0> }");
+  CHECK(lid.all().scene.shapes<scene::Disc>().size() == 1);
+  CHECK(lid.all().scene.shapes<scene::Cylinder>().size() == 1);
+  CHECK(Imported("lathe { 2, <-1, 0>, <1, 2> }").loses("1 lathe of curves, or with a line across its axis, left out"));
+  CHECK(Imported("lathe { cubic_spline 4, <1, 0>, <1, 1>, <1, 2>, <1, 3> }").loses("1 lathe of curves, or with"));
+  CHECK(Imported("difference { sphere { 0, 1 } lathe { 3, <0, 1>, <2, 1>, <0, 0> } }").loses("1 solid left out"));
+}
+
+TEST_CASE("A sor has its radii at its points, slopes by their neighbours, and lids unless it is open") {
+  const std::string points = "<1, -1>, <1, 0>, <2, 1>, <1, 3>, <0, 4>";
+  const Imported vase("sor { 5, " + points + " open }");
+  CHECK(vase.size() == 2);
+  CHECK(vase.first(V(-9, 0, 0), V(1, 0, 0)) == 8);
+  CHECK(vase.first(V(-9, 1, 0), V(1, 0, 0)) == 7);
+  CHECK(vase.first(V(-9, 3, 0), V(1, 0, 0)) == 8);
+  CHECK(vase.first(V(-9, 3.0000001, 0), V(1, 0, 0)) == never);
+  CHECK(vase.first(V(0.5, 9, 0), V(0, -1, 0)) == never);
+  // r² goes from 1 to 4 with the slopes 2·1·½ = 1 and 2·2·0 = 0: in the middle it is 5/2 + 1/8.
+  CHECK(vase.first(V(-9, 0.5, 0), V(1, 0, 0)) == 9 - std::sqrt(2.625));
+  // From 4 to 1 over a length of 2, with the slopes 0 and 2·1·(−2/3): in the middle 5/2 + 2·(4/3)/8.
+  CHECK(std::abs(vase.first(V(-9, 2, 0), V(1, 0, 0)) - (9 - std::sqrt(2.5 + 1 / 3.0))) < 1e-15 * 9);
+  const Imported closed("sor { 5, " + points + " }");
+  CHECK(closed.all().scene.shapes<scene::Disc>().size() == 2);
+  CHECK(Imported("sor { 5, " + points + " clipped_by { plane { x, 0 } } }").size() == 4);
+  for (const char* const wrong :
+       {"<1, -1>, <1, 0>, <2, 0>, <1, 3>", "<1, -1>, <1, 0>, <2, -1>, <1, 3>", "<1, -1>, <-1, 0>, <2, 1>, <1, 3>"})
+    CHECK_THROWS_AS(Imported("sor { 4, " + std::string(wrong) + " }"), io::InputError);
+}
+
 }  // namespace
 }  // namespace durero::written

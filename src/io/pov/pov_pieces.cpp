@@ -131,6 +131,7 @@ std::optional<std::vector<PovPiece>> pieces_of_shape(const PovShape& shape) {
 }  // namespace
 
 std::optional<std::vector<PovPiece>> pieces_of(const PovObject& object) {
+  if (!object.pieces.empty()) return object.pieces;
   if (object.box) return pieces_of_box(*object.box);
   if (object.shape) return pieces_of_shape(*object.shape);
   if (object.surface) return std::vector{PovPiece{object.surface->polynomial}};

@@ -26,6 +26,7 @@
 #include "pov_solids.hpp"
 #include "pov_stage.hpp"
 #include "pov_transform.hpp"
+#include "pov_turned.hpp"
 
 namespace durero::io {
 namespace {
@@ -33,11 +34,11 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
-                           holders[] = {"mesh",  "mesh2",        "polygon",    "union", "object",
-                                        "merge", "intersection", "difference", "box",   "prism"};
+                           holders[] = {"mesh",         "mesh2",      "polygon", "union", "object", "merge",
+                                        "intersection", "difference", "box",     "prism", "lathe",  "sor"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "blob",  "height_field",  "isosurface", "julia_fractal",
-                                       "lathe",         "lemon", "ovus",          "parametric", "sor",
+constexpr std::string_view others[] = {"bicubic_patch", "blob",  "height_field",  "isosurface",
+                                       "julia_fractal", "lemon", "ovus",          "parametric",
                                        "sphere_sweep",  "text",  "superellipsoid"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
@@ -144,6 +145,8 @@ class PovReader {
       object.box = solids_.box();
     else if (object.word == "mesh2" || object.word == "polygon" || object.word == "prism")
       read_triangles(object);
+    else if (is_turned(object.word))
+      read_turned(object);
     else
       read_parts(object, depth);
     object.text = in_.passed(from);
@@ -157,6 +160,15 @@ class PovReader {
     if (object.surface && !keeps_surfaces_) ++only_by_text_;
     if (object.surface) return;
     ++left_out_[object.word == "poly" ? "poly of degree five or more" : "torus that passes through itself, in part,"];
+  }
+
+  void read_turned(PovObject& object) {
+    auto parts = read_pov_turned(in_, object.word, object.at);
+    object.is_left_out = !parts;
+    if (parts)
+      object.parts = *std::move(parts);
+    else
+      ++left_out_["lathe of curves, or with a line across its axis,"];
   }
 
   /// An `object` holds one.
@@ -284,8 +296,9 @@ class PovReader {
       clips.push_back(std::move(clip));
     }
     if (object.word == "object") return add(object.parts.front(), look, here, clips, into);
-    const bool is_clipped = !clips.empty() && object.word != "union";
-    if (is_clipped || (object.shape && object.shape->hole != 0)) return add_pieces(object, look, here, clips, into);
+    const bool is_clipped = !clips.empty() && object.word != "union" && !is_turned(object.word);
+    if (is_clipped || (object.shape && object.shape->hole != 0) || !object.pieces.empty())
+      return add_pieces(object, look, here, clips, into);
     if (object.shape) return add_shape(object, look, here, into);
     if (object.surface) return add_surface(object, look, here, into);
     if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);

@@ -9,6 +9,7 @@
 #include "durero/scene/solids.hpp"
 #include "io/losses.hpp"
 #include "pov_mesh.hpp"
+#include "pov_turned.hpp"
 
 namespace durero::io {
 namespace {
@@ -34,7 +35,8 @@ bool PovSolids::is_solid(const PovObject& object) {
     const bool has_axis = object.shape->ends.has_value();
     return has_axis ? object.shape->is_closed : scene::bounds_a_solid(scene::unmoved(object.shape->surface));
   }
-  return !is_of_triangles(object.word) && !object.parts.empty() && std::ranges::all_of(object.parts, is_solid);
+  return !is_of_triangles(object.word) && !is_turned(object.word) && !object.parts.empty() &&
+         std::ranges::all_of(object.parts, is_solid);
 }
 
 const ObjectMaterial* PovSolids::first_look(const PovObject& object) {
