@@ -100,7 +100,10 @@ class Text:
     def turned(self):
         """A line turned about an axis."""
         count = self.rng.randint(4, 7)
-        word, kind = self.rng.choice([("lathe", "linear_spline "), ("sor", "")])
+        word, kind = self.rng.choice([("lathe", "linear_spline "), ("lathe", "quadratic_spline "), ("lathe", "cubic_spline "),
+                                      ("lathe", "bezier_spline "), ("sor", "")])
+        if kind == "bezier_spline ":
+            count = self.rng.choice([4, 8])
         points = ", ".join(f"<{self.number(0.2, 1.5)}, {3 * i / count - 1.5:.4f}>" for i in range(count))
         return f"{word} {{ {kind}{count}, {points} {self.rng.choice(['', 'open']) if word == 'sor' else ''} sturm }}"
 

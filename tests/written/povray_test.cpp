@@ -1,4 +1,6 @@
 // POV-Ray's surfaces by demo/surfaces/algebraic.tex: what is imported is met where POV-Ray's own rules put it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -192,9 +194,55 @@ TEST_CASE("A lathe of lines is cones, cylinders and discs, without lids") {
   const Imported lid("lathe { 3, <0, 1>, <-2, 1>, <-2, 0> }");
   CHECK(lid.all().scene.shapes<scene::Disc>().size() == 1);
   CHECK(lid.all().scene.shapes<scene::Cylinder>().size() == 1);
-  CHECK(Imported("lathe { 2, <-1, 0>, <1, 2> }").loses("1 lathe of curves, or with a line across its axis, left out"));
-  CHECK(Imported("lathe { cubic_spline 4, <1, 0>, <1, 1>, <1, 2>, <1, 3> }").loses("1 lathe of curves, or with"));
+  CHECK(Imported("lathe { 2, <-1, 0>, <1, 2> }")
+            .loses("1 lathe with a line that crosses its axis or turns back left out"));
   CHECK(Imported("difference { sphere { 0, 1 } lathe { 3, <0, 1>, <2, 1>, <0, 0> } }").loses("1 solid left out"));
+}
+
+TEST_CASE("A lathe of curves turns each stretch from its first parameter to its last") {
+  // From (1, 0) to (1, 2) by (3, 1): at the height 2·t the radius is 1 + 4·t − 4·t².
+  const Imported bow(
+      "lathe { bezier_spline 4, <1, 0>, <2.3333333333333335, 0.66666666666666663>, "
+      "<2.3333333333333335, 1.3333333333333333>, <1, 2> translate y }");
+  REQUIRE(bow.size() == 1);
+  CHECK(std::abs(bow.first(V(-9, 2, 0), V(1, 0, 0)) - 7) < 1e-14);
+  CHECK(std::abs(bow.first(V(-9, 1.5, 0), V(1, 0, 0)) - 7.25) < 1e-14);
+  CHECK(bow.first(V(-9, 3.0000001, 0), V(1, 0, 0)) == never);
+  CHECK(bow.first(V(-9, 0.9999999, 0), V(1, 0, 0)) == never);
+  CHECK(bow.first(V(0, 9, 0), V(0, -1, 0)) == never);
+  // A parabola with the weights of quadratic_spline: from (1, 0) to (1, 1), with (2, −1) before them. Halfway its
+  // radius is that of 1 − t/2 + t²/2, 7/8.
+  const Imported parabola("lathe { quadratic_spline 3, <2, -1>, <1, 0>, <1, 1> }");
+  CHECK(parabola.first(V(-9, 0.5, 0), V(1, 0, 0)) == 9 - 0.875);
+  CHECK(parabola.first(V(-9, -0.5, 0), V(1, 0, 0)) == never);
+  CHECK(parabola.first(V(-9, 1.5, 0), V(1, 0, 0)) == never);
+  // Halfway a cubic has −1/16, 9/16, 9/16 and −1/16 of its points.
+  const Imported cubic("lathe { cubic_spline 4, <2, -1>, <1, 0>, <2, 1>, <5, 3> }");
+  CHECK(std::abs(cubic.first(V(-9, 0.4375, 0), V(1, 0, 0)) - (9 - 1.25)) < 1e-14);
+  const Imported line("lathe { cubic_spline 4, <1, 0>, <1, 1>, <1, 2>, <1, 3> }");
+  CHECK(line.all().scene.shapes<scene::Cylinder>().size() == 1);
+  CHECK(Imported("lathe { bezier_spline 4, <1, 0>, <1, 3>, <1, -1>, <1, 2> }").loses("1 lathe with a line that "));
+  const std::string two = "<0, -1>, <1, -1>, <2, -1>, <2, 0>, <2, 0>, <1, 0.5>, <2, 1>, <1, 1>";
+  CHECK(Imported("lathe { bezier_spline 8, " + two + " }").size() == 2);
+  CHECK_THROWS_AS(Imported("lathe { bezier_spline 5, <1, 0>, <1, 1>, <1, 2>, <1, 3>, <1, 4> }"), io::InputError);
+}
+
+TEST_CASE("A curve that crosses itself is there once, and its crossing belongs to it where it gets there") {
+  // (2 + (t² − 1), t·(t² − 1)) for t = −2 + 4·s, which passes (2, 0) at t = 1 and at t = −1; and parts of it.
+  const auto nodal = [](double from, double to) {
+    const auto at = [](double t) { return V(1 + t * t, t * t * t - t, 0); };
+    const auto slope = [](double t) { return V(2 * t, 3 * t * t - 1, 0); };
+    const double third = (to - from) / 3;
+    const V a = at(from), b = a + third * slope(from), d = at(to), c = d - third * slope(to);
+    std::string text = "lathe { bezier_spline 4";
+    for (const V& p : {a, b, c, d}) text += fmt::format(", <{}, {}>", p.x, p.y);
+    return Imported(text + " }");
+  };
+  CHECK(nodal(-4, 2).first(V(-9, 0, 0), V(1, 0, 0)) == 7);
+  CHECK(nodal(-0.5, 4).first(V(-9, 0, 0), V(1, 0, 0)) == 7);
+  CHECK(nodal(-0.5, 0.25).first(V(-9, 0, 0), V(1, 0, 0)) == 8);  // the point of t = 0
+  CHECK(nodal(2, 5).first(V(-9, 0, 0), V(1, 0, 0)) == never);
+  CHECK(nodal(-2, 2).first(V(-9, 0, 0), V(1, 0, 0)) == 7);
 }
 
 TEST_CASE("A sor has its radii at its points, slopes by their neighbours, and lids unless it is open") {

@@ -31,6 +31,7 @@ struct PovObject {
   std::optional<std::array<glm::dvec3, 2>> box{};  ///< its corners
   std::optional<PovSurface> surface{};
   std::vector<PovPiece> pieces{};  ///< that it consists of, where they are all
+  std::optional<PovElement> element{};
   std::vector<PovClip> clips{};    ///< by what it is clipped, as that is moved
   std::optional<PovClip> bound{};  ///< its bound, likewise, where it could clip
   std::optional<PovLight> light{};

@@ -168,7 +168,7 @@ class PovReader {
     if (parts)
       object.parts = *std::move(parts);
     else
-      ++left_out_["lathe of curves, or with a line across its axis,"];
+      ++left_out_["lathe with a line that crosses its axis or turns back"];
   }
 
   /// An `object` holds one.
@@ -300,7 +300,7 @@ class PovReader {
     if (is_clipped || (object.shape && object.shape->hole != 0) || !object.pieces.empty())
       return add_pieces(object, look, here, clips, into);
     if (object.shape) return add_shape(object, look, here, into);
-    if (object.surface) return add_surface(object, look, here, into);
+    if (object.surface || object.element) return add_surface(object, look, here, into);
     if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);
     scene::Group own;
     for (const PovObject& part : object.parts) add(part, look, here, clips, own);
@@ -421,9 +421,14 @@ class PovReader {
   }
 
   void add_surface(const PovObject& object, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
-    auto values = placed_surface(*object.surface, by);
+    auto values = object.element ? placed_element(*object.element, by) : placed_surface(*object.surface, by);
     if (!values) in_.fail(object.at, "numbers beyond binary64", "expected smaller ones");
-    add_written(type_of(*object.surface), *std::move(values), look, into);
+    if (!keeps_surfaces_) {
+      ++only_by_text_;
+      return;
+    }
+    if (object.element && object.element->is_rounded) ++counts_.rounded;
+    add_written(object.element ? object.element->type : type_of(*object.surface), *std::move(values), look, into);
   }
 
   void add_written(std::size_t type, std::vector<WrittenValue> values, const ObjectMaterial& look, scene::Group& into) {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "durero/io/pov/algebraic.hpp"
+#include "pov_curve.hpp"
+
 namespace durero::io {
 
 using number::Rational;
@@ -55,20 +58,35 @@ PovObject turned_line(std::size_t at, const TurnedPoint& a, const TurnedPoint& b
   return object;
 }
 
-std::optional<std::vector<PovObject>> lathe(PovWords& in, std::size_t at) {
-  bool is_straight = true;
-  if (!in.take("linear_spline"))
-    is_straight = !in.take("quadratic_spline") && !in.take("cubic_spline") && !in.take("bezier_spline");
-  in.comma();
-  const std::vector<TurnedPoint> points = turned_points(in, "lathe", 2);
-  if (!is_straight) return std::nullopt;
-  std::vector<PovObject> parts;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const TurnedPoint &a = points[i], &b = points[i + 1];
-    if ((a.radius < 0) != (b.radius < 0) && a.radius != 0 && b.radius != 0) return std::nullopt;
-    const bool is_point = a.radius == b.radius && a.height == b.height;
-    if (!is_point && (a.radius != 0 || b.radius != 0)) parts.push_back(turned_line(at, a, b));
+/// A part of a lathe, in parts of which none is a mere line on the axis; false where it has none.
+bool add_turned(std::size_t at, const PovStretch& stretch, std::vector<PovObject>& parts) {
+  if (!stretch.is_straight()) {
+    PovObject object{.at = at, .word = "lathe"};
+    object.element = PovElement{turned_curve, stretch.attributes(), stretch.is_rounded};
+    parts.push_back(std::move(object));
+    return true;
   }
+  const auto ends = stretch.line();
+  if (!ends) return false;
+  const TurnedPoint a{(*ends)[0].x, (*ends)[0].y}, b{(*ends)[1].x, (*ends)[1].y};
+  if ((a.radius < 0) != (b.radius < 0) && a.radius != 0 && b.radius != 0) return false;
+  const bool is_point = a.radius == b.radius && a.height == b.height;
+  if (!is_point && (a.radius != 0 || b.radius != 0)) parts.push_back(turned_line(at, a, b));
+  return true;
+}
+
+std::optional<std::vector<PovObject>> lathe(PovWords& in, std::size_t at) {
+  const PovCurveKind kind = take_curve_kind(in);
+  in.comma();
+  const std::size_t count_at = in.offset();
+  std::vector<glm::dvec2> points;
+  for (const TurnedPoint& point : turned_points(in, "lathe", least_points(kind)))
+    points.emplace_back(point.radius, point.height);
+  if (kind == PovCurveKind::bezier && points.size() % 4 != 0)
+    in.fail(count_at, fmt::format("{} points of Bézier curves", points.size()), "expected four for each");
+  std::vector<PovObject> parts;
+  for (const PovStretch& stretch : stretches_of(kind, points))
+    if (!add_turned(at, stretch, parts)) return std::nullopt;
   return parts;
 }
 

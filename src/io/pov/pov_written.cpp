@@ -32,6 +32,12 @@ WrittenType placed_type(std::string word, std::vector<WrittenAttribute> own) {
 /// The letters of the quadrics that clip in the space of a surface, and in that of a clip.
 constexpr char own_letters[] = {'p', 'q'}, clip_letters[] = {'a', 'b', 'c'};
 
+std::vector<WrittenAttribute> numbers_named(std::initializer_list<const char*> words) {
+  std::vector<WrittenAttribute> all;
+  for (const char* const word : words) all.push_back({word, WrittenKind::number});
+  return all;
+}
+
 std::vector<WrittenAttribute> attributes_of_clipped() {
   std::vector<WrittenAttribute> all = holders_of_coefficients();
   for (const char letter : {'p', 'q', 'a', 'b', 'c'}) {
@@ -47,9 +53,10 @@ std::vector<WrittenAttribute> attributes_of_clipped() {
 }  // namespace
 
 std::span<const WrittenType> algebraic_types() {
-  static const std::array<WrittenType, 3> types{
+  static const std::vector<WrittenType> types{
       placed_type("toro_oblicuo", {{"mayor", WrittenKind::number}, {"menor", WrittenKind::number}}),
-      placed_type("cuartica", holders_of_coefficients()), placed_type("recorte", attributes_of_clipped())};
+      placed_type("cuartica", holders_of_coefficients()), placed_type("recorte", attributes_of_clipped()),
+      placed_type("torneado", numbers_named({"r_0", "r_1", "r_2", "r_3", "h_0", "h_1", "h_2", "h_3"}))};
   return types;
 }
 
@@ -96,6 +103,10 @@ void PovAttributes::set_clip_place(const PovTransform& by) {
   values_["ejes_corte"] = scene::Corners{by.linear[0], by.linear[1], by.linear[2]};
 }
 
+void PovAttributes::set_all(const ValuesByWord& values) {
+  for (const auto& [word, value] : values) values_.insert_or_assign(word, value);
+}
+
 void PovAttributes::set_number(const std::string& word, const Rational& value) { values_[word] = rounded(value); }
 
 namespace {
@@ -116,6 +127,13 @@ std::optional<std::vector<WrittenValue>> PovAttributes::of_type(std::size_t type
     attributes.push_back(values_.at(attribute.word));
   if (!is_finite_ || !std::ranges::all_of(attributes, is_finite_value)) return std::nullopt;
   return attributes;
+}
+
+std::optional<std::vector<WrittenValue>> placed_element(const PovElement& element, const PovTransform& by) {
+  PovAttributes attributes;
+  attributes.set_all(element.own);
+  attributes.set_place(by);
+  return has_way_back(by) ? attributes.of_type(element.type) : std::nullopt;
 }
 
 std::optional<std::vector<WrittenValue>> clipped_piece(const PovPiece& piece, const PovClip* clip,

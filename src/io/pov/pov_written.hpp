@@ -25,6 +25,13 @@ struct PovPiece {
   bool is_rounded = false;  ///< its place is not quite that of the text
 };
 
+/// An element of a type of algebraic_types(), by its attributes but for its place.
+struct PovElement {
+  std::size_t type;
+  ValuesByWord own{};
+  bool is_rounded = false;  ///< its attributes are not quite those of the text
+};
+
 /// What clips surfaces, in a space of its own: where one to three polynomials of degree two at most are not above 0, or
 /// what lies outside of there.
 struct PovClip {
@@ -46,6 +53,7 @@ class PovAttributes {
   void set_clip_place(const PovTransform& by);
   /// @}
   void set_number(const std::string& word, const number::Rational& value);
+  void set_all(const ValuesByWord& values);
 
   /// The values, in step with the attributes of that type; nothing where one is beyond binary64.
   std::optional<std::vector<WrittenValue>> of_type(std::size_t type) const;
@@ -58,6 +66,9 @@ class PovAttributes {
   ValuesByWord values_{};
   bool is_rounded_ = false, is_finite_ = true;
 };
+
+/// The attributes of an element where a transformation puts it; nothing where that is beyond binary64.
+std::optional<std::vector<WrittenValue>> placed_element(const PovElement& element, const PovTransform& by);
 
 /// A piece as an element of the type `recorte`, where a transformation puts it; perhaps clipped. Nothing where a number
 /// is beyond binary64 or a place has no way back. Sets is_rounded where the element is not quite the piece.

@@ -9,9 +9,9 @@
 
 namespace durero::io {
 
-/// @{ The places of the types: a torus that an affine map has moved, any surface of degree four at most, and part of
-/// one.
-inline constexpr std::size_t moved_torus = 0, quartic = 1, clipped_surface = 2;
+/// @{ The places of the types: a torus that an affine map has moved, any surface of degree four at most, part of
+/// one, and a curve turned about an axis.
+inline constexpr std::size_t moved_torus = 0, quartic = 1, clipped_surface = 2, turned_curve = 3;
 /// @}
 
 /// The types, with the attributes that the text gives them.
