@@ -3,7 +3,7 @@
 them.
 
 Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, tori, quadrics and
-quartics, lathes, sors, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
+quartics, lathes, sors, superellipsoids, blobs, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
 intersection and difference, all moved by transformations of every kind, made by macros and loops, and placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
 than its own tolerance, which is 0.0001 of a polynomial, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
 passes where one of these has its answer. Exit status 77 (skipped) where POV-Ray is absent (Debian: povray).
@@ -109,9 +109,15 @@ class Text:
 
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 14)
+        kind = self.rng.randint(0, 16)
         if kind == 14:
             return self.turned()
+        if kind == 15:
+            exponents = self.rng.choice(["0.5, 0.25", "1, 0.5", "1, 2", "2, 2", "0.2, 0.2", "2, 1", "0.5, 1"])
+            return f"superellipsoid {{ <{exponents}> }}"
+        if kind == 16:
+            parts = " ".join(f"sphere {{ {self.point(1)}, {self.number(1, 2)}, {self.number(0.7, 1.5)} }}" for _ in range(3))
+            return f"blob {{ threshold 0.6 {parts} cylinder {{ {self.point(1)}, {self.point(1)}, 1, -0.5 }} sturm }}"
         if kind == 12:
             return self.clipped()
         if kind == 13:

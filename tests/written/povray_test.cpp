@@ -266,5 +266,57 @@ TEST_CASE("A sor has its radii at its points, slopes by their neighbours, and li
     CHECK_THROWS_AS(Imported("sor { 4, " + std::string(wrong) + " }"), io::InputError);
 }
 
+TEST_CASE("A superellipsoid has the exponents of POV-Ray, whichever are odd or below 1") {
+  // (x⁴ + y⁴)² + z⁸ = 1: a = 4, b = 8.
+  const Imported even("superellipsoid { <0.5, 0.25> translate 4*x }");
+  REQUIRE(even.size() == 1);
+  CHECK(even.first(V(-9, 0, 0), V(1, 0, 0)) == 12);
+  CHECK(std::abs(even.first(V(-9, 0.5, 0.5), V(1, 0, 0)) -
+                 (13 - std::pow(std::sqrt(1 - std::pow(0.5, 8)) - 0.0625, 0.25))) < 1e-14);
+  // (|x| + |y|)² + |z| = 1: a = 1, b = 1 times 2, and the square root of both sides is of no use.
+  const Imported odd("superellipsoid { <2, 1> }");
+  CHECK(std::abs(odd.first(V(-9, -0.25, -0.5), V(1, 0, 0)) - (9 - (std::sqrt(0.75) - 0.25))) < 1e-14);
+  CHECK(odd.first(V(-9, 0.75, 0.75), V(1, 0, 0)) == never);
+  // √(x² + y²) + |z| = 1, two cones: a = 2, b = 1, the exponent is 1/2.
+  const Imported cones("superellipsoid { <1, 2> scale <1, 1, -2> }");
+  CHECK(cones.first(V(-9, 0, -1), V(1, 0, 0)) == 8.5);
+  CHECK(cones.first(V(-9, 0, 1), V(1, 0, 0)) == 8.5);
+  CHECK(cones.first(V(-9, 0, 2.5), V(1, 0, 0)) == never);  // a cone has another half
+  const Imported octahedron("superellipsoid { <2, 2> }");
+  CHECK(octahedron.first(V(-9, 0.25, -0.25), V(1, 0, 0)) == 8.5);
+  for (const char* const exponents : {"0.3, 1", "1, 0.01", "0.4, 0.25"})
+    CHECK(
+        Imported("superellipsoid { <" + std::string(exponents) + "> }").loses("1 superellipsoid of too high a degree"));
+  CHECK_THROWS_AS(Imported("superellipsoid { <0, 1> }"), io::InputError);
+}
+
+TEST_CASE("A blob is where densities add up to its threshold, and each ends at its radius") {
+  // (1 − x²/4)² = 9/16 at x = 1.
+  const Imported one("blob { threshold 0.5625 sphere { 0, 2, 1 } translate x }");
+  REQUIRE(one.size() == 1);
+  CHECK(one.first(V(-9, 0, 0), V(1, 0, 0)) == 9);
+  // With a second one about (3, 0, 0): at 3/2 both have (1 − 9/16)², beyond 2 the first one has none.
+  const Imported two("blob { threshold 0.5625 sphere { 0, 2, 1 } component 1, 2, <3, 0, 0> }");
+  CHECK(two.first(V(-9, 0, 0), V(1, 0, 0)) == 8);
+  // At 1.5 the sum is 2·(7/16)², less than the threshold; at 2 the second alone has that.
+  CHECK(two.first(V(1.5, 0, 0), V(1, 0, 0)) == 0.5);
+  const Imported strong("blob { threshold 0.5625 sphere { 0, 2, strength 2 } sphere { 0, 2, -1 scale 1 } }");
+  CHECK(strong.first(V(-9, 0, 0), V(1, 0, 0)) == 8);
+  const Imported rod("blob { threshold 0.5625 cylinder { -x, 3*x, 2, 1 } translate x rotate 90*z }");
+  CHECK(rod.first(V(9, 2, 0), V(-1, 0, 0)) == 8);
+  CHECK(rod.first(V(0, -9, 0), V(0, 1, 0)) == 8);
+  CHECK(rod.first(V(0, 9, 0), V(0, -1, 0)) == 4);
+  const Imported scaled(
+      "blob { threshold 0.5625 sphere { 0, 1, 1 scale 2 translate 3*y texture { pigment { rgb 1 } } } }");
+  CHECK(scaled.first(V(-9, 3, 0), V(1, 0, 0)) == 8);
+  CHECK(scaled.loses("1 texture of parts of a blob left out"));
+  const std::string ball = " sphere { 0, 2, 0.5 }";
+  CHECK(Imported("blob {" + ball + ball + ball + ball + ball + ball + " }").size() == 1);
+  CHECK(Imported("blob {" + ball + ball + ball + ball + ball + ball + ball + " }").loses("1 blob of too many parts"));
+  CHECK(
+      Imported("blob {" + ball + " sphere { 0, 2, 1 scale <1, 2, 1> } }").loses("1 blob of too many parts, or one m"));
+  CHECK(Imported("difference { sphere { 0, 1 } blob {" + ball + " } }").loses("1 solid left out"));
+}
+
 }  // namespace
 }  // namespace durero::written

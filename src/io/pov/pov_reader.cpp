@@ -27,6 +27,7 @@
 #include "pov_stage.hpp"
 #include "pov_transform.hpp"
 #include "pov_turned.hpp"
+#include "pov_written_shapes.hpp"
 
 namespace durero::io {
 namespace {
@@ -34,12 +35,12 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
-                           holders[] = {"mesh",         "mesh2",      "polygon", "union", "object", "merge",
-                                        "intersection", "difference", "box",     "prism", "lathe",  "sor"};
+                           holders[] = {"mesh",  "mesh2",        "polygon",        "union", "object",
+                                        "merge", "intersection", "difference",     "box",   "prism",
+                                        "lathe", "sor",          "superellipsoid", "blob"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "blob",  "height_field",  "isosurface",
-                                       "julia_fractal", "lemon", "ovus",          "parametric",
-                                       "sphere_sweep",  "text",  "superellipsoid"};
+constexpr std::string_view others[] = {"bicubic_patch", "height_field", "isosurface",   "julia_fractal", "lemon",
+                                       "ovus",          "parametric",   "sphere_sweep", "text"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
@@ -113,7 +114,7 @@ class PovReader {
  private:
   struct Counts {
     std::size_t aligned = 0, empty = 0, bare = 0, rounded_rims = 0, unseen = 0, part_seen = 0, colored_shadows = 0,
-                attributes = 0, solids = 0, clipped = 0, rounded = 0, bounded = 0, zeros = 0;
+                attributes = 0, solids = 0, clipped = 0, rounded = 0, bounded = 0, zeros = 0, part_looks = 0;
   };
 
   [[noreturn]] void fail_unknown(const std::string& where, std::initializer_list<Words> expected) const {
@@ -147,6 +148,8 @@ class PovReader {
       read_triangles(object);
     else if (is_turned(object.word))
       read_turned(object);
+    else if (object.word == "superellipsoid" || object.word == "blob")
+      read_element(object);
     else
       read_parts(object, depth);
     object.text = in_.passed(from);
@@ -160,6 +163,14 @@ class PovReader {
     if (object.surface && !keeps_surfaces_) ++only_by_text_;
     if (object.surface) return;
     ++left_out_[object.word == "poly" ? "poly of degree five or more" : "torus that passes through itself, in part,"];
+  }
+
+  void read_element(PovObject& object) {
+    const bool is_blob = object.word == "blob";
+    object.element = is_blob ? read_pov_blob(in_, counts_.part_looks) : read_pov_superellipsoid(in_);
+    object.is_left_out = !object.element;
+    if (!object.element)
+      ++left_out_[is_blob ? "blob of too many parts, or one moved otherwise," : "superellipsoid of too high a degree"];
   }
 
   void read_turned(PovObject& object) {
@@ -532,6 +543,7 @@ class PovReader {
     add_loss(lost, only_by_text_, "surface", "surfaces", "left out: a scene has such by a Z text alone (--with)");
     add_loss(lost, counts_.solids, "solid", "solids", "left out: a part of it bounds nothing that a scene has");
     add_loss(lost, counts_.clipped, "object", "objects", "left out: clipped_by");
+    add_loss(lost, counts_.part_looks, "texture", "textures", "of parts of a blob left out: a surface has one");
     add_loss(lost, counts_.rounded, "surface", "surfaces", "by a Z text, with rounded numbers");
     add_loss(lost, counts_.bounded, "bounded_by", "bounded_by",
              "left out: it may cut, where POV-Ray shows a thing only to rays that meet its bound");

@@ -38,6 +38,15 @@ std::vector<WrittenAttribute> numbers_named(std::initializer_list<const char*> w
   return all;
 }
 
+std::vector<WrittenAttribute> attributes_of_blob() {
+  std::vector<WrittenAttribute> all{{"umbral", WrittenKind::number}};
+  for (char i = '1'; i <= '6'; ++i)
+    for (const char letter : {'c', 'v', 'r', 'f'})
+      all.push_back(
+          {std::string{letter, '_', i}, letter == 'c' || letter == 'v' ? WrittenKind::triple : WrittenKind::number});
+  return all;
+}
+
 std::vector<WrittenAttribute> attributes_of_clipped() {
   std::vector<WrittenAttribute> all = holders_of_coefficients();
   for (const char letter : {'p', 'q', 'a', 'b', 'c'}) {
@@ -55,8 +64,11 @@ std::vector<WrittenAttribute> attributes_of_clipped() {
 std::span<const WrittenType> algebraic_types() {
   static const std::vector<WrittenType> types{
       placed_type("toro_oblicuo", {{"mayor", WrittenKind::number}, {"menor", WrittenKind::number}}),
-      placed_type("cuartica", holders_of_coefficients()), placed_type("recorte", attributes_of_clipped()),
-      placed_type("torneado", numbers_named({"r_0", "r_1", "r_2", "r_3", "h_0", "h_1", "h_2", "h_3"}))};
+      placed_type("cuartica", holders_of_coefficients()),
+      placed_type("recorte", attributes_of_clipped()),
+      placed_type("torneado", numbers_named({"r_0", "r_1", "r_2", "r_3", "h_0", "h_1", "h_2", "h_3"})),
+      placed_type("superelipsoide", numbers_named({"a", "b", "p", "q", "impar_a", "impar_b"})),
+      placed_type("gotas", attributes_of_blob())};
   return types;
 }
 
