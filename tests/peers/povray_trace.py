@@ -3,7 +3,7 @@
 them.
 
 Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, tori, quadrics and
-quartics, lathes, sors, superellipsoids, blobs, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
+quartics, lathes, sors, superellipsoids, blobs, isosurfaces, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
 intersection and difference, all moved by transformations of every kind, made by macros and loops, and placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
 than its own tolerance, which is 0.0001 of a polynomial, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
 passes where one of these has its answer. Exit status 77 (skipped) where POV-Ray is absent (Debian: povray).
@@ -109,7 +109,12 @@ class Text:
 
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 16)
+        kind = self.rng.randint(0, 17)
+        if kind == 17:
+            function = self.rng.choice(["x*x*y - z*z/2 + 0.25*x", "x*y*z - 0.1", "pow(x,4) + pow(y,4) + pow(z,4) - x*x - z*z + 0.2"])
+            by = self.rng.choice(["box { -1.2, <1, 1.3, 1.1> }", "sphere { 0.1, 1.3 }"])
+            return (f"isosurface {{ function {{ {function} }} contained_by {{ {by} }} max_gradient 40 accuracy 0.0000001 "
+                    f"{self.rng.choice(['', 'open'])} }}")
         if kind == 14:
             return self.turned()
         if kind == 15:

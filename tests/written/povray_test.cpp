@@ -318,5 +318,36 @@ TEST_CASE("A blob is where densities add up to its threshold, and each ends at i
   CHECK(Imported("difference { sphere { 0, 1 } blob {" + ball + " } }").loses("1 solid left out"));
 }
 
+TEST_CASE(
+    "An isosurface of a polynomial is where it has its threshold, with the lids of its container unless it is open") {
+  const std::string bowl = "function { x*x + pow(z, 2) - y } contained_by { box { <-2, 0, -2>, <2, 1, 2> } }";
+  const Imported open("isosurface { " + bowl + " open max_gradient 5 accuracy 0.001 translate 3*x }");
+  REQUIRE(open.size() == 1);
+  CHECK(open.first(V(3, 9, 0.5), V(0, -1, 0)) == 8.75);
+  CHECK(open.first(V(3, 9, 1.5), V(0, -1, 0)) == never);
+  CHECK(open.first(V(-9, 0.25, 0), V(1, 0, 0)) == 11.5);
+  const Imported closed("isosurface { " + bowl + " }");
+  CHECK(closed.size() == 7);
+  CHECK(closed.first(V(0, 9, 0.5), V(0, -1, 0)) == 8);
+  CHECK(closed.first(V(0, 9, 1.5), V(0, -1, 0)) == never);
+  CHECK(closed.first(V(-9, 0.25, 0), V(1, 0, 0)) == 8.5);
+  const Imported ball(
+      "#declare K = -4; isosurface { function { -K*(x*x + y*y)/4 + z*z*z*z + K - -1 } threshold -2 contained_by { "
+      "sphere { 0, 0.75 } } }");
+  CHECK(ball.size() == 2);
+  CHECK(ball.first(V(-9, 0, 0), V(1, 0, 0)) == 8.25);  // 9/16 − 3 is below −2
+  const Imported own("isosurface { function { x } }");
+  CHECK(own.first(V(-9, 0.5, 0), V(1, 0, 0)) == 8);
+  CHECK(own.first(V(9, 0.5, 0), V(-1, 0, 0)) == 9);
+  CHECK(own.first(V(9, 1.5, 0), V(-1, 0, 0)) == never);
+  CHECK(Imported("isosurface { function { x } threshold 0.5 }").first(V(9, 0.5, 0), V(-1, 0, 0)) == 8.5);
+  CHECK(Imported("isosurface { " + bowl + " clipped_by { plane { x, 0 } } }").loses("1 object left out: clipped_by"));
+  for (const char* const other : {"sin(x)", "x/y", "pow(x, 1.5)", "pow(x, y)", "x*x*x*x*x", "sqrt(x)", "2",
+                                  "x*(y)*z*z*z", "f_sphere(x, y, z, 1)"})
+    CHECK(Imported("isosurface { function { " + std::string(other) + " } }")
+              .loses("1 isosurface of no polynomial, or of a degree above four, left out"));
+  CHECK_THROWS_AS(Imported("isosurface { function { x } contained_by { plane { y, 0 } } }"), io::InputError);
+}
+
 }  // namespace
 }  // namespace durero::written

@@ -130,6 +130,22 @@ std::optional<std::vector<PovPiece>> pieces_of_shape(const PovShape& shape) {
 
 }  // namespace
 
+std::vector<PovClip> faces_of_box(const std::array<glm::dvec3, 2>& box) {
+  std::vector<PovClip> all;
+  for (PovPiece& face : pieces_of_box(box))
+    all.push_back({{std::move(face.equation), face.within[0], face.within[1]}, false, face.place, face.is_rounded});
+  return all;
+}
+
+PovClip inside_of_box(const std::array<glm::dvec3, 2>& box) {
+  const PovSpace space = space_of_box(box);
+  return {{between_ends(0), between_ends(1), between_ends(2)}, false, space.place, space.is_rounded};
+}
+
+PovClip inside_of_ball(const scene::Sphere& ball) {
+  return {{squared_length() - 1.0}, false, space_of_ball(ball.centro, ball.radio).place};
+}
+
 std::optional<std::vector<PovPiece>> pieces_of(const PovObject& object) {
   if (!object.pieces.empty()) return object.pieces;
   if (object.box) return pieces_of_box(*object.box);
@@ -145,7 +161,7 @@ std::optional<PovClip> own_clip(const PovObject& object) {
   const auto clip = [](std::vector<PovPolynomial> within, PovSpace space) {
     return PovClip{std::move(within), false, space.place, space.is_rounded};
   };
-  if (object.box) return clip({between_ends(0), between_ends(1), between_ends(2)}, space_of_box(*object.box));
+  if (object.box) return inside_of_box(*object.box);
   if (object.surface && object.surface->polynomial.degree() <= 2) return clip({object.surface->polynomial}, {});
   if (!object.shape) return std::nullopt;
   const PovShape& shape = *object.shape;
@@ -153,8 +169,7 @@ std::optional<PovClip> own_clip(const PovObject& object) {
     const auto space = (*shape.ends)[0].radius > 0 ? space_about(*shape.ends) : std::nullopt;
     return space ? std::optional(clip({wall(*shape.ends), between_ends(1)}, *space)) : std::nullopt;
   }
-  if (const auto* const sphere = std::get_if<scene::Sphere>(&shape.surface))
-    return clip({squared_length() - 1.0}, space_of_ball(sphere->centro, sphere->radio));
+  if (const auto* const sphere = std::get_if<scene::Sphere>(&shape.surface)) return inside_of_ball(*sphere);
   if (const auto* const plane = std::get_if<scene::Plane>(&shape.surface))
     return clip({plane_of(plane->vector, shape.distance.value_or(0))}, {});
   return std::nullopt;

@@ -12,6 +12,12 @@ namespace durero::io {
 /// cylinder, cone, disc, plane, box or surface of degree four at most.
 std::optional<std::vector<PovPiece>> pieces_of(const PovObject& object);
 
+/// @{ The inside of a box and that of a ball, as clips: of the first polynomial of each the others leave a face.
+std::vector<PovClip> faces_of_box(const std::array<glm::dvec3, 2>& box);
+PovClip inside_of_box(const std::array<glm::dvec3, 2>& box);
+PovClip inside_of_ball(const scene::Sphere& ball);
+/// @}
+
 /// The inside of all of these objects, as they are moved, as one clip; nothing where it takes another form, as a union
 /// does, or more than three quadrics.
 std::optional<PovClip> clip_by(const std::vector<PovObject>& objects);

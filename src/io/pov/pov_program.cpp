@@ -225,7 +225,12 @@ void PovProgram::emit_block_as_it_stands() {
   std::size_t open = 0;
   do {
     const PovToken token = take_raw("expected } for each {");
-    keep(token);
+    const auto known = token.is_name() ? find(token.text) : nullptr;
+    const auto* const numbers = known ? std::get_if<PovNumbers>(&known->of) : nullptr;
+    if (numbers != nullptr && numbers->count == 1)
+      emit(*numbers, token);
+    else
+      keep(token);
     if (token.text == "{") ++open;
     if (token.text == "}") --open;
   } while (open > 0 || sink_->back().text == "function");

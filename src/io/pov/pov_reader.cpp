@@ -17,6 +17,7 @@
 #include "io/losses.hpp"
 #include "io/mesh/numbered_materials.hpp"
 #include "pov_bounds.hpp"
+#include "pov_isosurface.hpp"
 #include "pov_look.hpp"
 #include "pov_mesh.hpp"
 #include "pov_pattern.hpp"
@@ -37,10 +38,10 @@ using Words = std::span<const std::string_view>;
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
                            holders[] = {"mesh",  "mesh2",        "polygon",        "union", "object",
                                         "merge", "intersection", "difference",     "box",   "prism",
-                                        "lathe", "sor",          "superellipsoid", "blob"};
+                                        "lathe", "sor",          "superellipsoid", "blob",  "isosurface"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "height_field", "isosurface",   "julia_fractal", "lemon",
-                                       "ovus",          "parametric",   "sphere_sweep", "text"};
+constexpr std::string_view others[] = {"bicubic_patch", "height_field", "julia_fractal", "lemon",
+                                       "ovus",          "parametric",   "sphere_sweep",  "text"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
@@ -148,6 +149,8 @@ class PovReader {
       read_triangles(object);
     else if (is_turned(object.word))
       read_turned(object);
+    else if (object.word == "isosurface")
+      read_isosurface(object);
     else if (object.word == "superellipsoid" || object.word == "blob")
       read_element(object);
     else
@@ -163,6 +166,15 @@ class PovReader {
     if (object.surface && !keeps_surfaces_) ++only_by_text_;
     if (object.surface) return;
     ++left_out_[object.word == "poly" ? "poly of degree five or more" : "torus that passes through itself, in part,"];
+  }
+
+  void read_isosurface(PovObject& object) {
+    auto pieces = read_pov_isosurface(in_);
+    object.is_left_out = !pieces;
+    if (pieces)
+      object.pieces = *std::move(pieces);
+    else
+      ++left_out_["isosurface of no polynomial, or of a degree above four,"];
   }
 
   void read_element(PovObject& object) {
@@ -326,12 +338,12 @@ class PovReader {
     const auto pieces = pieces_of(object);
     const auto clip = clips.empty() ? std::nullopt : common_clip(clips);
     if (!pieces || clip.has_value() == clips.empty()) return count_clipped();
-    std::vector<std::vector<WrittenValue>> elements;
+    std::vector<std::pair<std::size_t, std::vector<WrittenValue>>> elements;
     bool is_rounded = false;
     for (const PovPiece& piece : *pieces) {
       auto values = clipped_piece(piece, clip ? &*clip : nullptr, by, is_rounded);
       if (!values) return count_clipped();
-      elements.push_back(*std::move(values));
+      elements.emplace_back(piece.is_lid ? lid_of_surface : clipped_surface, *std::move(values));
     }
     if (!keeps_surfaces_) {
       ++only_by_text_;
@@ -339,7 +351,7 @@ class PovReader {
     }
     if (is_rounded) ++counts_.rounded;
     scene::Group own;
-    for (auto& values : elements) add_written(clipped_surface, std::move(values), look, own);
+    for (auto& [type, values] : elements) add_written(type, std::move(values), look, own);
     if (elements.size() == 1) return into.elementos.merge(own.elementos);
     add_group(numbered('u', unions_), std::move(own), into);
   }

@@ -66,6 +66,7 @@ std::span<const WrittenType> algebraic_types() {
       placed_type("toro_oblicuo", {{"mayor", WrittenKind::number}, {"menor", WrittenKind::number}}),
       placed_type("cuartica", holders_of_coefficients()),
       placed_type("recorte", attributes_of_clipped()),
+      placed_type("tapa", attributes_of_clipped()),
       placed_type("torneado", numbers_named({"r_0", "r_1", "r_2", "r_3", "h_0", "h_1", "h_2", "h_3"})),
       placed_type("superelipsoide", numbers_named({"a", "b", "p", "q", "impar_a", "impar_b"})),
       placed_type("gotas", attributes_of_blob())};
@@ -159,15 +160,19 @@ std::optional<std::vector<WrittenValue>> clipped_piece(const PovPiece& piece, co
   };
   for (std::size_t i = 0; i < std::size(own_letters); ++i)
     attributes.set_quadric(own_letters[i], within(piece.within, i));
-  const PovClip none;
-  const PovClip& cut = clip != nullptr ? *clip : none;
+  if (clip != nullptr && piece.clip) return std::nullopt;
+  PovClip cut = clip != nullptr ? *clip : PovClip();
+  if (piece.clip) {
+    cut = *piece.clip;
+    cut.place = cut.place.then(by);
+  }
   for (std::size_t i = 0; i < std::size(clip_letters); ++i)
     attributes.set_quadric(clip_letters[i], within(cut.within, i));
   attributes.set_clip_place(cut.place);
   attributes.set_number("fuera", cut.is_outside ? 1 : 0);
-  auto values = attributes.of_type(clipped_surface);
+  auto values = attributes.of_type(piece.is_lid ? lid_of_surface : clipped_surface);
   if (!values || !has_way_back(place) || !has_way_back(cut.place)) return std::nullopt;
-  const bool is_moved = !by.is_identity() && !piece.place.is_identity();
+  const bool is_moved = !by.is_identity() && (!piece.place.is_identity() || piece.clip);
   is_rounded = is_rounded || piece.is_rounded || cut.is_rounded || is_moved || attributes.is_rounded();
   return values;
 }

@@ -16,22 +16,6 @@ namespace durero::io {
 /// The values of attributes by their words.
 using ValuesByWord = std::map<std::string, WrittenValue, std::less<>>;
 
-/// Part of a surface, in a space of its own: the zeros of a polynomial of degree four at most where one or two
-/// polynomials of degree two at most are not above 0.
-struct PovPiece {
-  PovPolynomial equation{};
-  std::vector<PovPolynomial> within{};
-  PovTransform place{};     ///< of that space
-  bool is_rounded = false;  ///< its place is not quite that of the text
-};
-
-/// An element of a type of algebraic_types(), by its attributes but for its place.
-struct PovElement {
-  std::size_t type;
-  ValuesByWord own{};
-  bool is_rounded = false;  ///< its attributes are not quite those of the text
-};
-
 /// What clips surfaces, in a space of its own: where one to three polynomials of degree two at most are not above 0, or
 /// what lies outside of there.
 struct PovClip {
@@ -39,6 +23,24 @@ struct PovClip {
   bool is_outside = false;
   PovTransform place{};
   bool is_rounded = false;
+};
+
+/// Part of a surface, in a space of its own: the zeros of a polynomial of degree four at most where one or two
+/// polynomials of degree two at most are not above 0.
+struct PovPiece {
+  PovPolynomial equation{};
+  std::vector<PovPolynomial> within{};
+  PovTransform place{};           ///< of that space
+  bool is_rounded = false;        ///< its place is not quite that of the text
+  std::optional<PovClip> clip{};  ///< its own, in the space of the whole
+  bool is_lid = false;            ///< it is the first polynomial of that clip, clipped by the equation
+};
+
+/// An element of a type of algebraic_types(), by its attributes but for its place.
+struct PovElement {
+  std::size_t type;
+  ValuesByWord own{};
+  bool is_rounded = false;  ///< its attributes are not quite those of the text
 };
 
 /// Makes values of attributes, and tells what of them is rounded.
@@ -70,8 +72,9 @@ class PovAttributes {
 /// The attributes of an element where a transformation puts it; nothing where that is beyond binary64.
 std::optional<std::vector<WrittenValue>> placed_element(const PovElement& element, const PovTransform& by);
 
-/// A piece as an element of the type `recorte`, where a transformation puts it; perhaps clipped. Nothing where a number
-/// is beyond binary64 or a place has no way back. Sets is_rounded where the element is not quite the piece.
+/// A piece as an element of the type `recorte`, or `tapa`, where a transformation puts it; perhaps clipped by what is
+/// moved already. Nothing where it has two clips, where a number is beyond binary64 or a place has no way back. Sets
+/// is_rounded where the element is not quite the piece.
 std::optional<std::vector<WrittenValue>> clipped_piece(const PovPiece& piece, const PovClip* clip,
                                                        const PovTransform& by, bool& is_rounded);
 
