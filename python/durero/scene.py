@@ -141,12 +141,15 @@ class Scene(Mapping[str, Element]):
         *,
         triangles: Optional[Literal["mesh", "single"]] = None,
         root: Optional[_Path] = None,
+        surfaces: Optional[_Path] = None,
     ) -> Imported:
         """Reads a scene in any format that `durero import` knows, by the ending of the name. Raises InputError at the
         first thing that is wrong, and OSError.
 
         `triangles` become faces of a mesh, or each an element, `single`; without it as the format has them. The files
-        that a text names lie in the folder `root` or beneath it, without it in the text's own.
+        that a text names lie in the folder `root` or beneath it, without it in the text's own. `surfaces` is a Z text,
+        such as demo/surfaces/algebraic.tex, that says what the points of POV-Ray's algebraic surfaces are: these are
+        kept then, and the scene is one of that text, as by load. Raises ValueError where it lacks a type of these.
 
         >>> import pathlib, tempfile
         >>> file = pathlib.Path(tempfile.mkdtemp(), "ball.nff")
@@ -159,7 +162,12 @@ class Scene(Mapping[str, Element]):
             raise ValueError(f"triangles is {triangles!r}; expected 'mesh' or 'single'")
         scene = cls()
         in_meshes = None if triangles is None else triangles == "mesh"
-        scene._scene, lost = _durero.import_file(os.fspath(path), "" if root is None else os.fspath(root), in_meshes)
+        scene._scene, lost = _durero.import_file(
+            os.fspath(path),
+            "" if root is None else os.fspath(root),
+            in_meshes,
+            None if surfaces is None else os.fspath(surfaces),
+        )
         return Imported(scene, tuple(lost))
 
     def export_file(self, path: _Path, *, binary: bool = False) -> Tuple[str, ...]:

@@ -2,6 +2,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "bindings.hpp"
@@ -10,6 +11,7 @@
 #include "durero/io/formats.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/output_file.hpp"
+#include "durero/io/pov/algebraic.hpp"
 #include "durero/render/output/tone.hpp"
 #include "durero/render/render.hpp"
 #include "durero/scene/addition.hpp"
@@ -327,14 +329,30 @@ py::array render(const Scene& scene, const Size& size, const std::string& engine
   return py::array_t<std::uint8_t>({height, width, py::ssize_t{3}}, pixels->data(), owner);
 }
 
-/// The scene of a file in any format, and what it lost on the way.
+/// Checks that a text has the types that elements are of, before they are read by it.
+void require_types(const written::Text& text, const io::WrittenByName& surfaces) {
+  for (const auto& [name, element] : surfaces) {
+    const io::WrittenType& type = io::algebraic_types()[element.type];
+    if (std::ranges::find(text.types(), type) == text.types().end())
+      throw std::invalid_argument(
+          fmt::format("{} declares no {} as POV-Ray's surfaces need it; expected a text such as "
+                      "demo/surfaces/algebraic.tex",
+                      text.file(), type.word));
+  }
+}
+
+/// The scene of a file in any format, and what it lost on the way; perhaps by a Z text.
 std::pair<Scene, std::vector<std::string>> import_file(const std::string& path, const std::string& root,
-                                                       std::optional<bool> in_meshes) {
-  io::Imported read = [&] {
-    const py::gil_scoped_release released;
-    return io::import_file(path, {.root = root}, in_meshes);
-  }();
-  return {Scene(scene::GroupedScene{std::move(read.scene), std::move(read.groups)}), std::move(read.lost)};
+                                                       std::optional<bool> in_meshes,
+                                                       const std::optional<std::string>& surfaces) {
+  const py::gil_scoped_release released;
+  io::Imported read = io::import_file(path, {.root = root, .keeps_surfaces = surfaces.has_value()}, in_meshes);
+  if (!surfaces)
+    return {Scene(scene::GroupedScene{std::move(read.scene), std::move(read.groups)}), std::move(read.lost)};
+  const auto text = std::make_shared<const written::Text>(*surfaces);
+  require_types(*text, read.surfaces);
+  const io::Source whole(path, io::scene_text(read.scene, read.groups, {io::algebraic_types(), &read.surfaces}));
+  return {Scene(written::Edited(whole, text)), std::move(read.lost)};
 }
 
 /// Writes a scene in the format that the name tells. What it loses.

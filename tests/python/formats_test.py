@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import pathlib
 
+import numpy as np
 import pytest
 from support import ROOT, STILL_LIFE, run
 
@@ -48,6 +49,23 @@ def test_a_root_bounds_the_files_that_a_text_names(tmp_path: pathlib.Path) -> No
     assert lost == ("1 object without a texture: of no material, where POV-Ray's is black",)
     with pytest.raises(OSError, match="lies elsewhere"):
         durero.Scene.import_file(tmp_path / "room" / "ball.pov", root=ROOT)
+
+
+def test_surfaces_of_povray_come_in_by_a_text(tmp_path: pathlib.Path) -> None:
+    text = ROOT / "demo/surfaces/algebraic.tex"
+    file = tmp_path / "ring.pov"
+    file.write_text("torus { 2, 0.5 pigment { rgb 1 } } sphere { 0, 1 pigment { rgb 1 } }\n#version 3.7;")
+    scene, lost = durero.Scene.import_file(file, surfaces=text)
+    assert lost == () and len(scene) == 2 and scene.surfaces == str(text)
+    hits = scene.trace(np.array([[0.0, 0, 9, 0, 0, -1]]))
+    assert hits["t"].tolist() == [6.5]
+    assert "toro_oblicuo" in scene.dumps()
+    assert len(durero.Scene.import_file(file).scene) == 1
+    with pytest.raises(ValueError, match="torus.tex declares no toro_oblicuo as POV-Ray's surfaces need it"):
+        durero.Scene.import_file(file, surfaces=ROOT / "demo/surfaces/torus.tex")
+    file.write_text("torus { 2, 0 }")
+    with pytest.raises(durero.InputError, match="a1 is not in the domain of puntos_toro_oblicuo"):
+        durero.Scene.import_file(file, surfaces=text)
 
 
 def test_what_cannot_be_done_is_said(tmp_path: pathlib.Path) -> None:
