@@ -93,8 +93,9 @@ int run_own(const ConformJudgeOptions& options) {
   SuiteCase of = read_own(options);
   of.question = question_of(options.question);
   require_claimed(profile, of.question);
-  if (of.question == QuestionKind::closest && !of.surfaces.empty())
-    throw std::invalid_argument("the nearest point of a surface of a text is not known; expected another question");
+  const bool is_of_distances = of.question == QuestionKind::closest || of.question == QuestionKind::cast;
+  if (is_of_distances && !of.surfaces.empty())
+    throw std::invalid_argument("distances from a surface of a text are not known; expected another question");
   if (!options.ranges.empty())
     of.ranges = read_ranges(io::read_lines(options.ranges), of.question, of.the_case.rays.size());
   const std::vector<Claims> claims = read_claims(io::read_lines(options.hits()), {&of, 1});

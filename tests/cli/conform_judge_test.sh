@@ -157,7 +157,7 @@ printf '{"ray":0,"outcome":"hit","element":"ball","t":5.6}\n{"ray":1,"outcome":"
 judge_ring 1 --profile ring.json
 has out 'ray 0 misplaced: expected ring'
 judge_ring 2 --profile ring.json --question closest
-has err 'the nearest point of a surface of a text is not known; expected another question'
+has err 'distances from a surface of a text are not known; expected another question'
 run 2 conform judge suite ring.jsonl --with "$surfaces/torus.tex" --profile ring.json
 sed 's/"esfera","plano"//; s/"toro"//' ring.json >empty.json
 judge_ring 2 --profile empty.json
