@@ -106,6 +106,8 @@ TEST_CASE("a ball touches a sphere where their middles are as far apart as both 
   CHECK(verdict(at_ball(0, 2), touch(7)) == Verdict::far_root);
   CHECK(verdict(at_ball(0, 2), touch(5)) == Verdict::misplaced);
   CHECK(verdict(at_ball(0, 2), touch(-6)) == Verdict::misplaced);
+  const SuiteCase behind = cast({{"e0", scene::Sphere{glm::dvec3(0, 0, -9), 1}}}, {0, 0, 0}, {0, 0, 1}, 2);
+  CHECK(verdict(behind, touch(-6)) == Verdict::phantom);
   CHECK(verdict(at_ball(0, 2), touch(6, glm::dvec3(0, 0, 6))) == Verdict::off);
   CHECK(verdict(at_ball(0, 2), touch(6, glm::dvec3(0.001, 0, 8))) != Verdict::exact);
   CHECK(verdict(at_ball(0, 2), touch(std::nan(""))) == Verdict::non_finite);
@@ -173,6 +175,7 @@ TEST_CASE("a ball touches a plane, a disc and its rim, a cylinder, and a cone") 
   CHECK(first_t(cylinder, {0, 0, -9}, {0, 0, 1}, 5) == 6);  // a rim: 4 beside the middle, 3 before it
   CHECK(!first_t(cylinder, {0, 0, -9}, {0, 0, 1}, 3));      // it fits through
   CHECK(first_t(cylinder, {5.5, 0, -9}, {0, 0, 1}, 2.5) == 7);
+  CHECK(first_t(cylinder, {0, 0, -1}, {0, 0, -1}, 8) == 0);                   // a ball around the whole rim
   const scene::Cone cone{glm::dvec3(0, 0, 0), 0.75, glm::dvec3(0, 0, 1), 8};  // of the radius 6 at the base
   CHECK(first_t(cone, {0, 0, 20}, {0, 0, -1}, 2) == 10);                      // the apex
   CHECK(first_t(cone, {30, 0, 4}, {-1, 0, 0}, 4) == 22);                      // 3 + 4·√(1 + 0.75²) from the axis
