@@ -66,10 +66,12 @@ std::optional<Parameter> first_within(const surface::exact::Segment& segment, co
 }
 
 /// The first hit within a range, from all crossings by exact arithmetic, whatever the engine.
-scene::Hit hit_within(const scene::Scene& scene, const scene::Query& ray, const conform::AskedRange& range) {
+scene::Hit hit_within(const conform::Question& question, std::size_t number) {
+  const scene::Query& ray = question.rays[number];
+  const conform::AskedRange& range = question.ranges[number];
   std::optional<Parameter> first;
   scene::ElementSet elements, without_minimum;
-  for (const auto& [element, segment] : conform::all_crossings(scene, ray)) {
+  for (const auto& [element, segment] : conform::all_crossings(question.scene, ray, question.bodies)) {
     if (!is_within(segment, range)) continue;
     const std::optional<Parameter> at = first_within(segment, range);
     if (!at) without_minimum.push_back(element);
@@ -86,13 +88,14 @@ scene::Hit hit_within(const scene::Scene& scene, const scene::Query& ray, const 
 
 /// All hits of a ray, from all crossings by exact arithmetic, whatever the engine. A stretch inside a surface is hit at
 /// both its ends.
-conform::Claim all_hits_of(const scene::Scene& scene, const scene::Query& ray) {
+conform::Claim all_hits_of(const conform::Question& question, std::size_t number) {
+  const scene::Query& ray = question.rays[number];
   struct End {
     Parameter t;
     scene::ElementRef element;
   };
   std::vector<End> ends;
-  for (const auto& [element, segment] : conform::all_crossings(scene, ray)) {
+  for (const auto& [element, segment] : conform::all_crossings(question.scene, ray, question.bodies)) {
     if (!segment.begin) return {.why = "no point of the elements is the nearest"};
     ends.push_back({*segment.begin, element});
     if (segment.end && *segment.end != *segment.begin) ends.push_back({*segment.end, element});
@@ -113,10 +116,21 @@ conform::Claim counted(const conform::Claim& all) {
   return {.outcome = all.outcome, .count = is_hit ? 1 + all.behind.size() : 0};
 }
 
+/// The first hits of rays: where there is a torus, which engines have not, by exact arithmetic.
+std::vector<scene::Hit> first_hits_of(const conform::Question& question, const engine::Engine& engine) {
+  const bool has_torus = std::ranges::any_of(
+      question.bodies, [](const conform::NamedBody& named) { return named.body.kind == conform::BodyKind::toro; });
+  if (!has_torus) return engine::first_hits(engine, question.rays);
+  std::vector<scene::Hit> hits;
+  for (const conform::ExactAnswer& truth : conform::truths(question.scene, question.rays, question.bodies))
+    hits.push_back(truth.hit);
+  return hits;
+}
+
 /// The claims on the first hits of rays, or on what is before the ends of shadow rays.
 std::vector<conform::Claim> claims_on_first(const conform::Question& question, const engine::Engine& engine) {
   std::vector<conform::Claim> claims;
-  const std::vector<scene::Hit> hits = engine::first_hits(engine, question.rays);
+  const std::vector<scene::Hit> hits = first_hits_of(question, engine);
   for (std::size_t i = 0; i < hits.size(); ++i)
     claims.push_back(question.ranges.empty() ? claim_of(hits[i]) : shadow_of(hits[i], question.ranges[i].end));
   return claims;
@@ -155,10 +169,9 @@ std::vector<conform::Claim> claims_of(const conform::Question& question, const e
     case Kind::shadow:
       return claims_on_first(question, engine);
     case Kind::range:
-      return each(
-          [&](std::size_t i) { return claim_of(hit_within(question.scene, question.rays[i], question.ranges[i])); });
+      return each([&](std::size_t i) { return claim_of(hit_within(question, i)); });
     case Kind::all:
-      return each([&](std::size_t i) { return all_hits_of(question.scene, question.rays[i]); });
+      return each([&](std::size_t i) { return all_hits_of(question, i); });
     case Kind::closest: {
       const distance::Distances distances(question.scene);
       return each([&](std::size_t i) { return nearest_to(distances, question.rays[i].rayo.p().xyz()); });
@@ -166,7 +179,7 @@ std::vector<conform::Claim> claims_of(const conform::Question& question, const e
     case Kind::cast:
       return claims_on_casts(question);
     case Kind::count:
-      return each([&](std::size_t i) { return counted(all_hits_of(question.scene, question.rays[i])); });
+      return each([&](std::size_t i) { return counted(all_hits_of(question, i)); });
   }
   __builtin_unreachable();  // a QuestionKind is one of its enumerators
 }

@@ -46,6 +46,22 @@ hit e 1.5 0 0 4
 hit e 0 0 0 4
 miss'
 
+# A torus: this program's own answers, of every question about crossings.
+printf 'scene a\ntoro o 0 0 5 2 0 0 0 1 0 0 0 2 0.5\n' >torus
+{ cat torus && printf 'rays 3\n0 0 0 0 0 1\n0 0.5 0 0 0 1\n0 0.6 0 0 0 1\n' && cat torus && printf 'crossings 1\n0 0 0 0 0 2\n' &&
+  cat torus && printf 'counts 2\n0 0 0 0 0 1\n0 0 3 0 0 1\n' && cat torus && printf 'ranges 1\n0 0 0 0 0 1 3 5\n' &&
+  cat torus && printf 'shadows 2\n0 0 0 0 0 1 2\n0 0 0 0 0 1 2.5\n'; } | "$durero" conform answer >out 2>err || fail 'conform answer of a torus'
+is out 'system durero 0.1.0 fast
+hit o 2.5 0 0 2.5
+hit o 3 0 0.5 3
+miss
+hit o 1.25 0 0 2.5 ; hit o 1.75 0 0 3.5 ; hit o 3.25 0 0 6.5 ; hit o 3.75 0 0 7.5
+count 4
+count 3
+hit o 3.5 0 0 3.5
+miss
+hit - -'
+
 # A system that leaves out the last hit is caught, and the calls of its report show it again.
 cat >short.py <<'PY'
 import subprocess, sys

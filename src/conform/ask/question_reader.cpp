@@ -75,7 +75,7 @@ model::Elemento name_of(const QuestionLine& line) {
   return model::Elemento(std::string(line.words[1]));
 }
 
-void read_body(const QuestionLine& line, BodyKind kind, scene::Scene& scene) {
+void read_body(const QuestionLine& line, BodyKind kind, Question& question) {
   const model::Elemento name = name_of(line);
   AskedBody body{.kind = kind};
   NumberReader numbers(line, 2);
@@ -86,9 +86,10 @@ void read_body(const QuestionLine& line, BodyKind kind, scene::Scene& scene) {
   numbers.end();
   if (has_radius(kind) && !(body.radio > 0))
     line.fail(place_of_radius, text::shown(line.words[place_of_radius]), "expected a radius that is positive");
-  if (kind == BodyKind::toro) line.fail(0, "toro", "expected no torus: this program judges it, and has none itself");
   if (!is_body(body)) line.fail(5, "the sides lie in a plane", "expected three that span space");
-  if (!add_body(scene, name, body)) line.fail(1, text::shown(name.name()), "expected a name that is no element's");
+  if (!add_body(question.scene, name, body))
+    line.fail(1, text::shown(name.name()), "expected a name that is no element's");
+  question.bodies.push_back({question.scene.find(name.name()).value(), body});
 }
 
 /// A number of columns or rows of a grid, at that word of the line.
@@ -136,10 +137,11 @@ model::Answer add(const QuestionLine& line, scene::Scene& scene) {
   return scene.add(name, shape);
 }
 
-void read_element(const QuestionLine& line, scene::Scene& scene) {
+void read_element(const QuestionLine& line, Question& question) {
+  scene::Scene& scene = question.scene;
   const auto* const body = std::ranges::find(body_words, line.words.front());
   if (line.words.front() == word(BodyKind::campo)) return read_grid(line, scene);
-  if (body != body_words.end()) return read_body(line, static_cast<BodyKind>(body - body_words.begin()), scene);
+  if (body != body_words.end()) return read_body(line, static_cast<BodyKind>(body - body_words.begin()), question);
   std::optional<model::Answer> answer;
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
     if (line.words.front() == Shape::word) answer = add<Shape>(line, scene);
@@ -191,6 +193,17 @@ std::size_t read_count(const QuestionLine& line) {
   return count;
 }
 
+/// A ball is cast at the types of the model alone, and of a torus no nearest point is known.
+void require_answerable(const QuestionLine& line, QuestionKind kind, const Question& question) {
+  const bool has_torus =
+      std::ranges::any_of(question.bodies, [](const NamedBody& named) { return named.body.kind == BodyKind::toro; });
+  const bool is_refused =
+      kind == QuestionKind::cast ? !question.bodies.empty() : kind == QuestionKind::closest && has_torus;
+  if (is_refused)
+    line.fail(0, text::shown(line.words.front()),
+              kind == QuestionKind::cast ? "expected no bodies beside balls" : "expected no torus beside points");
+}
+
 }  // namespace
 
 std::optional<std::string> QuestionReader::next_line() {
@@ -212,7 +225,7 @@ std::optional<Question> QuestionReader::next() {
   if (first.words.size() != 2 || first.words[0] != "scene")
     first.fail(0, text::shown(*head), "expected scene and its name");
   Question question{std::string(first.words[1]), {}, {}};
-  const auto [count, kind] = read_elements(question.scene);
+  const auto [count, kind] = read_elements(question);
   question.kind = kind;
   for (std::size_t left = count; left > 0; --left) {
     const std::string text = required_line("a ray");
@@ -227,15 +240,18 @@ std::string QuestionReader::required_line(std::string_view what) {
   return *line;
 }
 
-QuestionReader::Rays QuestionReader::read_elements(scene::Scene& scene) {
+QuestionReader::Rays QuestionReader::read_elements(Question& question) {
   for (;;) {
     const std::string text = required_line("an element, or rays and their number");
     const QuestionLine line(lines_, text);
     if (line.words.empty()) line.fail(0, "the line is empty", "expected an element, or rays and their number");
     const auto* const asked = std::ranges::find(heads_of_rays, line.words.front());
-    if (asked != heads_of_rays.end())
-      return {read_count(line), static_cast<QuestionKind>(asked - heads_of_rays.begin())};
-    read_element(line, scene);
+    if (asked != heads_of_rays.end()) {
+      const auto kind = static_cast<QuestionKind>(asked - heads_of_rays.begin());
+      require_answerable(line, kind, question);
+      return {read_count(line), kind};
+    }
+    read_element(line, question);
   }
 }
 

@@ -157,11 +157,15 @@ TEST_CASE("a body is said by its middle and sides, and by a radius where its kin
     of.solids.clear();
     const std::string text = question(of, Caps::open);
     CHECK(text.find(std::string(word(kind)) + " e0 0 0 5 2 0 0 0 1 0 0 0 2" + rest + "\nrays 2\n") != text.npos);
-    if (kind == BodyKind::toro)
-      CHECK(refusal(text).starts_with("question:2:1: toro; expected no torus"));
-    else
-      CHECK(read_all(text)[0].scene.size() == 1);
+    const Question read = read_all(text)[0];
+    CHECK(read.scene.size() == 1);
+    REQUIRE(read.bodies.size() == 1);
+    CHECK(read.bodies[0].body.kind == kind);
+    CHECK(read.bodies[0].body.sides == sides);
   }
+  const std::string torus = "scene a\ntoro e0 0 0 5 2 0 0 0 1 0 0 0 2 0.5\n";
+  CHECK(refusal(torus + "points 0\n") == "question:3:1: \"points\"; expected no torus beside points");
+  CHECK(refusal(torus + "casts 0\n") == "question:3:1: \"casts\"; expected no bodies beside balls");
   CHECK(refusal("scene a\ncaja_redonda e0 0 0 5 2 0 0 0 1 0 0 0 2 0\n")
             .starts_with("question:2:41: \"0\"; expected a radius"));
 }

@@ -76,6 +76,7 @@ struct Question {
   std::vector<scene::Query> rays{};  ///< in order; they start on no elements; a point that is asked is an origin
   QuestionKind kind{};               ///< what is asked
   std::vector<AskedRange> ranges{};  ///< where has_numbers(kind); otherwise none
+  std::vector<NamedBody> bodies{};   ///< the elements that are bodies
 };
 
 /// A reader of questions, one by one.
@@ -94,7 +95,7 @@ class QuestionReader {
     std::size_t count;
     QuestionKind kind;
   };
-  Rays read_elements(scene::Scene& scene);  // the rays that follow them
+  Rays read_elements(Question& question);  // the rays that follow them
 
   std::FILE* from_;
   std::size_t lines_ = 0;
