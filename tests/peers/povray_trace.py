@@ -2,7 +2,7 @@
 """povray_trace.py DURERO [SEED]: POV-Ray's own trace() meets the objects of random texts where `durero import` has put
 them.
 
-Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons and prisms, tori, quadrics and
+Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons, prisms and bicubic patches, tori, quadrics and
 quartics, lathes, sors, superellipsoids, blobs, isosurfaces, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
 intersection and difference, all moved by transformations of every kind, made by macros and loops, and placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
 than its own tolerance, which is 0.0001 of a polynomial, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
@@ -109,7 +109,12 @@ class Text:
 
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 17)
+        kind = self.rng.randint(0, 18)
+        if kind == 18:
+            points = " ".join(f"<{u - 1.5 + self.rng.uniform(-0.3, 0.3):.4f}, {self.number(-1, 1)}, {v - 1.5 + self.rng.uniform(-0.3, 0.3):.4f}>"
+                              for u in range(4) for v in range(4))
+            return (f"bicubic_patch {{ type {self.rng.choice('01')} flatness {self.rng.choice(['0', '0.1', '0.3'])} "
+                    f"u_steps {self.rng.randint(0, 3)} v_steps {self.rng.randint(0, 3)} {points} }}")
         if kind == 17:
             function = self.rng.choice(["x*x*y - z*z/2 + 0.25*x", "x*y*z - 0.1", "pow(x,4) + pow(y,4) + pow(z,4) - x*x - z*z + 0.2"])
             by = self.rng.choice(["box { -1.2, <1, 1.3, 1.1> }", "sphere { 0.1, 1.3 }"])

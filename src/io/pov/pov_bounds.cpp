@@ -83,6 +83,9 @@ std::vector<ExactBall> balls_around(const PovObject& object) {
       for (int i = 0; i < 3; ++i) p[i] = (*object.box)[static_cast<std::size_t>(corner >> i & 1)][i];
       all.push_back(at(p, 0));
     }
+  } else if (object.patch) {
+    for (const auto& row : object.patch->points)
+      for (const glm::dvec3& point : row) all.push_back(at(point, 0));
   } else if (object.surface && object.surface->torus) {
     const auto& [major, minor] = *object.surface->torus;
     all.push_back({ExactPoint{}, abs(number::exact(major)) + abs(number::exact(minor))});

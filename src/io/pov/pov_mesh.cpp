@@ -207,7 +207,7 @@ std::optional<std::vector<PovShape>> read_pov_prism(PovWords& in) {
 }
 
 bool is_of_triangles(std::string_view word) {
-  return word == "mesh" || word == "mesh2" || word == "polygon" || word == "prism";
+  return word == "mesh" || word == "mesh2" || word == "polygon" || word == "prism" || word == "bicubic_patch";
 }
 
 }  // namespace durero::io

@@ -10,6 +10,7 @@
 #include "durero/scene/body.hpp"
 #include "pov_light.hpp"
 #include "pov_look.hpp"
+#include "pov_patch.hpp"
 #include "pov_shapes.hpp"
 #include "pov_surfaces.hpp"
 
@@ -32,6 +33,7 @@ struct PovObject {
   std::optional<PovSurface> surface{};
   std::vector<PovPiece> pieces{};  ///< that it consists of, where they are all
   std::optional<PovElement> element{};
+  std::optional<PovPatch> patch{};
   std::vector<PovClip> clips{};    ///< by what it is clipped, as that is moved
   std::optional<PovClip> bound{};  ///< its bound, likewise, where it could clip
   std::optional<PovLight> light{};

@@ -20,6 +20,7 @@
 #include "pov_isosurface.hpp"
 #include "pov_look.hpp"
 #include "pov_mesh.hpp"
+#include "pov_patch.hpp"
 #include "pov_pattern.hpp"
 #include "pov_pieces.hpp"
 #include "pov_program.hpp"
@@ -36,12 +37,12 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view meshes[] = {"triangle", "smooth_triangle"},
-                           holders[] = {"mesh",  "mesh2",        "polygon",        "union", "object",
-                                        "merge", "intersection", "difference",     "box",   "prism",
-                                        "lathe", "sor",          "superellipsoid", "blob",  "isosurface"};
+                           holders[] = {"mesh",           "mesh2",      "polygon",    "union",        "object", "merge",
+                                        "intersection",   "difference", "box",        "prism",        "lathe",  "sor",
+                                        "superellipsoid", "blob",       "isosurface", "bicubic_patch"};
 /// Objects that no scene has.
-constexpr std::string_view others[] = {"bicubic_patch", "height_field", "julia_fractal", "lemon",
-                                       "ovus",          "parametric",   "sphere_sweep",  "text"};
+constexpr std::string_view others[] = {"height_field", "julia_fractal", "lemon", "ovus",
+                                       "parametric",   "sphere_sweep",  "text"};
 /// Statements that tell of what no scene has.
 constexpr std::string_view other_statements[] = {"fog", "rainbow", "media", "photons", "radiosity", "light_group"};
 /// Objects that are one element, made of their parts.
@@ -149,6 +150,8 @@ class PovReader {
       read_triangles(object);
     else if (is_turned(object.word))
       read_turned(object);
+    else if (object.word == "bicubic_patch")
+      read_patch(object);
     else if (object.word == "isosurface")
       read_isosurface(object);
     else if (object.word == "superellipsoid" || object.word == "blob")
@@ -166,6 +169,12 @@ class PovReader {
     if (object.surface && !keeps_surfaces_) ++only_by_text_;
     if (object.surface) return;
     ++left_out_[object.word == "poly" ? "poly of degree five or more" : "torus that passes through itself, in part,"];
+  }
+
+  void read_patch(PovObject& object) {
+    object.patch = read_pov_patch(in_);
+    object.is_left_out = !object.patch;
+    if (!object.patch) ++left_out_["bicubic_patch of more than 20 steps in all"];
   }
 
   void read_isosurface(PovObject& object) {
@@ -327,7 +336,17 @@ class PovReader {
     if (is_one_of(solid_words, object.word)) return add_solid(object, look, by, into);
     scene::Group own;
     for (const PovObject& part : object.parts) add(part, look, here, clips, own);
+    if (object.patch) add_patch(object, look, here, own);
     add_group(is_of_triangles(object.word) ? numbered('m', meshes_) : numbered('u', unions_), std::move(own), into);
+  }
+
+  /// Adds the triangles of a patch, which POV-Ray divides where it is put.
+  void add_patch(const PovObject& object, const ObjectMaterial& look, const PovTransform& by, scene::Group& into) {
+    for (PovShape& triangle : triangles_of(*object.patch, by)) {
+      PovObject part{.at = object.at, .word = "triangle"};
+      part.shape = std::move(triangle);
+      add(part, look, {}, {}, into);
+    }
   }
 
   void count_clipped() { ++counts_.clipped; }

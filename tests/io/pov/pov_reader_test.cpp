@@ -572,7 +572,7 @@ TEST_CASE("A malformed POV-Ray text is an error with its place") {
   const std::string
       objects =
           "sphere, cylinder, cone, disc, plane, triangle, smooth_triangle, mesh, mesh2, polygon, union, object, merge, "
-          "intersection, difference, box, prism, lathe, sor, superellipsoid, blob, isosurface",
+          "intersection, difference, box, prism, lathe, sor, superellipsoid, blob, isosurface, bicubic_patch",
       statements = objects + ", camera, light_source, background, global_settings, sky_sphere, #version",
       attributes =
           "texture, pigment, finish, normal, interior, material, translate, rotate, scale, matrix, transform, "
