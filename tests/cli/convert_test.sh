@@ -211,8 +211,8 @@ run 0 import again.pov -o again.json
 has again.json '"u1":{"elementos":["c1","d1","d2"]}'
 has again.json '"u3":{"groups":["u1","u2"]}'
 run 0 stats again.json --engine bvh --hierarchy hand --no-times
-printf 'sphere { 0, 1 }\nblobb { }\n' >bad.pov
-refused 'bad.pov:2:1: "blobb" is not read; expected one of sphere, cylinder, ' import bad.pov -o bad.json
+printf 'sphere { 0, 1 }\nzzzzz { }\n' >bad.pov
+refused 'bad.pov:2:1: "zzzzz" is not read; expected one of sphere, cylinder, ' import bad.pov -o bad.json
 absent bad.json
 
 # Names that end in great letters are those of formats too; what is written ends as its format does, or not at all.

@@ -5,7 +5,7 @@ them.
 Each text has spheres, boxes, cylinders, cones, discs, planes, triangles, meshes, polygons, prisms and bicubic patches, tori, quadrics and
 quartics, lathes, sors, superellipsoids, blobs, isosurfaces, discs with holes and clipped things (by demo/surfaces/algebraic.tex), solids of the first by union, merge,
 intersection and difference, all moved by transformations of every kind, made by macros and loops, and placed along splines. trace() is asked for the first points of 10,000 rays. It prints twelve digits, takes no point nearer
-than its own tolerance, which is 0.0001 of a polynomial, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
+than its own tolerance, which is 0.0001 of a polynomial and 0.01 of a blob, and rounds: a ray that it answers otherwise is asked again, moved by a millionth eight ways, and
 passes where one of these has its answer. Exit status 77 (skipped) where POV-Ray is absent (Debian: povray).
 """
 import json
@@ -21,7 +21,7 @@ import tempfile
 TEXTS, RAYS, OBJECTS = 5, 2000, 14
 ALGEBRAIC = str(pathlib.Path(__file__).resolve().parents[2] / "demo/surfaces/algebraic.tex")
 CLOSE = 2e-6  # of POV-Ray's points, whose smallest tolerance is a millionth
-NEAR = 2e-4  # of an origin, and passed over by POV-Ray
+NEAR = 4e-2  # of an origin, and passed over by POV-Ray: 0.01 of a blob, in its own space
 MOST_BESIDE_EDGES = TEXTS * RAYS // 100
 
 MACROS = """
@@ -107,9 +107,19 @@ class Text:
         points = ", ".join(f"<{self.number(0.2, 1.5)}, {3 * i / count - 1.5:.4f}>" for i in range(count))
         return f"{word} {{ {kind}{count}, {points} {self.rng.choice(['', 'open']) if word == 'sor' else ''} sturm }}"
 
+    def swept(self):
+        """An open prism of curves."""
+        corners = self.corners()
+        sweep, low, high = self.rng.choice([("linear_sweep", -1, 1), ("conic_sweep", 0.25, 1.5)])
+        kind, points = self.rng.choice([("quadratic_spline", corners[-1:] + corners + corners[:1]),
+                                        ("cubic_spline", corners[-1:] + corners + corners[:2])])
+        return f"prism {{ {sweep} {kind} {low}, {high}, {len(points)}, {', '.join(points)} open sturm }}"
+
     def shape(self):
         """Any shape."""
-        kind = self.rng.randint(0, 18)
+        kind = self.rng.randint(0, 19)
+        if kind == 19:
+            return self.swept()
         if kind == 18:
             points = " ".join(f"<{u - 1.5 + self.rng.uniform(-0.3, 0.3):.4f}, {self.number(-1, 1)}, {v - 1.5 + self.rng.uniform(-0.3, 0.3):.4f}>"
                               for u in range(4) for v in range(4))

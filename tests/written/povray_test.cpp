@@ -266,6 +266,30 @@ TEST_CASE("A sor has its radii at its points, slopes by their neighbours, and li
     CHECK_THROWS_AS(Imported("sor { 4, " + std::string(wrong) + " }"), io::InputError);
 }
 
+TEST_CASE("An open prism of curves has a side for each stretch, straight up or as a cone") {
+  // The parabola of quadratic_spline from (1, 0) to (1, 1) by (2, −1) before them, and back to its begin.
+  const std::string points = "<2, -1>, <1, 0>, <1, 1>, <1, 0>";
+  const Imported straight("prism { linear_sweep quadratic_spline 1, -1, 4, " + points + " open translate y }");
+  CHECK(straight.size() == 1);  // the way back is a line
+  CHECK(straight.all().scene.shapes<scene::Triangle>().size() == 2);
+  CHECK(straight.first(V(-9, 1, 0.5), V(1, 0, 0)) == 9.875);
+  CHECK(straight.first(V(-9, 2.0000001, 0.5), V(1, 0, 0)) == never);
+  CHECK(straight.first(V(-9, -0.0000001, 0.5), V(1, 0, 0)) == never);
+  CHECK(straight.first(V(-9, 1, 1.5), V(1, 0, 0)) == never);
+  const Imported cone("prism { conic_sweep quadratic_spline 0, 4, 4, " + points + " open }");
+  CHECK(cone.first(V(-9, 2, 1), V(1, 0, 0)) == 10.75);
+  CHECK(cone.first(V(-9, 0, 0), V(1, 0, 0)) == 9);  // its point
+  CHECK(cone.first(V(-9, 0, 0.25), V(1, 0, 0)) == never);
+  const std::string bow = "<1, 0>, <3, 0>, <3, 2>, <1, 2>, <1, 2>, <1, 1>, <1, 1>, <1, 0>";
+  const Imported bezier("prism { bezier_spline 0, 1, 8, " + bow + " open }");
+  CHECK(bezier.size() == 1);
+  CHECK(bezier.first(V(9, 0.5, 1), V(-1, 0, 0)) == 6.5);
+  const Imported cubic("prism { cubic_spline 0, 1, 6, <0, -1>, <1, 0>, <2, 1>, <0, 3>, <1, 0>, <2, 1> open }");
+  CHECK(cubic.size() == 3);
+  CHECK(Imported("prism { bezier_spline 0, 1, 8, " + bow + " }").loses("1 prism of curves that is closed, or whose o"));
+  CHECK(Imported("prism { quadratic_spline 0, 1, 4, <0, 1>, <1, 0>, <1, 1>, <2, 3> open }").loses("1 prism of curves"));
+}
+
 TEST_CASE("A superellipsoid has the exponents of POV-Ray, whichever are odd or below 1") {
   // (x⁴ + y⁴)² + z⁸ = 1: a = 4, b = 8.
   const Imported even("superellipsoid { <0.5, 0.25> translate 4*x }");

@@ -27,6 +27,7 @@
 #include "pov_shapes.hpp"
 #include "pov_solids.hpp"
 #include "pov_stage.hpp"
+#include "pov_swept.hpp"
 #include "pov_transform.hpp"
 #include "pov_turned.hpp"
 #include "pov_written_shapes.hpp"
@@ -169,6 +170,19 @@ class PovReader {
     if (object.surface && !keeps_surfaces_) ++only_by_text_;
     if (object.surface) return;
     ++left_out_[object.word == "poly" ? "poly of degree five or more" : "torus that passes through itself, in part,"];
+  }
+
+  /// From where its { stands before.
+  void read_curved_prism(PovObject& object, const PovWords& begin) {
+    const PovWords end = in_;
+    in_.stand_where(begin);
+    auto parts = read_pov_curved_prism(in_, object.at);
+    object.is_left_out = !parts;
+    if (parts)
+      object.parts = *std::move(parts);
+    else
+      ++left_out_["prism of curves that is closed, or whose outline touches itself,"];
+    in_.stand_where(end);
   }
 
   void read_patch(PovObject& object) {
@@ -390,9 +404,9 @@ class PovReader {
       object.is_left_out = !triangles;
       if (!triangles) ++left_out_["polygon that touches itself, or of several parts,"];
     } else if (object.word == "prism") {
+      const PovWords begin = in_;
       triangles = read_pov_prism(in_);
-      object.is_left_out = !triangles;
-      if (!triangles) ++left_out_["prism of curves, or whose outline touches itself,"];
+      if (!triangles) return read_curved_prism(object, begin);
     } else {
       const PovMesh mesh = read_pov_mesh(in_);
       counts_.attributes += mesh.left_out;

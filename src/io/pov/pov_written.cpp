@@ -68,6 +68,8 @@ std::span<const WrittenType> algebraic_types() {
       placed_type("recorte", attributes_of_clipped()),
       placed_type("tapa", attributes_of_clipped()),
       placed_type("torneado", numbers_named({"r_0", "r_1", "r_2", "r_3", "h_0", "h_1", "h_2", "h_3"})),
+      placed_type("alzado",
+                  numbers_named({"r_0", "r_1", "r_2", "r_3", "h_0", "h_1", "h_2", "h_3", "desde", "hasta", "conico"})),
       placed_type("superelipsoide", numbers_named({"a", "b", "p", "q", "impar_a", "impar_b"})),
       placed_type("gotas", attributes_of_blob())};
   return types;

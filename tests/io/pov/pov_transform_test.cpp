@@ -105,7 +105,7 @@ TEST_CASE("A prism is a group of triangles, open or closed, that goes up straigh
       area += glm::length(glm::cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0])) / 2;
   CHECK(area == Approx(39.5));
   CHECK(import_text("prism { cubic_spline 0, 1, 6, 0, 9*x, 9*y, 0, x, y } prism { 0, 1, 4, 0, <1, 1>, x, y }").lost ==
-        Lines{"2 prism of curves, or whose outline touches itself, left out: a scene has none"});
+        Lines{"2 prism of curves that is closed, or whose outline touches itself, left out: a scene has none"});
 }
 
 TEST_CASE("Other transformations make exact copies, with their caps") {

@@ -9,10 +9,10 @@
 
 namespace durero::io {
 
-/// @{ The places of the types: a torus that an affine map has moved, any surface of degree four at most, part of
-/// one, a lid of one, a curve turned about an axis, a superellipsoid, and a blob.
+/// @{ The places of the types: a torus that an affine map has moved, any surface of degree four at most, part of one, a
+/// lid of one, a curve turned about an axis, one swept along it, a superellipsoid, and a blob.
 inline constexpr std::size_t moved_torus = 0, quartic = 1, clipped_surface = 2, lid_of_surface = 3, turned_curve = 4,
-                             superellipsoid = 5, written_blob = 6;
+                             swept_curve = 5, superellipsoid = 6, written_blob = 7;
 /// @}
 
 /// The types, with the attributes that the text gives them.
