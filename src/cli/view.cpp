@@ -69,7 +69,7 @@ class TerminalView {
     Terminal terminal;
     for (bool goes_on = true; goes_on;) {
       if (!terminal.has_next()) draw(1);
-      if (!terminal.has_next(patience)) draw(fine);
+      if (!terminal.has_next(patience)) draw_finely(terminal);
       goes_on = answer(terminal.next());
     }
     return camera();
@@ -86,10 +86,23 @@ class TerminalView {
 
   void require_camera() { (void)scene::PrimaryRays(camera(), scene::default_resolution); }
 
-  void draw(std::uint32_t samples) {
+  /// The end of a picture that nobody waits for any more.
+  struct Superseded {};
+
+  /// Draws the finer picture, unless something is typed before it is done.
+  void draw_finely(Terminal& terminal) {
+    try {
+      draw(fine, [&](double) {
+        if (terminal.has_next()) throw Superseded();
+      });
+    } catch (const Superseded&) {
+    }
+  }
+
+  void draw(std::uint32_t samples, const render::Progress& progress = {}) {
     if (!has_lights_) shown_.stage().directional_lights = {{camera().look_at - camera().eye, glm::dvec3(1)}};
     const render::Picture picture =
-        render::render(shown_, tracer_.engine(), {}, {.size = picture_size(), .samples = {.most = samples}});
+        render::render(shown_, tracer_.engine(), progress, {.size = picture_size(), .samples = {.most = samples}});
     io::print(in_half_blocks(render::toned(picture, render::Tone::clamp), all_colours_) + status());
   }
 
