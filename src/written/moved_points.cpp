@@ -119,43 +119,38 @@ Signs signs_within(const InS& formula, const MovedStretch& stretch) {
   return signs_of(value);
 }
 
-/// Whether a condition may hold, where `signs` gives the signs that a formula may have.
-template <class SignsOf>
-bool may_hold(const Condition& of, const SignsOf& signs) {
-  const auto part_may = [&](const Condition& part) { return may_hold(part, signs); };
+/// Whether a condition is true, where `holds` says so of each of its comparisons.
+template <class Holds>
+bool is_true(const Condition& of, const Holds& holds) {
+  const auto part_is_true = [&](const Condition& part) { return is_true(part, holds); };
   switch (of.kind) {
     case Condition::Kind::constant:
       return of.truth;
-    case Condition::Kind::comparison: {
-      const Signs may_be = signs(of.formula);
-      return (may_be.negative && of.signs.negative) || (may_be.zero && of.signs.zero) ||
-             (may_be.positive && of.signs.positive);
-    }
+    case Condition::Kind::comparison:
+      return holds(of);
     case Condition::Kind::all:
-      return std::ranges::all_of(of.parts, part_may);
+      return std::ranges::all_of(of.parts, part_is_true);
     case Condition::Kind::any:
-      return std::ranges::any_of(of.parts, part_may);
+      return std::ranges::any_of(of.parts, part_is_true);
   }
   __builtin_unreachable();  // a kind is one of its enumerators
 }
 
+/// Whether a condition may hold, where `signs` gives the signs that a formula may have.
+template <class SignsOf>
+bool may_hold(const Condition& of, const SignsOf& signs) {
+  return is_true(of, [&](const Condition& comparison) {
+    const Signs may_be = signs(comparison.formula), &asked = comparison.signs;
+    return (may_be.negative && asked.negative) || (may_be.zero && asked.zero) || (may_be.positive && asked.positive);
+  });
+}
+
 /// Whether a condition holds on all of a stretch.
 bool holds_on(const Condition& of, const MovedStretch& stretch) {
-  const auto part_holds = [&](const Condition& part) { return holds_on(part, stretch); };
-  switch (of.kind) {
-    case Condition::Kind::constant:
-      return of.truth;
-    case Condition::Kind::comparison: {
-      const Signs may_be = signs_within(InS(of.formula), stretch);
-      return (!may_be.negative || of.signs.negative) && (!may_be.zero || of.signs.zero) &&
-             (!may_be.positive || of.signs.positive);
-    }
-    case Condition::Kind::all:
-      return std::ranges::all_of(of.parts, part_holds);
-    case Condition::Kind::any:
-      return std::ranges::any_of(of.parts, part_holds);
-  }
-  __builtin_unreachable();  // a kind is one of its enumerators
+  return is_true(of, [&](const Condition& comparison) {
+    const Signs may_be = signs_within(InS(comparison.formula), stretch), &asked = comparison.signs;
+    return (!may_be.negative || asked.negative) && (!may_be.zero || asked.zero) && (!may_be.positive || asked.positive);
+  });
 }
 
 bool has_opposite_signs(const Formula& formula, const MovedStretch& stretch) {
