@@ -20,6 +20,28 @@ inline double narrowed(double x, conform::NumberFormat format) {
   return format == conform::NumberFormat::binary32 ? static_cast<double>(static_cast<float>(x)) : x;
 }
 
+/// @{ Each number rounded to the format.
+inline glm::dvec3 narrowed(const glm::dvec3& v, conform::NumberFormat format) {
+  return {narrowed(v.x, format), narrowed(v.y, format), narrowed(v.z, format)};
+}
+inline scene::Corners narrowed(const scene::Corners& c, conform::NumberFormat format) {
+  return {narrowed(c[0], format), narrowed(c[1], format), narrowed(c[2], format)};
+}
+inline conform::AskedBody narrowed(conform::AskedBody body, conform::NumberFormat format) {
+  body.centro = narrowed(body.centro, format);
+  for (glm::dvec3& side : body.sides) side = narrowed(side, format);
+  body.radio = narrowed(body.radio, format);
+  return body;
+}
+template <class Shape>
+  requires requires { Shape::word; }
+Shape narrowed(Shape shape, conform::NumberFormat format) {
+  scene::for_each_attribute<Shape>(
+      [&](const auto& attribute) { shape.*attribute.field = narrowed(shape.*attribute.field, format); });
+  return shape;
+}
+/// @}
+
 inline double longest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 /// The largest of its coordinates and lengths.
 template <class Shape>

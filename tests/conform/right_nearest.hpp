@@ -205,15 +205,9 @@ class RightNearest {
            std::ranges::any_of(of_->solids, [&](const conform::Solid& solid) { return solid.wall == e; });
   }
 
-  double rounded(double x) const { return narrowed(x, finder_->profile.format); }
-  glm::dvec3 rounded(const glm::dvec3& v) const { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
-  scene::Corners rounded(const scene::Corners& c) const { return {rounded(c[0]), rounded(c[1]), rounded(c[2])}; }
-  template <class Shape>
-    requires requires { Shape::word; }
-  Shape rounded(Shape shape) const {
-    scene::for_each_attribute<Shape>(
-        [&](const auto& attribute) { shape.*attribute.field = rounded(shape.*attribute.field); });
-    return shape;
+  template <class T>
+  T rounded(const T& x) const {
+    return narrowed(x, finder_->profile.format);
   }
 
   template <class Shape>

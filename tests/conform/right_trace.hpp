@@ -114,21 +114,9 @@ class RightTrace {
     return std::isfinite(longest(p)) && std::isfinite(longest(v)) && v != glm::dvec3(0);
   }
 
-  double rounded(double x) const { return narrowed(x, tracer_->profile.format); }
-  glm::dvec3 rounded(const glm::dvec3& v) const { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
-  scene::Corners rounded(const scene::Corners& c) const { return {rounded(c[0]), rounded(c[1]), rounded(c[2])}; }
-  conform::AskedBody rounded(conform::AskedBody body) const {
-    body.centro = rounded(body.centro);
-    for (glm::dvec3& side : body.sides) side = rounded(side);
-    body.radio = rounded(body.radio);
-    return body;
-  }
-  template <class Shape>
-    requires requires { Shape::word; }
-  Shape rounded(Shape shape) const {
-    scene::for_each_attribute<Shape>(
-        [&](const auto& attribute) { shape.*attribute.field = rounded(shape.*attribute.field); });
-    return shape;
+  template <class T>
+  T rounded(const T& x) const {
+    return narrowed(x, tracer_->profile.format);
   }
 
   /// v, or v/|v| times |v|, with the roundings of both.
