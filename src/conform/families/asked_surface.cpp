@@ -5,8 +5,8 @@
 namespace durero::conform {
 
 const AskedSurface* OtherElements::surface(scene::ElementRef element) const {
-  const auto found = std::ranges::find(surfaces, element, &NamedSurface::element);
-  return found == surfaces.end() ? nullptr : &found->surface;
+  const auto found = std::ranges::lower_bound(surfaces, element, {}, &NamedSurface::element);
+  return found != surfaces.end() && found->element == element ? &found->surface : nullptr;
 }
 
 std::vector<NamedSurface> surfaces_of(const scene::Scene& scene, const io::WrittenByName& elements,
@@ -16,6 +16,7 @@ std::vector<NamedSurface> surfaces_of(const scene::Scene& scene, const io::Writt
     const std::string& type = text->types()[element.type].word;
     all.push_back({scene.find(name).value(), {text, type, element.values, text->surface(type, element.values)}});
   }
+  std::ranges::sort(all, {}, &NamedSurface::element);
   return all;
 }
 

@@ -17,6 +17,13 @@ Polynomial squared(const Dyadic& a, const Dyadic& b, const Dyadic& c) {
   return {a * a, number::shifted(a * b, 1), b * b + number::shifted(a * c, 1), number::shifted(b * c, 1), c * c};
 }
 
+/// The root itself, or the middle between its bounds.
+surface::exact::Parameter middle_of(const algebra::Root& root) {
+  if (const auto* const surd = std::get_if<number::DyadicSurd>(&root)) return *surd;
+  const auto& isolated = std::get<algebra::Isolated>(root);
+  return {.x = number::shifted(isolated.low + isolated.high, -1)};
+}
+
 }  // namespace
 
 Torus::Torus(const AskedBody& body)
@@ -65,17 +72,8 @@ std::vector<TubeRoot> tube_roots(const Polynomial& of) {
   return all;
 }
 
-surface::exact::Parameter crossing_at(const TubeRoot& root) {
-  const auto* const isolated = std::get_if<algebra::Isolated>(&root.root);
-  if (isolated == nullptr) return root.low;
-  return {.x = number::shifted(isolated->low + isolated->high, -1)};
-}
+surface::exact::Parameter crossing_at(const TubeRoot& root) { return middle_of(root.root); }
 
-surface::exact::Parameter crossing_at(const algebra::Root& root) {
-  const algebra::Root fine = algebra::refined(root, bits);
-  if (const auto* const surd = std::get_if<number::DyadicSurd>(&fine)) return *surd;
-  const auto& isolated = std::get<algebra::Isolated>(fine);
-  return {.x = number::shifted(isolated.low + isolated.high, -1)};
-}
+surface::exact::Parameter crossing_at(const algebra::Root& root) { return middle_of(algebra::refined(root, bits)); }
 
 }  // namespace durero::conform

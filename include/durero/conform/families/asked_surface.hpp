@@ -29,7 +29,7 @@ struct NamedSurface {
 /// The elements of a scene that are none of the model's shapes.
 struct OtherElements {
   std::span<const NamedBody> bodies{};       ///< its bodies
-  std::span<const NamedSurface> surfaces{};  ///< its surfaces of a text
+  std::span<const NamedSurface> surfaces{};  ///< its surfaces of a text, ascending
 
   OtherElements() = default;  ///< none
   /// @{ Bodies alone, or both.
@@ -44,8 +44,8 @@ struct OtherElements {
   const AskedSurface* surface(scene::ElementRef element) const;
 };
 
-/// The surfaces of a scene that was read by a text. Throws written::NotInDomain where the text defines no points for
-/// the numbers of one, and io::InputError where they are no algebraic surface.
+/// The surfaces of a scene that was read by a text, ascending. Throws written::NotInDomain where the text defines no
+/// points for the numbers of one, and io::InputError where they are no algebraic surface.
 std::vector<NamedSurface> surfaces_of(const scene::Scene& scene, const io::WrittenByName& elements,
                                       const std::shared_ptr<const written::Text>& text);
 
