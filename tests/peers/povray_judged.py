@@ -17,7 +17,7 @@ import tempfile
 
 RAYS = 400
 ALGEBRAIC = str(pathlib.Path(__file__).resolve().parents[2] / "demo/surfaces/algebraic.tex")
-# Each with the least share of its answers that is exact or right; POV-Ray 3.7 has 0.98, 0.92, 1, 0.94 and 0.51.
+# Each with the least share of its answers that is exact or right; POV-Ray 3.7 has 0.98, 0.92, 1, 0.94 and 0.53.
 OBJECTS = [
     ("torus { 1.2, 0.4 }", 0.9),
     ("torus { 1.2, 0.2 sturm rotate <20, 30, 40> }", 0.8),

@@ -36,7 +36,7 @@ io::Bodies bodies_beside(const Text& text);
 
 /// Reads a scene by the text. Throws io::InputError at the first thing that is wrong, in the scene or in the text.
 Written read(const io::Source& source, const Text& text);
-/// The same with that answer to bodies. Precondition: none are read where the text declares shapes.
+/// A scene that is read with that answer to bodies. Precondition: none are read where the text declares shapes.
 Written read(const io::Source& source, const Text& text, io::Bodies bodies);
 
 }  // namespace durero::written

@@ -76,8 +76,8 @@ double about_first_touch(const scene::Corners& vertices, const glm::dvec3& p, co
 
 }  // namespace
 
-/// Where t·|v| in the largest coordinate of v is more than the largest coordinates of p and the triangles and the
-/// radius together, the middle is farther than the radius from all of these. Roundings are less than 2⁻⁴⁰ of the end.
+/// The middle is farther than the radius from all triangles where t·|v| in the largest coordinate of v is more than the
+/// largest coordinates of p and of these and the radius together. Roundings are less than 2⁻⁴⁰ of the end.
 BallWay::BallWay(const scene::Scene& scene, const model::Rayo& rayo, double radius)
     : scene_(&scene), p_(rayo.p().xyz()), v_(rayo.v().xyz()), radius_(radius) {
   double farthest = 0;

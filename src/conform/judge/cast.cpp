@@ -246,8 +246,8 @@ std::optional<Parameter> earliest_touch(const CastTrial& of, ElementRef element,
   const Dyadic towards = (number::sign(away) > 0 ? -along : along) + off_by * size;
   return number::sign(towards) > 0 ? std::optional(Parameter{.x = apart, .w = towards}) : std::nullopt;
 }
-/// The same of a bounded element. A ball that touches it is within 3·M and R of the origin of coordinates, by each
-/// coordinate.
+/// The earliest touch of a bounded element. A ball that touches it is within 3·M and R of the origin of coordinates, by
+/// each coordinate.
 template <class Shape>
 std::optional<Parameter> earliest_touch(const CastTrial& of, ElementRef element, const Shape& shape) {
   const Dyadic length = magnitude(shape, of.rayo(), Dyadic(0));

@@ -36,7 +36,7 @@ class MovedRay {
     for (std::size_t axis = 0; axis < at.size(); ++axis) at[axis] = p[axis] + t * v[axis];
     return near(at, v, t);
   }
-  /// The same of a point that does not move: s is 0.
+  /// The points that a place may be, which does not move: s is 0.
   std::optional<MovedPoints> at(const ClaimedPoint& place) const {
     const auto& [x, y, z] = place.punto;
     const Dyadic longest(largest(rayo_->v().xyz()));

@@ -48,7 +48,7 @@ std::vector<TubeRoot> tube_roots(const algebra::Polynomial& of);
 /// The crossing at a root as the truth has it: the root itself, or a number between its bounds. Another element's
 /// crossing there would be the root of a quadratic, and so the root itself.
 surface::exact::Parameter crossing_at(const TubeRoot& root);
-/// The same of any root of a polynomial.
+/// The crossing at any root of a polynomial, likewise.
 surface::exact::Parameter crossing_at(const algebra::Root& root);
 
 }  // namespace durero::conform

@@ -49,7 +49,7 @@ PovSpace space_of_box(const std::array<glm::dvec3, 2>& box) {
   return space_of(glm::dmat3(way.x, 0, 0, 0, way.y, 0, 0, 0, way.z), box[0], is_rounded);
 }
 
-/// What stands about an axis, which goes from the origin to (0, 1, 0); at its beginning the radius is 1. Nothing where
+/// The space about an axis, which goes from the origin to (0, 1, 0); at its beginning the radius is 1. Nothing where
 /// the ends give no axis.
 std::optional<PovSpace> space_about(const std::array<RoundEnd, 2>& ends) {
   bool is_rounded = false;
@@ -175,7 +175,7 @@ std::optional<PovClip> own_clip(const PovObject& object) {
   return std::nullopt;
 }
 
-/// What lies outside of a clip. Of one polynomial that is where its opposite is not above 0, but for the surface
+/// The points outside of a clip. Of one polynomial that is where its opposite is not above 0, but for the surface
 /// itself.
 PovClip turned_out(PovClip clip) {
   if (clip.within.size() == 1)

@@ -16,8 +16,8 @@ namespace durero::io {
 /// The values of attributes by their words.
 using ValuesByWord = std::map<std::string, WrittenValue, std::less<>>;
 
-/// What clips surfaces, in a space of its own: where one to three polynomials of degree two at most are not above 0, or
-/// what lies outside of there.
+/// A clip of surfaces, in a space of its own: the points where one to three polynomials of degree two at most are not
+/// above 0, or the points outside of there.
 struct PovClip {
   std::vector<PovPolynomial> within{};
   bool is_outside = false;
@@ -48,7 +48,7 @@ class PovAttributes {
  public:
   /// The coefficients of a polynomial of degree four at most.
   void set_quartic(const PovPolynomial& polynomial);
-  /// Those of one of degree two at most, behind a letter.
+  /// The coefficients of one of degree two at most, behind a letter.
   void set_quadric(char letter, const PovPolynomial& polynomial);
   /// @{ A place, by the words of a schema Espacio, or behind `corte`.
   void set_place(const PovTransform& by);
