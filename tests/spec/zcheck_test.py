@@ -52,6 +52,7 @@ RIGHT = [
     zed(r"A == [~ Estado | cosas = \emptyset ~] \lor (Estado \hide (peso) \land \lnot Estado)"),
     zed(r"A == (Estado \hide (peso)) \semi (Estado \hide (cosas)) \land [~ \Delta Estado ~]"),
     zed(r"\vdash? \forall \Delta Estado @ [~ \Delta Estado ~] \semi [~ \Delta Estado ~] \iff cosas' = cosas"),
+    zed(r"A == \lambda s : \seq \num | s \neq \langle \rangle @ \langle last(s) \rangle \cat front(s) \cat \langle head(s) \rangle"),
     zed(r"A ::= uno | dos"),
     schema(r"\Delta Estado \\ c? : Cosa", "cosas' = \\emptyset % x\n\\also\n" + r"peso' = \{ c? \} \ndres peso"),
     schema(r"\Xi Estado \\ n! : \num", r"\exists c : cosas @ n! = peso(c) \land peso \limg cosas \rimg = \ran peso"),
@@ -75,6 +76,8 @@ WRONG = [  # the text, the line, what the message says
     (zed(r"A == Estado \hide (altura)"), 12, "not a component to hide"),
     (zed(r"A == [~ cosas' : \num ~] \semi Estado"), 12, "component cosas"),
     (zed(r"A == Estado \land Cosa"), 12, "a schema is expected"),
+    (zed(r"A == \langle 1 \rangle \cat \{ 1 \}"), 12, "operand of"),
+    (zed(r"A == last(1)"), 12, "argument"),
     (zed(r"A == (1, 2).x"), 12, "no component x"),
     (zed(r"\vdash? Cosa = 1"), 12, "equality"),
     (zed(r"\vdash? \forall e : \num @ \pre Estado"), 12, "is not declared"),
@@ -105,12 +108,12 @@ WRONG = [  # the text, the line, what the message says
 ]
 
 
-# Right texts with notation that spec/ does without: generic schemas, compositions, LET, sequences and the like.
+# Right texts with notation that spec/ does without: generic schemas, compositions, LET and the like.
 NOT_READ = """
     abbreviation_generic arithmetic arrows composition_of_relations disjoint free_constructor
     free_recursive generic_actuals lambda_guarded let_in operator_as_set products
     relation_by_name schema_generic schema_implication schema_piping
-    schema_projection schema_quantified schema_renaming sequences space_commands zword
+    schema_projection schema_quantified schema_renaming space_commands zword
 """
 # Wrong ones that it takes: a product in parentheses is to it the product without, and an actual may stay open.
 NOT_SEEN = "product_nesting undetermined"

@@ -120,6 +120,12 @@ def alike(c, scope, node):
     return first
 
 
+def catenation(c, scope, node):
+    first = alike(c, scope, node)
+    c.same(node.line, first, relation(ARITHMOS, c.unknown()), "a sequence is expected")
+    return first
+
+
 def restrict_domain(c, scope, node):
     names, r = (c.type(scope, kid) for kid in node.kids)
     x = c.unknown()
@@ -244,7 +250,7 @@ RULES = {
     r"prefix\finset": power_set, r"prefix\finset_1": power_set,
     r"\cross": cross, r"\fun": functions, r"\pfun": functions, r"\ffun": functions, r"\rel": functions,
     r"\mapsto": maplet, r"\upto": interval, r"prefix\id": identity,
-    r"\cup": alike, r"\cap": alike, r"\setminus": alike, r"\oplus": alike,
+    r"\cup": alike, r"\cap": alike, r"\setminus": alike, r"\oplus": alike, r"\cat": catenation,
     r"\dres": restrict_domain, r"\ndres": restrict_domain, r"\rres": restrict_range, r"\nrres": restrict_range,
     "instance": instance, "sequence": sequence, r"prefix\seq": sequences, "binding": binding, "closure": closure,
     "iterate": iterate, r"prefix\negate": negative,

@@ -15,7 +15,7 @@ SPACES = (r"\ ", r"\,", r"\;", r"\quad") + tuple(rf"\t{n}" for n in range(10))
 SOFT_AFTER = set("= < > + - * ( [ , ; : | @ . == ::=".split()) | {r"\{", "where"}
 SOFT_BEFORE = set("= < > + - * ) ] , ; : | @ . == ::=".split()) | {r"\}", "where", "end"}
 INFIX = set(r"""\land \lor \implies \iff \in \notin \subseteq \subset \neq \leq \geq \cup \cap \setminus \mapsto \cross
-  \fun \pfun \ffun \rel \upto \comp \dres \ndres \rres \nrres \oplus \hide \semi \THEN \ELSE""".split())
+  \fun \pfun \ffun \rel \upto \cat \comp \dres \ndres \rres \nrres \oplus \hide \semi \THEN \ELSE""".split())
 
 
 class ZError(Exception):

@@ -6,7 +6,7 @@ from ztemplate import Node, Operators
 BINARY = {
     r"\fun": (5, True), r"\pfun": (5, True), r"\ffun": (5, True), r"\rel": (5, True), r"\cross": (8, False),
     r"\mapsto": (10, False), r"\upto": (20, False),
-    "+": (30, False), "-": (30, False), r"\cup": (30, False), r"\setminus": (30, False),
+    "+": (30, False), "-": (30, False), r"\cup": (30, False), r"\cat": (30, False), r"\setminus": (30, False),
     "*": (40, False), r"\comp": (40, False), r"\cap": (40, False), r"\oplus": (50, False),
     r"\rres": (60, False), r"\nrres": (60, False), r"\dres": (65, False), r"\ndres": (65, False),
 }

@@ -39,6 +39,8 @@ class Checker(Types):
             "max": relation(power(ARITHMOS), ARITHMOS), "succ": relation(ARITHMOS, ARITHMOS),
             "iter": relation(ARITHMOS, relation(relation(x, x), relation(x, x))),
             "_^_": relation(pair(relation(x, x), ARITHMOS), relation(x, x)),
+            **dict.fromkeys(("front", "tail"), relation(relation(ARITHMOS, x), relation(ARITHMOS, x))),
+            **dict.fromkeys(("head", "last"), relation(relation(ARITHMOS, x), x)),
             "first": relation(pair(x, y), x), "second": relation(pair(x, y), y),
         }.get(name)
 
