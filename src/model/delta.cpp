@@ -12,4 +12,10 @@ bool Delta::removed() const {
   return whole_ ? same_elsewhere(&Escena::elementos) : shrunk(&Escena::elementos);
 }
 
+bool Delta::same_names() const {
+  if (whole_) return after_.elementos == before_.elementos;
+  return after_.elementos.size() == before_.elementos.size() &&
+         after_.elementos.contains(e_) == before_.elementos.contains(e_);
+}
+
 }  // namespace durero::model

@@ -25,6 +25,9 @@ class Delta {
   /// elementos' = elementos ∖ { e? }
   bool removed() const;
 
+  /// elementos' = elementos
+  bool same_names() const;
+
   /// c' = c ∪ { e? ↦ x }; false where x is no value of c's, and where c has another value at e?: the union is then no
   /// function, as c' is.
   template <class T, class X>
@@ -32,6 +35,12 @@ class Delta {
     if (!maps(after_.*c, x)) return false;
     if (!whole_) return grown(c);
     return same_elsewhere(c) && (!(before_.*c).contains(e_) || maps(before_.*c, x));
+  }
+
+  /// c' = c ⊕ { e? ↦ x }; false where x is no value of c's.
+  template <class T, class X>
+  bool replaced(std::map<Elemento, T> Escena::*c, const X& x) const {
+    return maps(after_.*c, x) && (whole_ ? same_elsewhere(c) : grown(c));
   }
 
   /// c' = { e? } ⩤ c

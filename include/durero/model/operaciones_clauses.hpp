@@ -78,6 +78,10 @@ template <auto component, auto input>
 bool has_effect(const Joined<component, input>&, const auto& in, const Delta& d) {
   return d.with(component, in.*input);
 }
+template <auto component, auto input>
+bool has_effect(const Replaced<component, input>&, const auto& in, const Delta& d) {
+  return d.replaced(component, in.*input);
+}
 template <auto component>
 bool has_effect(const Kept<component>&, const auto&, const Delta& d) {
   return d.same(component);

@@ -40,6 +40,27 @@ using Operation =
                  Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono,
                  Eliminar_Tronco, Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento>;
 
+/// @{ The changes of an attribute, an attribute each (spec/historia.tex). What each is, stands in model/cambio.hpp.
+struct Cambiar_Centro;
+struct Cambiar_Radio;
+struct Cambiar_Vector;
+struct Cambiar_Altura;
+struct Cambiar_Proporcion;
+struct Cambiar_Vertices;
+/// @}
+/// Any of them, in the order of the attributes.
+using AttributeChange =
+    std::variant<Cambiar_Centro, Cambiar_Radio, Cambiar_Vector, Cambiar_Altura, Cambiar_Proporcion, Cambiar_Vertices>;
+
+/// @{ The changes of the looks of an element. What each is, stands in model/vista.hpp.
+struct Cambiar_Material;
+struct Quitar_Material;
+struct Cambiar_Grupo;
+struct Quitar_Grupo;
+/// @}
+/// Any of them.
+using LookChange = std::variant<Cambiar_Material, Quitar_Material, Cambiar_Grupo, Quitar_Grupo>;
+
 /// What a total operation answers: r!, and where it is an error, the precondition of the partial operation that
 /// does not hold.
 struct Answer {

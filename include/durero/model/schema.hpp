@@ -1,7 +1,8 @@
 #pragma once
-/// The forms that the predicates of an addition and of a removal have (spec/operaciones.tex). The schema of each type
-/// is a struct of its inputs with two tables of such forms: what it requires of the inputs, and its effects on the
-/// attributes. The model and the compact scene evaluate the same tables, each over its own states.
+/// The forms that the predicates of an addition, of a removal and of a change have (spec/operaciones.tex,
+/// historia.tex). The schema of each type is a struct of its inputs with two tables of such forms: what it requires of
+/// the inputs, and its effects on the attributes. The model and the compact scene evaluate the same tables, each over
+/// its own states.
 
 #include <functional>
 
@@ -37,6 +38,14 @@ struct Required {
 /// c' = c ∪ { e? ↦ input? }
 template <auto of_component, auto of_input>
 struct Joined {
+  static constexpr auto component = of_component;  ///< c, such as &Escena::mi_radio
+  static constexpr auto input = of_input;          ///< the member of the operation
+  const clause* what;                              ///< where the text says so
+};
+
+/// c' = c ⊕ { e? ↦ input? }
+template <auto of_component, auto of_input>
+struct Replaced {
   static constexpr auto component = of_component;  ///< c, such as &Escena::mi_radio
   static constexpr auto input = of_input;          ///< the member of the operation
   const clause* what;                              ///< where the text says so

@@ -46,6 +46,10 @@ struct Agregar_Cilindro {
   static constexpr const clause* answers = &Agregar_Cilindro_post_7;
 };
 
+// Es_Cilindro
+
+inline constexpr clause Es_Cilindro_pre_1{"Es_Cilindro.pre.1", "e? ↦ soy_cilindro ∈ de_que_tipo"};
+
 // No_Es_Cilindro
 
 inline constexpr clause No_Es_Cilindro_pre_1{"No_Es_Cilindro.pre.1", "e? ∈ elementos"};
@@ -102,6 +106,7 @@ struct Cilindro {
   using Addition = Agregar_Cilindro;
   using Removal = Eliminar_Cilindro;
   static constexpr Tipo tipo = Tipo::soy_cilindro;
+  static constexpr const clause* is_of_type = &Es_Cilindro_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);

@@ -47,6 +47,10 @@ struct Agregar_Cono {
   static constexpr const clause* answers = &Agregar_Cono_post_7;
 };
 
+// Es_Cono
+
+inline constexpr clause Es_Cono_pre_1{"Es_Cono.pre.1", "e? ↦ soy_cono ∈ de_que_tipo"};
+
 // No_Es_Cono
 
 inline constexpr clause No_Es_Cono_pre_1{"No_Es_Cono.pre.1", "e? ∈ elementos"};
@@ -103,6 +107,7 @@ struct Cono {
   using Addition = Agregar_Cono;
   using Removal = Eliminar_Cono;
   static constexpr Tipo tipo = Tipo::soy_cono;
+  static constexpr const clause* is_of_type = &Es_Cono_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);

@@ -43,6 +43,10 @@ struct Agregar_Disco {
   static constexpr const clause* answers = &Agregar_Disco_post_7;
 };
 
+// Es_Disco
+
+inline constexpr clause Es_Disco_pre_1{"Es_Disco.pre.1", "e? ↦ soy_disco ∈ de_que_tipo"};
+
 // No_Es_Disco
 
 inline constexpr clause No_Es_Disco_pre_1{"No_Es_Disco.pre.1", "e? ∈ elementos"};
@@ -96,6 +100,7 @@ struct Disco {
   using Addition = Agregar_Disco;
   using Removal = Eliminar_Disco;
   static constexpr Tipo tipo = Tipo::soy_disco;
+  static constexpr const clause* is_of_type = &Es_Disco_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);

@@ -40,6 +40,10 @@ struct Agregar_Esfera {
   static constexpr const clause* answers = &Agregar_Esfera_post_7;
 };
 
+// Es_Esfera
+
+inline constexpr clause Es_Esfera_pre_1{"Es_Esfera.pre.1", "e? ↦ soy_esfera ∈ de_que_tipo"};
+
 // No_Es_Esfera
 
 inline constexpr clause No_Es_Esfera_pre_1{"No_Es_Esfera.pre.1", "e? ∈ elementos"};
@@ -96,6 +100,7 @@ struct Esfera {
   using Addition = Agregar_Esfera;
   using Removal = Eliminar_Esfera;
   static constexpr Tipo tipo = Tipo::soy_esfera;
+  static constexpr const clause* is_of_type = &Es_Esfera_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);

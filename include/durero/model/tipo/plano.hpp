@@ -40,6 +40,10 @@ struct Agregar_Plano {
   static constexpr const clause* answers = &Agregar_Plano_post_7;
 };
 
+// Es_Plano
+
+inline constexpr clause Es_Plano_pre_1{"Es_Plano.pre.1", "e? ↦ soy_plano ∈ de_que_tipo"};
+
 // No_Es_Plano
 
 inline constexpr clause No_Es_Plano_pre_1{"No_Es_Plano.pre.1", "e? ∈ elementos"};
@@ -96,6 +100,7 @@ struct Plano {
   using Addition = Agregar_Plano;
   using Removal = Eliminar_Plano;
   static constexpr Tipo tipo = Tipo::soy_plano;
+  static constexpr const clause* is_of_type = &Es_Plano_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);

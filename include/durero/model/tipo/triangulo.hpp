@@ -41,6 +41,10 @@ struct Agregar_Triangulo {
   static constexpr const clause* answers = &Agregar_Triangulo_post_7;
 };
 
+// Es_Triangulo
+
+inline constexpr clause Es_Triangulo_pre_1{"Es_Triangulo.pre.1", "e? ↦ soy_triangulo ∈ de_que_tipo"};
+
 // No_Es_Triangulo
 
 inline constexpr clause No_Es_Triangulo_pre_1{"No_Es_Triangulo.pre.1", "e? ∈ elementos"};
@@ -108,6 +112,7 @@ struct Triangulo {
   using Addition = Agregar_Triangulo;
   using Removal = Eliminar_Triangulo;
   static constexpr Tipo tipo = Tipo::soy_triangulo;
+  static constexpr const clause* is_of_type = &Es_Triangulo_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);

@@ -52,6 +52,10 @@ struct Agregar_Tronco {
   static constexpr const clause* answers = &Agregar_Tronco_post_7;
 };
 
+// Es_Tronco
+
+inline constexpr clause Es_Tronco_pre_1{"Es_Tronco.pre.1", "e? ↦ soy_tronco ∈ de_que_tipo"};
+
 // No_Es_Tronco
 
 inline constexpr clause No_Es_Tronco_pre_1{"No_Es_Tronco.pre.1", "e? ∈ elementos"};
@@ -109,6 +113,7 @@ struct Tronco {
   using Addition = Agregar_Tronco;
   using Removal = Eliminar_Tronco;
   static constexpr Tipo tipo = Tipo::soy_tronco;
+  static constexpr const clause* is_of_type = &Es_Tronco_pre_1;  ///< where a change names the type
 
   /// The case of potencia.def.1. It outlives the scene.
   static Potencia potencia(const Escena& escena, const Elemento& e);
