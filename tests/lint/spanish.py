@@ -13,6 +13,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "spec"))
 import zlex  # noqa: E402
 
 TABLE, PAGE = Path("src/text/spanish.cpp"), Path("docs/spanish.md")
+TOOLKIT = {"front", "head", "last", "tail"}  # names of the standard's toolkit, which are English
 ROW = re.compile(r'\{("[^"]*"),\s*("[^"]*"),\s*((?:"[^"]*"\s*)+)\}')
 HEAD = """# The Spanish names
 
@@ -71,6 +72,8 @@ def names_of_the_text():
             tokens = [(token.text, token.line) for token in paragraph.tokens if token.kind == "name"]
             for name, line in heads + tokens:
                 name = re.sub(r"^\\(Delta|Xi)", "", name).rstrip("'")
+                if name in TOOLKIT:
+                    continue
                 found.setdefault(name, (stem, line, owner(paragraph)))
     return found
 

@@ -10,7 +10,7 @@ capital() { printf '%s' "$1" | cut -c1 | tr '[:lower:]' '[:upper:]' | tr -d '\n'
     stem=$(basename "$text" .tex)
     case $stem in
       tablas) layer=scene printed= ;;
-      auditoria | distancias | distribuida | haces | iluminacion | instancias | luz | malla | proyeccion | solidos) layer=model printed= ;;
+      auditoria | distancias | distribuida | haces | historia | iluminacion | instancias | luz | malla | proyeccion | solidos) layer=model printed= ;;
       *) layer=model printed=spec/impresa/$stem.tex ;;
     esac
     for file in $printed "include/durero/$layer/$stem.hpp" "src/$layer/$stem.cpp" "tests/$layer/${stem}_test.cpp" \
