@@ -1,5 +1,6 @@
 #pragma once
-/// The clauses of spec/operaciones.tex over the tables of a scene, at the price of what changed.
+/// The clauses of spec/operaciones.tex, and of the changes of spec/historia.tex, over the tables of a scene, at the
+/// price of what changed.
 ///
 /// Each function hands its clauses to `visit(clause, refusal, holds)`, in the order of the text: the partial operation
 /// checks them as contracts, the total one stops at the first that does not hold and gives that answer.
@@ -8,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "durero/model/cambio.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/addition.hpp"
@@ -40,6 +42,24 @@ template <model::RemovalOfType Op, class Visit>
 void preconditions(const Op&, const Place& place, Visit&& visit) {
   visit(model::Eliminar_Elemento_pre_1, Respuesta::elemento_no_existe, [&] { return place.has_value(); });
   visit(*Op::is_of_type, Respuesta::tipo_incorrecto, [&] { return place && place->tipo == Op::tipo; });
+}
+
+/// A change of an attribute.
+template <class Op>
+concept ChangeOfAttribute = requires { Op::has_attribute; };
+
+/// Of a change. A body has no attributes, though it stands as a sphere.
+template <ChangeOfAttribute Op, class Visit>
+void preconditions(const Op& in, const Place& place, bool is_body, Visit&& visit) {
+  visit(model::Cambiar_Elemento_pre_1, Respuesta::elemento_no_existe, [&] { return place.has_value(); });
+  if (in.of_type)
+    visit(model::of_type_clause(*in.of_type), Respuesta::tipo_incorrecto,
+          [&] { return place && !is_body && place->tipo == *in.of_type; });
+  visit(*Op::has_attribute, Respuesta::tipo_incorrecto,
+        [&] { return place && !is_body && model::attribute_of<Op::component>().types.contains(place->tipo); });
+  model::for_each_entry(Op::requirements, [&]<class Entry>(const Entry& required) {
+    visit(*required.what, Entry::Denial::answer, [&] { return required.holds(in); });
+  });
 }
 
 /// How many elements there are of each shape, and so how many have each attribute.
@@ -113,6 +133,41 @@ void postconditions(const Op& in, const Removed& d, Visit&& visit) {
   visit(model::Eliminar_Elemento_post_1, [&] { return !d.known && d.after.elementos() + 1 == d.before.elementos(); });
   visit(model::Eliminar_Elemento_post_2, [&] { return !d.known && d.moved_is_known; });
   model::postconditions_of_type(in, d, d.r, visit);
+}
+
+/// A change, done: the sizes of before and after, the place that e? had and the one the index now tells, and the row of
+/// before and after. c' = c changes neither the size of c nor the value of the row.
+template <class Shape>
+struct Changed {
+  Sizes before, after;
+  ElementRef row;
+  Place place;
+  const Shape &old, &shape;
+};
+
+template <auto component, auto input, class Shape>
+bool has_effect(const model::Replaced<component, input>&, const auto& in, const Changed<Shape>& done) {
+  if constexpr (has_attribute<Shape, component>())
+    return attribute_value<component>(done.shape) == stored(in.*input);
+  else
+    return false;
+}
+template <auto component, class Shape>
+bool has_effect(const model::Kept<component>&, const auto&, const Changed<Shape>& done) {
+  if (done.after.template with<component>() != done.before.template with<component>()) return false;
+  if constexpr (has_attribute<Shape, component>())
+    return attribute_value<component>(done.shape) == attribute_value<component>(done.old);
+  else
+    return true;
+}
+
+template <class Op, class Shape, class Visit>
+void postconditions(const Op& in, const Changed<Shape>& c, Respuesta r, Visit&& visit) {
+  visit(model::Cambiar_Elemento_post_1, [&] { return c.place && c.after.elementos() == c.before.elementos(); });
+  visit(model::Cambiar_Elemento_post_2, [&] { return c.place == c.row; });
+  model::for_each_entry(Op::effects,
+                        [&](const auto& effect) { visit(*effect.what, [&] { return has_effect(effect, in, c); }); });
+  visit(model::Cambiar_Elemento_post_3, [&] { return r == model::change_answer; });
 }
 
 }  // namespace durero::scene

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "clauses.hpp"
+#include "durero/model/cambio.hpp"
 #include "durero/model/malla_clauses.hpp"
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/addition.hpp"
@@ -58,6 +59,29 @@ class Editor {
                                                     [&] { return key.place.has_value(); });
     edit_general(in, key);
     return Respuesta::elemento_eliminado;
+  }
+
+  template <ChangeOfAttribute Op>
+  Respuesta change(const Op& in) {
+    const Key key = find(in.e);
+    require_single(key.place);
+    if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore) {
+      const auto check = checker(now, in.e);
+      preconditions(in, key.place, is_body(key.place),
+                    [&](const clause& what, Respuesta, auto&& holds) { check(what, holds); });
+    }
+    return edit_attribute(in, key);
+  }
+
+  template <ChangeOfAttribute Op>
+  model::Answer change_total(const Op& in) {
+    const Key key = find(in.e);
+    if (is_face(key.place)) return es_de_malla;
+    std::optional<model::Answer> first;
+    preconditions(in, key.place, is_body(key.place), [&](const clause& what, Respuesta refusal, auto&& holds) {
+      if (!first && !holds()) first = model::Answer{refusal, &what};
+    });
+    return first ? *first : model::Answer{edit_attribute(in, key)};
   }
 
   template <class Op>
@@ -121,15 +145,18 @@ class Editor {
   using State = std::shared_ptr<const model::Escena>;
   using OldState = std::optional<State>;
 
+  OldState old_state() const {
+    if (scene_.audits_are_put_off_) return std::nullopt;
+    return contract::old_value([&] { return scene_.audited_ ? scene_.audited_ : state(); });
+  }
+
   State state() const { return std::make_shared<const model::Escena>(retrieve(scene_)); }
 
   /// The edit, between the old value and the whole Z predicates where audit clauses are evaluated. What the audit of
   /// the edit before saw is the old value of this one.
   template <class Op>
   Respuesta edit(const Op& in, const Key& key) {
-    OldState before;
-    if (!scene_.audits_are_put_off_)
-      before = contract::old_value([&] { return scene_.audited_ ? scene_.audited_ : state(); });
+    const OldState before = old_state();
     if constexpr (Addition<Op>)
       return add(in, key.hash, before);
     else
@@ -159,7 +186,7 @@ class Editor {
         postconditions(
             in, Added<Shape>{sizes_before, sizes(), place, scene_.find(in.e.name(), hash), table.shapes.back(), r},
             checker(now, in.e));
-      audit(before, in, r);
+      audit(before, in, in.e, r);
     } catch (...) {
       scene_.index_.erase(hash, place);
       table.pop_back();
@@ -199,7 +226,7 @@ class Editor {
         const bool moved_is_known = gap == last || scene_.index_.knows(table.labels[gap.index].hash, gap);
         postconditions(in, Removed{sizes_before, sizes(), known, moved_is_known, r}, checker(now, in.e));
       }
-      audit(before, in, r);
+      audit(before, in, in.e, r);
     } catch (...) {
       table.put_back(gap.index, std::move(row));
       if (gap != last) scene_.index_.move(last_hash, gap, last);
@@ -209,12 +236,44 @@ class Editor {
     return r;
   }
 
+  /// Puts the value into the column of the row, whatever its type is; nothing where that has no such column: only where
+  /// preconditions are not enforced can it be so.
+  template <ChangeOfAttribute Op>
+  Respuesta edit_attribute(const Op& in, const Key& key) {
+    contract::require(model::Cambiar_Elemento_pre_1, key.place.has_value());
+    const OldState before = old_state();
+    with_shape(key.place->tipo, [&]<class Shape>(std::type_identity<Shape>) {
+      if constexpr (has_attribute<Shape, Op::component>()) {
+        constexpr auto field = std::get<place_of_attribute<Shape, Op::component>()>(attributes_of<Shape>).field;
+        edit_row(in, key, before, scene_.table<Shape>().shapes[key.place->index], field);
+      }
+    });
+    return model::change_answer;
+  }
+
+  template <class Op, class Shape, class Field>
+  void edit_row(const Op& in, const Key& key, const OldState& before, Shape& row, Field field) {
+    const Sizes sizes_before = sizes();
+    const Shape old = row;
+    row.*field = stored(model::attribute_of<Op::component>().input(in));
+    try {
+      if (const auto now = contract::semantic(cost::normal); now != evaluation_semantic::ignore)
+        postconditions(in,
+                       Changed<Shape>{sizes_before, sizes(), *key.place, scene_.find(in.e.name(), key.hash), old, row},
+                       model::change_answer, checker(now, in.e));
+      audit(before, model::AttributeChange(in), in.e, model::change_answer);
+    } catch (...) {
+      row = old;
+      throw;
+    }
+  }
+
   /// The whole Z predicates over the retrieved scenes. Keeps what it saw, for the audit of the next edit.
   template <class Op>
-  void audit(const OldState& before, const Op& in, Respuesta r) const {
+  void audit(const OldState& before, const Op& in, const model::Elemento& e, Respuesta r) const {
     if (!before) return scene_.audited_.reset();
     State after = state();
-    const auto about = [&] { return values(in.e); };
+    const auto about = [&] { return values(e); };
     model::check(model::post(**before, in, *after, r, cost::audit), cost::audit, about);
     model::check(model::inv(*after), cost::audit, about);
     scene_.audited_ = std::move(after);
@@ -226,6 +285,7 @@ class Editor {
   /// @{ A face is removed with its mesh alone, whatever the semantic of preconditions is.
   static constexpr model::Answer es_de_malla{Respuesta::es_de_malla, &model::Fuera_De_Malla_pre_1};
   bool is_face(const Place& place) const { return place && scene_.is_face(*place); }
+  bool is_body(const Place& place) const { return place && !is_face(place) && scene_.body(*place) != nullptr; }
   void require_single(const Place& place) const { contract::require(model::Fuera_De_Malla_pre_1, !is_face(place)); }
   /// @}
 
@@ -242,6 +302,14 @@ Respuesta Scene::apply(const model::Operation& operation) {
 
 model::Answer Scene::apply_total(const model::Operation& operation) {
   return std::visit([&](const auto& in) { return Editor(*this).apply_total(in); }, operation);
+}
+
+Respuesta Scene::change(const model::AttributeChange& change) {
+  return std::visit([&](const auto& in) { return Editor(*this).change(in); }, change);
+}
+
+model::Answer Scene::change_total(const model::AttributeChange& change) {
+  return std::visit([&](const auto& in) { return Editor(*this).change_total(in); }, change);
 }
 
 }  // namespace durero::scene

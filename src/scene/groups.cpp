@@ -99,10 +99,22 @@ Groups::Index::iterator Groups::leave(Index::iterator element) noexcept {
   return of_element_.erase(element);
 }
 
-void Groups::follow(const model::Operation& done) noexcept {
-  const auto at = of_element_.find(name_of(done).name());
+void Groups::put(const std::string& element, std::string_view group) {
+  const auto into = table_.find(group);
+  if (into->first == of_element(element)) return;
+  Names one{element};
+  Members member = members_of(one, into->first);
+  take_out(element);
+  into->second.elementos.merge(one);
+  of_element_.merge(member);
+}
+
+void Groups::take_out(std::string_view element) noexcept {
+  const auto at = of_element_.find(element);
   if (at != of_element_.end()) leave(at);
 }
+
+void Groups::follow(const model::Operation& done) noexcept { take_out(name_of(done).name()); }
 
 void Groups::follow_meshes(const Scene& scene) noexcept {
   for (auto at = of_element_.begin(); at != of_element_.end();) at = scene.find(at->first) ? std::next(at) : leave(at);

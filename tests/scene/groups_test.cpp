@@ -99,3 +99,21 @@ TEST_CASE("an element that is removed leaves its group, and one of its name is i
   edited(model::Eliminar_Elemento{model::Elemento("b")});  // refused
   check_both_ways(edited.groups);
 }
+
+TEST_CASE("an element is put into another group, or taken out") {
+  Edited of{with_elements({"a", "b", "c"})};
+  CHECK(of(Grouping{"one", {{"a"}, {}}}) == "grouped");
+  CHECK(of(Grouping{"two", {{"b"}, {}}}) == "grouped");
+  of.groups.put("a", "two");
+  of.groups.put("c", "two");
+  of.groups.put("c", "two");
+  CHECK(of.groups.of_element("a") == "two");
+  CHECK(of.groups.table().at("one").elementos.empty());
+  CHECK(of.groups.table().at("two").elementos == scene::Names{"a", "b", "c"});
+  check_both_ways(of.groups);
+  of.groups.take_out("b");
+  of.groups.take_out("b");
+  CHECK(of.groups.of_element("b").empty());
+  CHECK(of.groups.table().at("two").elementos == scene::Names{"a", "c"});
+  check_both_ways(of.groups);
+}

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "durero/model/cambio.hpp"
 #include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/scene/groups.hpp"
@@ -67,6 +68,11 @@ Scene scene_after(const std::vector<Operation>& operations) {
   Scene scene;
   for (const Operation& operation : operations) scene.apply_total(operation);
   return scene;
+}
+
+/// Lets a broken precondition pass, so that the operation goes on to break its postcondition.
+void throw_at_postconditions(const contract::contract_violation& violation) {
+  if (violation.kind() == contract::kind::postcondition) throw contract::contract_violation(violation);
 }
 
 /// Two elements of each type, the first of each with a material.
@@ -155,6 +161,64 @@ TEST_CASE("every operation commutes with the model's") {
   }
 }
 
+TEST_CASE("every change of an attribute commutes with the model's") {
+  for (const auto audit : {evaluation_semantic::ignore, evaluation_semantic::enforce}) {
+    const scoped_semantic scope(cost::audit, audit);
+    const std::string how = audit == evaluation_semantic::enforce ? ", audited" : "";
+    property("partial and total: the same answer or violation, the same scene, the same rows" + how, [] {
+      Scene scene = scene_after(*any_operations());
+      for (int i = 0; i < 4; ++i) {
+        const Elemento e = *any_element();
+        const auto of_type =
+            *rc::gen::element<std::optional<Tipo>>(std::nullopt, std::nullopt, Tipo::soy_esfera, Tipo::soy_tronco);
+        const double number = *any_real();
+        const AttributeChange change = *rc::gen::element<AttributeChange>(
+            Cambiar_Centro{e, Punto(1, 2, 3), of_type}, Cambiar_Radio{e, number, of_type},
+            Cambiar_Vector{e, *any_vector(), of_type}, Cambiar_Vector{e, *any_axis(), of_type},
+            Cambiar_Altura{e, number, of_type}, Cambiar_Proporcion{e, number, of_type},
+            Cambiar_Vertices{e, *any_terna(), of_type});
+        Escena escena = retrieve(scene), partial = escena;
+        Scene other = scene;
+        const Answer expected = model::apply_total(escena, change);
+        const std::string label = violated([&] { model::apply(partial, change); });
+        RC_ASSERT(scene.change_total(change) == expected);
+        RC_ASSERT(violated([&] { other.change(change); }) == label);
+        RC_ASSERT(retrieve(scene) == escena);
+        RC_ASSERT(picture(scene) == picture(other));
+        RC_CLASSIFY(expected.ok(), "done");
+      }
+      RC_ASSERT(index_is_sound(scene));
+    });
+  }
+}
+
+TEST_CASE("an element that is changed keeps its row, its name and its material") {
+  Scene scene = two_of_each();
+  const ElementRef place = *scene.find("disco1");
+  CHECK(scene.change(Cambiar_Radio{Elemento("disco1"), 4, Tipo::soy_disco}) == Respuesta::elemento_cambiado);
+  CHECK(scene.find("disco1") == place);
+  CHECK(scene.material(place) == 1);
+  CHECK(scene.shapes<durero::scene::Disc>()[place.index].radio == 4);
+}
+
+TEST_CASE("a change that is refused, or whose postcondition is broken, leaves every row as it was") {
+  Scene scene = two_of_each();
+  const auto before = picture(scene);
+  CHECK(scene.change_total(Cambiar_Altura{Elemento("cono-of-a-longer-name1"), 0}).violated == &Cambiar_Altura_pre_2);
+  CHECK(violated([&] { scene.change(Cambiar_Radio{Elemento("plano1"), 2}); }) == "Cambiar_Radio.pre.1");
+  CHECK(picture(scene) == before);
+
+  const auto handler = contract::set_violation_handler(throw_at_postconditions);
+  const scoped_semantic observed(cost::normal, evaluation_semantic::observe);
+  CHECK(violated([&] { scene.change(Cambiar_Radio{Elemento("esfera1"), NAN}); }) == "Cambiar_Radio.post.1");
+  contract::set_violation_handler(handler);
+  const scoped_semantic ignored(cost::normal, evaluation_semantic::ignore);
+  const scoped_semantic audited(cost::audit, evaluation_semantic::enforce);
+  CHECK(violated([&] { scene.change(Cambiar_Radio{Elemento("esfera1"), -1}); }) == "Rmas.inv.1");
+  CHECK(violated([&] { scene.change(Cambiar_Radio{Elemento("nobody"), 1}); }) == "Cambiar_Elemento.pre.1");
+  CHECK(picture(scene) == before);
+}
+
 TEST_CASE("the type that an addition is given is looked at by the partial operation alone") {
   const Operation wrong = Agregar_Esfera{Elemento("a"), origin, 1, Tipo::soy_cono};
   Scene scene;
@@ -183,15 +247,6 @@ TEST_CASE("a refused operation leaves every row where it was") {
     RC_ASSERT(index_is_sound(scene));
   });
 }
-
-namespace {
-
-/// Lets a broken precondition pass, so that the operation goes on to break its postcondition.
-void throw_at_postconditions(const contract::contract_violation& violation) {
-  if (violation.kind() == contract::kind::postcondition) throw contract::contract_violation(violation);
-}
-
-}  // namespace
 
 TEST_CASE("a broken postcondition undoes the edit, row by row") {
   const auto handler = contract::set_violation_handler(throw_at_postconditions);

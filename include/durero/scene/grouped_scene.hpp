@@ -12,9 +12,12 @@ struct GroupedScene {
   Groups groups = {};  ///< of them
 
   /// @{ The total edits: where a precondition does not hold they change nothing, and answer so. An element that is
-  /// removed leaves its group.
+  /// removed leaves its group; one that is changed stays in it.
   model::Answer apply_total(const Edit& edit);
   model::Answer apply_total(MeshEdit edit);
+  model::Answer change_total(const model::AttributeChange& change);
+  /// A face has the material of its mesh, and no own one: es_de_malla.
+  model::Answer change_looks(const model::LookChange& change);
   Outcome apply_total(const GroupEdit& edit) { return groups.apply_total(edit, scene); }
   /// @}
 };

@@ -81,6 +81,11 @@ class Groups {
   /// The total edit: where a precondition does not hold it changes nothing and answers so, the first in the order of
   /// their labels. Precondition: the groups are of that scene.
   Outcome apply_total(const GroupEdit& edit, const Scene& scene);
+  /// Puts an element into a group, and takes it out of the one that it was in. Where memory runs out nothing changes.
+  /// Precondition: the group exists.
+  void put(const std::string& element, std::string_view group);
+  /// Takes an element out of its group, if it is in one.
+  void take_out(std::string_view element) noexcept;
   /// After an operation was carried out on the scene: an element that was removed leaves its group. One that was added
   /// is in none.
   void follow(const model::Operation& done) noexcept;
