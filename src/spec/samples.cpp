@@ -106,6 +106,21 @@ std::vector<zed::Value> scenes_with_meshes() {
   return found;
 }
 
+/// Scenes with looks: without any, with a material, with a group, and with both.
+std::vector<zed::Value> scenes_with_looks() {
+  Escena escena = Init();
+  for (const Operation& edit : {edits()[0], edits()[2], edits()[3]}) apply(escena, edit);
+  const Elemento e1("e1"), e3("e3"), e4("e4");
+  const std::set<Nombre> grupos{"g1", "g2"}, materiales{"m1", "m2"};
+  std::vector<zed::Value> found{binding(components(Vista{Init(), {}, {}, {}, {}}))};
+  for (const Vista& s :
+       {Vista{escena, grupos, materiales, {}, {}}, Vista{escena, grupos, materiales, {}, {{e1, "m1"}, {e4, "m2"}}},
+        Vista{escena, grupos, materiales, {{e1, "g1"}, {e3, "g2"}}, {}},
+        Vista{escena, grupos, materiales, {{e1, "g2"}, {e4, "g2"}}, {{e1, "m2"}, {e3, "m2"}}}})
+    found.push_back(binding(components(s)));
+  return found;
+}
+
 /// Pairs of triangles that share an edge across the third axis, or beside it: flat, and folded.
 std::vector<zed::Value> neighbours() {
   const Punto left(-2, 0, 5), right(2, 0, 5), front(0, -3, 5), back(0, 3, 5), raised(0, 3, 7);
@@ -137,6 +152,8 @@ std::vector<zed::Value> vectors() {
   found.push_back(exact_vector(slant, none, slant));
   return found;
 }
+
+zed::Value value_of_name(const char* name) { return zed::Value::atom("Nombre", name); }
 
 std::vector<zed::Value> numbers(std::initializer_list<double> from) {
   std::vector<zed::Value> found;
@@ -218,6 +235,8 @@ zed::Samples samples() {
   return {
       {"Escena", scenes()},
       {"Mallas", scenes_with_meshes()},
+      {"Vista", scenes_with_looks()},
+      {"Nombre", {value_of_name("g1"), value_of_name("g2"), value_of_name("m1"), value_of_name("m2")}},
       {"Red", values(nets())},
       {"Vecinos", neighbours()},
       {"Init_Tablas", {of_edits.alone.front()}},

@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "durero/model/cambio.hpp"
+#include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
 
 namespace durero::embedded {
@@ -68,6 +70,18 @@ std::string total_name(const Operation& operation) {
   return std::string(std::visit([](const auto& in) { return in.total; }, operation));
 }
 
+bool in_de_malla(const model::Elemento& e, const model::Mallas& s) {
+  std::set<model::Elemento> meshes;
+  model::Ordinal most = 0;
+  for (const auto& [m, malla] : s.mallas) {
+    meshes.insert(m);
+    most = std::max(most, static_cast<model::Ordinal>(malla.red().caras().size()));
+  }
+  const zed::Evaluator evaluator(text().sections, {{{"nombre_cara", ""}, names_of_faces(meshes, most)}});
+  const Value names = evaluator.apply(evaluator.value(Name{"de_malla", ""}), binding(components(s)));
+  return decided(evaluator.contains(names, value(e)), "whether " + e.name() + " ∈ de_malla(θMallas)");
+}
+
 struct Judge::Schemas {
   zed::Evaluator evaluator{text().sections};
   std::map<std::string, zed::SchemaCheck> checks{};
@@ -114,6 +128,14 @@ std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& before, con
   return schema.findings(in_order(schema.components(), all));
 }
 
+std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& before,
+                                                const model::AttributeChange& change) const {
+  const zed::SchemaCheck& schema = (*schemas_)[model::schema_name(change)];
+  Named all = components(before);
+  append(all, inputs(change));
+  return schema.findings(in_order(schema.components(), all));
+}
+
 std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& escena) const {
   const zed::SchemaCheck& schema = (*schemas_)["Escena"];
   return schema.findings(in_order(schema.components(), components(escena)));
@@ -144,29 +166,62 @@ const zed::ConjunctTruth* first(const std::vector<zed::ConjunctTruth>& findings,
 
 }  // namespace
 
-std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
-                                             const model::Answer& answer, const model::Escena& after) const {
-  const OperationStep step{before, operation, answer.r, after};
-  const Operation partial = std::visit([](const auto& in) { return partial_of(in); }, operation);
-  if (answer.ok()) {
-    // The general addition differs from that of its type by its answer alone.
-    const OperationStep done{before, std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial,
-                             answer.r, after};
-    if (!holds(done)) {
-      const auto all = findings(done);
+/// A transition that contracts made or declined, as the text asks of it.
+struct Judge::Transition {
+  const model::Escena &before, &after;
+  const model::Answer& answer;
+  std::string partial;  ///< the schema of the partial operation, whose preconditions are named
+  std::string done;     ///< the schema that holds where the operation is done
+  std::string total;    ///< the schema that holds of every answer
+  Named partial_inputs, inputs;
+};
+
+std::optional<std::string> Judge::difference(const Transition& step) const {
+  Named whole = components(step.before), known = whole;
+  append(whole, primed(components(step.after)));
+  append(whole, step.inputs);
+  whole.emplace_back(Name{"r", "!"}, value(step.answer.r));
+  append(known, step.partial_inputs);
+  const auto holds_of = [&](const std::string& name) {
+    const zed::SchemaCheck& schema = (*schemas_)[name];
+    return decided(schema.holds(in_order(schema.components(), whole)), name);
+  };
+  const auto findings_of = [&](const std::string& name, const Named& named) {
+    const zed::SchemaCheck& schema = (*schemas_)[name];
+    return schema.findings(in_order(schema.components(), named));
+  };
+  if (step.answer.ok()) {
+    if (!holds_of(step.done)) {
+      const auto all = findings_of(step.done, whole);
       const zed::ConjunctTruth* broken = first(all, Truth::no);
-      return "the contracts accept what the text refuses: " + (broken ? told(*broken) : schema_name(operation));
+      return "the contracts accept what the text refuses: " + (broken ? told(*broken) : step.done);
     }
   } else {
-    const auto all = findings(before, partial);
+    const auto all = findings_of(step.partial, known);
     const auto named = std::find_if(all.begin(), all.end(),
-                                    [&](const auto& finding) { return finding.label == answer.violated->label; });
+                                    [&](const auto& finding) { return finding.label == step.answer.violated->label; });
     if (named == all.end())
-      return "the contracts name no predicate of the text: " + std::string(answer.violated->label);
+      return "the contracts name no predicate of the text: " + std::string(step.answer.violated->label);
     if (named->truth != Truth::no) return "the contracts refuse what the text accepts: " + told(*named);
   }
-  if (!holds_total(step)) return "the answer does not satisfy " + total_name(operation);
+  if (!holds_of(step.total)) return "the answer does not satisfy " + step.total;
   return std::nullopt;
+}
+
+std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
+                                             const model::Answer& answer, const model::Escena& after) const {
+  const Operation partial = std::visit([](const auto& in) { return partial_of(in); }, operation);
+  // The general addition differs from that of its type by its answer alone.
+  const Operation& done = std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial;
+  return difference(Transition{before, after, answer, schema_name(partial), schema_name(done), total_name(operation),
+                               spec::inputs(partial), spec::inputs(answer.ok() ? done : operation)});
+}
+
+std::optional<std::string> Judge::difference(const model::Escena& before, const model::AttributeChange& change,
+                                             const model::Answer& answer, const model::Escena& after) const {
+  const std::string partial = model::schema_name(change);
+  return difference(Transition{before, after, answer, partial, partial, model::total_name(change), spec::inputs(change),
+                               spec::inputs(change)});
 }
 
 bool Judge::in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "durero/model/cambio.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/tablas.hpp"
@@ -203,6 +204,33 @@ Named components(const model::Mallas& s) {
   return named;
 }
 
+namespace {
+
+Value named_value(const model::Nombre& name) { return Value::atom("Nombre", name); }
+
+Value names_value(const std::set<model::Nombre>& names) {
+  std::vector<Value> members;
+  for (const model::Nombre& name : names) members.push_back(named_value(name));
+  return Value::set(std::move(members));
+}
+
+Value names_value(const std::map<model::Elemento, model::Nombre>& names) {
+  std::vector<Value> members;
+  for (const auto& [e, name] : names) members.push_back(Value::pair(value(e), named_value(name)));
+  return Value::set(std::move(members));
+}
+
+}  // namespace
+
+Named components(const model::Vista& s) {
+  Named named = components(s.escena);
+  named.emplace_back(Name{"grupos", ""}, names_value(s.grupos));
+  named.emplace_back(Name{"materiales", ""}, names_value(s.materiales));
+  named.emplace_back(Name{"mi_grupo", ""}, names_value(s.mi_grupo));
+  named.emplace_back(Name{"mi_material", ""}, names_value(s.mi_material));
+  return named;
+}
+
 Value names_of_faces(const std::set<model::Elemento>& meshes, model::Ordinal count) {
   std::vector<Value> members;
   for (const model::Elemento& m : meshes)
@@ -234,6 +262,26 @@ Named components(const scene::Tablas& tables) {
 
 Named inputs(const model::MeshOperation& operation) {
   return std::visit([](const auto& in) { return inputs_of_mesh(in); }, operation);
+}
+
+Named inputs(const model::AttributeChange& change) {
+  return std::visit(
+      []<class Change>(const Change& in) {
+        const auto& attribute = model::attribute_of<Change::component>();
+        return Named{{input("e"), value(in.e)}, {input(attribute.word), attribute_value(attribute.input(in))}};
+      },
+      change);
+}
+
+Named inputs(const model::LookChange& change) {
+  return std::visit(
+      [](const auto& in) {
+        Named named{{input("e"), value(in.e)}};
+        if constexpr (requires { in.material; }) named.emplace_back(input("material"), named_value(in.material));
+        if constexpr (requires { in.g; }) named.emplace_back(input("g"), named_value(in.g));
+        return named;
+      },
+      change);
 }
 
 Named inputs(const model::Operation& operation) {

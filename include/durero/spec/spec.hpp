@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "durero/model/cambio.hpp"
 #include "durero/model/exact_point.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operation.hpp"
 #include "durero/model/tipos.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/zed/evaluate/evaluate.hpp"
 
@@ -47,9 +49,10 @@ zed::Value value(const model::Escena& escena);
 
 /// Components by name: of a state, of an operation.
 using Named = zed::Valuation;
-/// @{ The components of Escena, of Mallas, and of Tablas.
+/// @{ The components of Escena, of Mallas, of Vista, and of Tablas.
 Named components(const model::Escena& escena);
 Named components(const model::Mallas& s);
+Named components(const model::Vista& s);
 Named components(const scene::Tablas& tables);
 /// @}
 /// The binding of these components.
@@ -57,10 +60,15 @@ zed::Value binding(Named parts);
 /// @{ The inputs of an operation, `e?` or `m?` and the others.
 Named inputs(const model::Operation& operation);
 Named inputs(const model::MeshOperation& operation);
+Named inputs(const model::AttributeChange& change);
+Named inputs(const model::LookChange& change);
 /// @}
 /// The part of nombre_cara that names the faces below `count` of these meshes: a value for that constant of the text,
 /// which leaves it open.
 zed::Value names_of_faces(const std::set<model::Elemento>& meshes, model::Ordinal count);
+
+/// e ∈ de_malla(θMallas). Where it is so, an operation on e alone is refused (Es_De_Malla).
+bool in_de_malla(const model::Elemento& e, const model::Mallas& s);
 
 /// @{ The schema of the operation, and of its total one: `Agregar_Esfera`, `Agregar_Esfera_Total`.
 std::string schema_name(const model::Operation& operation);
@@ -94,15 +102,20 @@ class Judge {
   /// @}
   /// Every conjunct of the partial operation, and its truth.
   std::vector<zed::ConjunctTruth> findings(const OperationStep& step) const;
-  /// Every conjunct, where the after-state and r! are not known: what depends on them is open.
+  /// @{ Every conjunct, where the after-state and r! are not known: what depends on them is open.
   std::vector<zed::ConjunctTruth> findings(const model::Escena& before, const model::Operation& operation) const;
+  std::vector<zed::ConjunctTruth> findings(const model::Escena& before, const model::AttributeChange& change) const;
+  /// @}
   /// Every conjunct of Escena.
   std::vector<zed::ConjunctTruth> findings(const model::Escena& escena) const;
 
-  /// What the text says otherwise than the contracts, with the predicate: nothing where both agree. The contracts
+  /// @{ What the text says otherwise than the contracts, with the predicate: nothing where both agree. The contracts
   /// answered `answer`, and the scene was `before` and is `after`. A difference is a defect of the program.
   std::optional<std::string> difference(const model::Escena& before, const model::Operation& operation,
                                         const model::Answer& answer, const model::Escena& after) const;
+  std::optional<std::string> difference(const model::Escena& before, const model::AttributeChange& change,
+                                        const model::Answer& answer, const model::Escena& after) const;
+  /// @}
 
   // Points. Precondition: the coordinates lie in one field.
   /// p ∈ puntos_de_rayo(rayo)
@@ -122,6 +135,8 @@ class Judge {
 
  private:
   struct Schemas;
+  struct Transition;
+  std::optional<std::string> difference(const Transition& step) const;
   std::unique_ptr<Schemas> schemas_;
 };
 
