@@ -13,6 +13,16 @@ namespace {
 
 std::string answer_word(model::Respuesta r) { return std::string(model::name(r)); }
 
+/// The answer of a change to an element of a type of the text, which has no attribute of the program's own.
+model::Answer no_attribute(const model::AttributeChange& change) {
+  return std::visit(
+      [](const auto& in) {
+        return model::Answer{model::Respuesta::tipo_incorrecto,
+                             in.of_type ? &model::of_type_clause(*in.of_type) : in.has_attribute};
+      },
+      change);
+}
+
 }  // namespace
 
 Edited::Edited(const io::Source& source, std::shared_ptr<const Text> text) : text_(std::move(text)) {
@@ -30,6 +40,18 @@ std::span<const io::WrittenType> Edited::types() const {
 const io::WrittenElement* Edited::written(std::string_view name) const {
   const auto found = elements_.find(name);
   return found == elements_.end() ? nullptr : &found->second;
+}
+
+std::optional<io::WrittenElement> Edited::written_record(const std::string& name) const {
+  const io::WrittenElement* const element = written(name);
+  return element == nullptr ? std::nullopt : std::optional(*element);
+}
+
+void Edited::set_written(const std::string& name, std::optional<io::WrittenElement> element) {
+  if (element)
+    elements_.insert_or_assign(name, *std::move(element));
+  else
+    elements_.erase(name);
 }
 
 template <class MakeSurface>
@@ -76,6 +98,26 @@ io::EditAnswer Edited::apply_total(const scene::Copying& edit) {
 io::EditAnswer Edited::apply_total(scene::MeshEdit edit) {
   if (text_) throw std::domain_error("a mesh is edited beside a Z text; expected types of the text alone");
   return EditedScene::apply_total(std::move(edit));
+}
+
+/// Changes an attribute, and then makes the surface: where the text gives none, the change is undone.
+io::EditAnswer Edited::apply_total(const model::AttributeChange& change) {
+  const std::string& name = model::name_of(change).name();
+  if (stands_in(name)) return io::edit_answer(no_attribute(change));
+  if (!text_) return EditedScene::apply_total(change);
+  const scene::Scene before = of_.scene;
+  const model::Answer answer = of_.change_total(change);
+  if (!answer.ok()) return io::edit_answer(answer);
+  try {
+    surface_of(*text_, of_.scene, of_.scene.find(name).value());
+    return io::edit_answer(answer);
+  } catch (const NotInDomain& refused) {
+    of_.scene = before;
+    return {"not_in_domain", fmt::format("puntos_{}.dom", refused.type), refused.expected};
+  } catch (...) {
+    of_.scene = before;
+    throw;
+  }
 }
 
 io::EditAnswer Edited::apply_total(const scene::Joining& edit) {

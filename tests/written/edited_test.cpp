@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "durero/io/json/edit_history.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/scene/stage.hpp"
 #include "io/json/edited_script.hpp"
@@ -116,8 +117,36 @@ TEST_CASE("A shape of the program's own is asked of the text too: where that giv
   CHECK(edit(edited, "Agregar_Esfera e?=c centro?=(0,0,0) radio?=3") == "not_in_domain puntos_esfera.dom: radio < 2\n");
   CHECK(edited.scene_text() == before);
   CHECK(edit(edited, "Agregar_Esfera e?=c centro?=(0,0,0) radio?=1.5") == "esfera_agregada\n");
+  CHECK(edit(edited, "Cambiar_Radio e?=c radio?=5") == "not_in_domain puntos_esfera.dom: radio < 2\n");
+  CHECK(edit(edited, "Cambiar_Radio e?=c radio?=0") == "radio_no_positivo Cambiar_Radio.pre.2: radio? ∈ Rmas\n");
+  CHECK(edit(edited, "Cambiar_Radio e?=c radio?=1.25") == "elemento_cambiado\n");
   const std::string after = edited.scene_text();
+  CHECK(after.find("\"radio\":1.25") != std::string::npos);
   CHECK_THROWS_AS(edit(edited, "Agregar_Plano e?=p centro?=(0,0,0) vector?=(0,1,0)"), io::InputError);
+  CHECK(edited.scene_text() == after);
+}
+
+TEST_CASE("A torus has no radius of a sphere to change, and its edits are undone") {
+  Edited edited = with_tori();
+  CHECK(edit(edited, "Cambiar_Radio e?=ring radio?=2") == "tipo_incorrecto Cambiar_Radio.pre.1: e? ∈ dom mi_radio\n");
+  CHECK(edit(edited, "Cambiar_Radio_Esfera e?=ring radio?=2") ==
+        "tipo_incorrecto Es_Esfera.pre.1: e? ↦ soy_esfera ∈ de_que_tipo\n");
+  io::EditHistory history;
+  const auto apply = [&](const std::string& operation) {
+    return history.apply_total(edited, io::read_script(io::Source("op", operation), edited.stage(), edited.types())[0])
+        .ok();
+  };
+  const std::string before = edited.scene_text();
+  CHECK(apply("Eliminar_Toro e?=ring"));
+  CHECK(apply("Agregar_Toro e?=new centro?=(0,0,0) mayor?=3 menor?=1"));
+  const std::string after = edited.scene_text();
+  CHECK(history.undo(edited));
+  CHECK(edited.written("new") == nullptr);
+  CHECK(history.undo(edited));
+  CHECK(edited.written("ring") != nullptr);
+  CHECK(edited.scene_text() == before);
+  CHECK(history.redo(edited));
+  CHECK(history.redo(edited));
   CHECK(edited.scene_text() == after);
 }
 

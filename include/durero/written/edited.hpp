@@ -34,7 +34,10 @@ class Edited final : public io::EditedScene {
   io::EditAnswer apply_total(const scene::Copying& edit) override;
   io::EditAnswer apply_total(const scene::Joining& edit) override;
   io::EditAnswer apply_total(scene::MeshEdit edit) override;
+  io::EditAnswer apply_total(const model::AttributeChange& change) override;
   /// @}
+
+  std::optional<io::WrittenElement> written_record(const std::string& name) const override;
 
   /// The engine that answers rays by the text. It does not refer to this scene. Precondition: there is a text.
   std::unique_ptr<const engine::Engine> engine() const;
@@ -42,6 +45,8 @@ class Edited final : public io::EditedScene {
   std::string scene_text() const override;
 
  private:
+  void set_written(const std::string& name, std::optional<io::WrittenElement> element) override;
+  bool stands_in(const std::string& name) const override { return elements_.contains(name); }
   io::EditAnswer add(const io::WrittenAddition& in);
   io::EditAnswer remove(const io::WrittenRemoval& in);
   /// Carries out an addition, and then makes the surface. The addition is undone where the text does not give it one.

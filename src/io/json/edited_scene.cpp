@@ -1,9 +1,17 @@
 #include "durero/io/json/edited_scene.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
 #include "durero/contract/contract.hpp"
+#include "durero/io/json/edit_history.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/copying.hpp"
+#include "durero/text/shown.hpp"
+#include "texture_fields.hpp"
 
 namespace durero::io {
 namespace {
@@ -18,6 +26,8 @@ const std::string* element_of(const scene::Copying& edit) { return &edit.e; }
 const std::string* element_of(const scene::CopyRemoval& edit) { return &edit.e; }
 const std::string* element_of(const scene::Joining& edit) { return &edit.e; }
 const std::string* element_of(const scene::SolidRemoval& edit) { return &edit.e; }
+const std::string* element_of(const model::AttributeChange&) { return nullptr; }
+const std::string* element_of(const model::LookChange&) { return nullptr; }
 const std::string* element_of(const scene::GroupEdit&) { return nullptr; }
 const std::string* element_of(const scene::Closing&) { return nullptr; }
 const std::string* element_of(const scene::MeshEdit&) { return nullptr; }
@@ -58,6 +68,26 @@ EditAnswer EditedScene::apply_total(const scene::SolidRemoval& edit) {
 
 EditAnswer EditedScene::apply_total(scene::MeshEdit edit) { return edit_answer(of_.apply_total(std::move(edit))); }
 
+EditAnswer EditedScene::apply_total(const model::AttributeChange& change) {
+  return edit_answer(of_.change_total(change));
+}
+
+EditAnswer EditedScene::apply_total(const model::LookChange& change) {
+  if (const auto* const in = std::get_if<model::Cambiar_Material>(&change)) require_coordinates(*in);
+  return edit_answer(of_.change_looks(change));
+}
+
+void EditedScene::require_coordinates(const model::Cambiar_Material& in) const {
+  const auto& materials = of_.scene.stage().materials;
+  const auto material = std::ranges::find(materials, in.material, &scene::Material::name);
+  const auto element = of_.scene.find(in.e.name());
+  if (material == materials.end() || !has_textures(*material) || !element) return;
+  if (of_.scene.body(*element) != nullptr || stands_in(in.e.name()))
+    throw std::domain_error(
+        fmt::format("{} has no coordinates (u, v), and material {} has textures; expected one without", in.e.name(),
+                    text::shown(in.material)));
+}
+
 EditAnswer EditedScene::apply_total(const WrittenEdit&) { contract::unreachable(); }
 
 EditAnswer EditedScene::apply_total(const ScriptStep& step) {
@@ -80,6 +110,11 @@ std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const scene::Edit& e
   std::pair told(answer, edit_answer(answer));
   if (answer.ok()) told.second.left_group = left_group(name, std::move(was_in));
   return told;
+}
+
+std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const model::AttributeChange& change) {
+  const model::Answer answer = of_.change_total(change);
+  return {answer, edit_answer(answer)};
 }
 
 std::string EditedScene::left_group(const std::string& name, std::string was_in) {
@@ -112,6 +147,13 @@ EditAnswer EditedScene::apply_total(const scene::Closing& in) {
     throw;
   }
   return {lids.exact ? "closed" : "closed_but_for_rounding"};
+}
+
+void EditedScene::restore(const EditRecord& record) {
+  for (const scene::ElementRecord& element : record.elements) scene::restore(of_, element);
+  for (const auto& [name, element] : record.written) set_written(name, element);
+  if (record.mesh) scene::restore(of_, *record.mesh);
+  if (record.groups) of_.groups = *record.groups;
 }
 
 std::string EditedScene::scene_text() const { return io::scene_text(of_.scene, of_.groups); }

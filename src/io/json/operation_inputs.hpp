@@ -15,7 +15,7 @@ namespace durero::io {
 
 /// What may stand in a call of an operation: the inputs it needs, and those it may go without.
 struct Signature {
-  std::string_view name;
+  std::string name;
   std::vector<std::string_view> required, optional;
 };
 

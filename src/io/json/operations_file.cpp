@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "durero/io/json/json_writer.hpp"
@@ -26,10 +27,18 @@ using AnyEdit = decltype(ScriptStep::edit);
 // What a script may say of one operation, and the edit that it then means.
 struct OperationSchema {
   Signature signature;
-  AnyEdit (*read)(const Inputs& in, const scene::Stage& stage);
+  std::function<AnyEdit(const Inputs& in, const scene::Stage& stage)> read;
+  bool is_listed = true;  // a message that lists the operations names Cambiar_Radio, and not each Cambiar_Radio_TIPO
 };
 
 constexpr std::string_view material_word = "material";
+
+std::string operation_name(std::string_view verb, std::string_view word) {
+  std::string name = fmt::format("{}_{}", verb, word);
+  char& first = name[verb.size() + 1];
+  if ('a' <= first && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
+  return name;
+}
 
 template <class Shape>
 model::Operation read_addition(const Inputs& in) {
@@ -80,6 +89,55 @@ template <model::Operation (*read)(const Inputs& in)>
 AnyEdit read_edit(const Inputs& in, const scene::Stage& stage) {
   model::Operation operation = read(in);
   return scene::Edit{std::move(operation), read_material(in, stage)};
+}
+
+/// The change of an attribute, of an element of this type, or of any.
+template <class Change>
+AnyEdit read_change(const Inputs& in, std::optional<model::Tipo> of_type) {
+  const auto& attribute = model::attribute_of<Change::component>();
+  using Input = std::remove_cvref_t<decltype(attribute.input(std::declval<Change&>()))>;
+  std::remove_cvref_t<decltype(scene::stored(std::declval<const Input&>()))> written{};
+  const model::Elemento e = in.element();
+  in.read(attribute.word, written);
+  return model::AttributeChange(Change{e, scene::input_of<Input>(written), of_type});
+}
+
+/// The name that a change of an attribute has, of a type or of any.
+template <class Change>
+std::string change_name(std::optional<model::Tipo> of_type) {
+  if (!of_type) return std::string(Change::schema);
+  const std::string_view type = model::name(*of_type).substr(std::string_view("soy_").size());
+  return operation_name(Change::schema, type);
+}
+
+/// Of each attribute its change, and that of each type that has it.
+void add_changes(std::vector<OperationSchema>& all) {
+  const auto add = [&]<class Change>(std::type_identity<Change>) {
+    const auto& attribute = model::attribute_of<Change::component>();
+    const auto add_one = [&](std::optional<model::Tipo> of_type) {
+      all.push_back({{change_name<Change>(of_type), {"e", attribute.word}, {}},
+                     [=](const Inputs& in, const scene::Stage&) { return read_change<Change>(in, of_type); },
+                     !of_type});
+    };
+    add_one(std::nullopt);
+    scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
+      if (attribute.types.contains(Shape::tipo)) add_one(Shape::tipo);
+    });
+  };
+  [&]<class... Change>(std::type_identity<std::variant<Change...>>) {
+    (add(std::type_identity<Change>()), ...);
+  }(std::type_identity<model::AttributeChange>());
+}
+
+AnyEdit read_material_change(const Inputs& in, const scene::Stage&) {
+  return model::LookChange(model::Cambiar_Material{in.element(), in.word(material_word)});
+}
+AnyEdit read_group_change(const Inputs& in, const scene::Stage&) {
+  return model::LookChange(model::Cambiar_Grupo{in.element(), in.name("g")});
+}
+template <class Change>
+AnyEdit read_look_removal(const Inputs& in, const scene::Stage&) {
+  return model::LookChange(Change{in.element()});
 }
 
 scene::Names read_names(const Inputs& in, std::string_view input) {
@@ -170,16 +228,21 @@ std::vector<OperationSchema> all_schemas() {
   std::vector<OperationSchema> all;
   Signature general{"Agregar_Elemento", {"e", "t"}, {attribute_words.begin(), attribute_words.end()}};
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    Signature signature{Shape::Addition::schema, {"e"}, {material_word}};
+    Signature signature{std::string(Shape::Addition::schema), {"e"}, {material_word}};
     scene::for_each_attribute<Shape>([&](const auto& attribute) { signature.required.push_back(attribute.word); });
     all.push_back({std::move(signature), read_edit<read_addition<Shape>>});
   });
   general.optional.push_back(material_word);
   all.push_back({std::move(general), read_edit<read_general_addition>});
   scene::for_each_shape([&]<class Shape>(std::type_identity<Shape>) {
-    all.push_back({{Shape::Removal::schema, {"e"}, {}}, read_edit<read_removal<typename Shape::Removal>>});
+    all.push_back({{std::string(Shape::Removal::schema), {"e"}, {}}, read_edit<read_removal<typename Shape::Removal>>});
   });
   all.push_back({{"Eliminar_Elemento", {"e"}, {}}, read_edit<read_removal<model::Eliminar_Elemento>>});
+  add_changes(all);
+  all.push_back({{"Cambiar_Material", {"e", material_word}, {}}, read_material_change});
+  all.push_back({{"Quitar_Material", {"e"}, {}}, read_look_removal<model::Quitar_Material>});
+  all.push_back({{"Cambiar_Grupo", {"e", "g"}, {}}, read_group_change});
+  all.push_back({{"Quitar_Grupo", {"e"}, {}}, read_look_removal<model::Quitar_Grupo>});
   all.push_back({{"Agregar_Instancia", {"e", "de", "centro", "x", "y", "z"}, {material_word}}, read_copying});
   all.push_back({{"Eliminar_Instancia", {"e"}, {}}, read_copy_removal});
   using enum scene::Compound::Operation;
@@ -200,13 +263,6 @@ std::vector<OperationSchema> all_schemas() {
 const std::vector<OperationSchema>& schemas() {
   static const std::vector<OperationSchema> all = all_schemas();
   return all;
-}
-
-std::string operation_name(std::string_view verb, std::string_view word) {
-  std::string name = fmt::format("{}_{}", verb, word);
-  char& first = name[verb.size() + 1];
-  if ('a' <= first && first <= 'z') first = static_cast<char>(first - 'a' + 'A');
-  return name;
 }
 
 /// The operations of one type that a Z text declares.
@@ -245,14 +301,19 @@ class WrittenSchemas {
 };
 
 [[noreturn]] void refuse_unknown(const Source& source, const Call& call, const std::vector<WrittenSchemas>& written) {
-  std::vector<std::string_view> known;
-  for (const OperationSchema& schema : schemas()) known.push_back(schema.signature.name);
-  for (const WrittenSchemas& of : written) of.list(known);
-  const std::vector<std::string> all(known.begin(), known.end());
-  const auto near = text::nearest(call.schema, all);
+  std::vector<std::string_view> known, listed;
+  for (const OperationSchema& schema : schemas()) {
+    known.push_back(schema.signature.name);
+    if (schema.is_listed) listed.push_back(schema.signature.name);
+  }
+  for (const WrittenSchemas& of : written) {
+    of.list(known);
+    of.list(listed);
+  }
+  const auto near = text::nearest(call.schema, {known.begin(), known.end()});
   source.fail(
       call.offset, fmt::format("unknown operation {}", text::shown(call.schema)),
-      fmt::format("expected {}one of {}", near ? text::with_english(*near) + ", or " : "", fmt::join(all, ", ")));
+      fmt::format("expected {}one of {}", near ? text::with_english(*near) + ", or " : "", fmt::join(listed, ", ")));
 }
 
 AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stage,

@@ -94,7 +94,7 @@ void read_elements(json::Reader& in, const scene::Scene& scene, scene::ElementSe
   std::ranges::sort(all);
 }
 
-enum HitKey : std::size_t { ray, outcome, elementos, t, point };
+enum class HitKey : std::size_t { ray, outcome, elementos, t, point };
 constexpr std::string_view hit_keys[] = {"ray", "outcome", "elementos", "t", "point"};
 constexpr std::size_t required_hit_keys = 3;
 
@@ -104,21 +104,21 @@ struct GivenKeys {
 
 void read_part(json::Reader& in, HitKey key, const scene::Scene& scene, RayHit& read, GivenKeys& seen) {
   switch (key) {
-    case ray:
+    case HitKey::ray:
       read.offset = in.offset();
       read.ray =
           static_cast<std::size_t>(json::whole_number(in, "ray", 0, json::most_whole, "the number of a ray, from 0"));
       return;
-    case outcome:
+    case HitKey::outcome:
       read.hit.resultado = read_outcome(in);
       return;
-    case elementos:
+    case HitKey::elementos:
       return read_elements(in, scene, read.hit.elementos);
-    case t:
+    case HitKey::t:
       seen.t = true;
       read.hit.t = read_value(in, "t");
       return;
-    case point:
+    case HitKey::point:
       seen.point = true;
       read.hit.punto = in.triple("point", [&] { return read_value(in, "point"); });
   }

@@ -64,6 +64,69 @@ TEST_CASE("An element is closed by all of its discs, or by none") {
   CHECK(edited.of().scene.find("can:base").has_value());
 }
 
+TEST_CASE("An element changes, and keeps its name, its material and its group") {
+  EditedScene edited(
+      read_grouped_scene(Source("scene", R"({"format":"durero-scene","version":1,"materials":{"red":{"color":[1,0,0]},
+"brick":{"color":[1,0,0],"textures":{"color":"checks"}}},"textures":{"checks":{"checker":[[1,1,1],[0.2,0.2,0.2]]}},
+"elementos":[{"id":"s","tipo":"esfera","centro":[0,0,5],"radio":1,"material":"red"},
+{"id":"can","tipo":"cilindro","centro":[0,0,0],"radio":1,"vector":[0,1,0],"altura":2}],
+"mallas":[{"id":"tent","puntos":[[0,0,0],[1,0,0],[0,1,0]],"caras":[[0,1,2]]}],
+"groups":{"pair":{"elementos":["s"]},"rest":{"elementos":["tent:0"]}}})"),
+                         Bodies::read));
+  CHECK(edit(edited,
+             "Cambiar_Radio_Esfera e?=s radio?=2\n"
+             "Cambiar_Centro e?=s centro?=(1,2,3)\n"
+             "{\"op\":\"Cambiar_Vector_Cilindro\",\"e\":\"can\",\"vector\":[1,0,0]}\n"
+             "Cambiar_Altura e?=can altura?=0\n"
+             "Cambiar_Radio_Tronco e?=can radio?=1\n"
+             "Cambiar_Vertices e?=tent:0 vertices?=((0,0,0),(1,0,0),(0,1,0))\n"
+             "Cambiar_Material e?=can material?=red\n"
+             "Cambiar_Material e?=can material?=blue\n"
+             "Cambiar_Material e?=tent:0 material?=red\n"
+             "Quitar_Material e?=s\n"
+             "Cambiar_Grupo e?=can g?=pair\n"
+             "Cambiar_Grupo e?=tent:0 g?=pair\n"
+             "Cambiar_Grupo e?=s g?=none\n"
+             "Cambiar_Grupo e?=nobody g?=pair\n"
+             "Quitar_Grupo e?=s\n"
+             "Quitar_Grupo e?=s\n") ==
+        "elemento_cambiado\nelemento_cambiado\nelemento_cambiado\n"
+        "altura_no_positiva Cambiar_Altura.pre.2: altura? ∈ Rmas\n"
+        "tipo_incorrecto Es_Tronco.pre.1: e? ↦ soy_tronco ∈ de_que_tipo\n"
+        "es_de_malla Fuera_De_Malla.pre.1: e? ∉ de_malla(θMallas)\n"
+        "elemento_cambiado\n"
+        "material_no_existe Cambiar_Material.pre.2: material? ∈ materiales\n"
+        "es_de_malla Fuera_De_Malla.pre.1: e? ∉ de_malla(θMallas)\n"
+        "elemento_cambiado\nelemento_cambiado\nelemento_cambiado\n"
+        "grupo_no_existe Cambiar_Grupo.pre.2: g? ∈ grupos\n"
+        "elemento_no_existe Cambiar_Grupo.pre.1: e? ∈ elementos\n"
+        "elemento_cambiado\nelemento_cambiado\n");
+  const scene::Groups& groups = edited.of().groups;
+  CHECK(groups.table().at("pair").elementos == scene::Names{"can", "tent:0"});
+  CHECK(groups.table().at("rest").elementos.empty());
+  const auto s = edited.of().scene.find("s").value(), can = edited.of().scene.find("can").value();
+  CHECK(!edited.of().scene.material(s));
+  CHECK(edited.of().scene.material(can).has_value());
+}
+
+TEST_CASE("A body has no attributes of its own, and no coordinates") {
+  EditedScene edited(read_grouped_scene(Source("scene", R"({"format":"durero-scene","version":1,
+"materials":{"brick":{"color":[1,0,0],"textures":{"color":"checks"}}},
+"textures":{"checks":{"checker":[[1,1,1],[0.2,0.2,0.2]]}},
+"elementos":[{"id":"s","tipo":"esfera","centro":[0,0,5],"radio":1}]})"),
+                                        Bodies::read));
+  CHECK(edit(edited,
+             "Agregar_Instancia e?=copy de?=s centro?=(0,0,9) x?=(2,0,0) y?=(0,1,0) z?=(0,0,1)\n"
+             "Cambiar_Radio e?=copy radio?=2\n"
+             "Cambiar_Radio_Esfera e?=copy radio?=2\n"
+             "Cambiar_Material e?=s material?=brick\n") ==
+        "instancia_agregada\n"
+        "tipo_incorrecto Cambiar_Radio.pre.1: e? ∈ dom mi_radio\n"
+        "tipo_incorrecto Es_Esfera.pre.1: e? ↦ soy_esfera ∈ de_que_tipo\n"
+        "elemento_cambiado\n");
+  CHECK_THROWS_AS(edit(edited, "Cambiar_Material e?=copy material?=brick"), std::domain_error);
+}
+
 TEST_CASE("What does not hold is answered, and the scene is as it was") {
   EditedScene edited;
   CHECK(edited.types().empty());

@@ -2,6 +2,7 @@
 /// A scene that operations edit, with its groups. The answers tell of a group that an element has left.
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -11,6 +12,8 @@
 #include "durero/scene/stage.hpp"
 
 namespace durero::io {
+
+struct EditRecord;
 
 /// An edited scene of the program's own shapes.
 class EditedScene {
@@ -37,15 +40,27 @@ class EditedScene {
   EditAnswer apply_total(const scene::SolidRemoval& edit);
   /// Edits a mesh; beside a Z text there is none, and it throws std::domain_error.
   virtual EditAnswer apply_total(scene::MeshEdit edit);
+  /// Changes an attribute. An element of a type of a Z text, and a body, has none of them.
+  virtual EditAnswer apply_total(const model::AttributeChange& change);
+  /// Changes looks. Throws std::domain_error where a material with textures is for an element that has no coordinates
+  /// (u, v): a body, or an element of a type of a Z text.
+  EditAnswer apply_total(const model::LookChange& change);
   /// Precondition: there are types.
   virtual EditAnswer apply_total(const WrittenEdit& edit);
   /// Applies a step; the answer tells of groups, too.
   EditAnswer apply_total(const ScriptStep& step);
   /// @}
 
-  /// Applies an edit of the program's own shapes. Returns its answer with the clause that it breaks, and the answer of
-  /// apply_total(ScriptStep). Precondition: there is no text.
+  /// @{ Applies an edit of the program's own shapes. Returns its answer with the clause that it breaks, and the answer
+  /// of apply_total(ScriptStep). Precondition: there is no text.
   std::pair<model::Answer, EditAnswer> apply_own(const scene::Edit& edit);
+  std::pair<model::Answer, EditAnswer> apply_own(const model::AttributeChange& change);
+  /// @}
+
+  /// What the scene has of an element of a type of a Z text; nothing where the name is none of such.
+  virtual std::optional<WrittenElement> written_record(const std::string&) const { return std::nullopt; }
+  /// Puts back what an edit found (EditHistory).
+  void restore(const EditRecord& record);
 
   /// The stage of the scene, of which no text speaks.
   scene::Stage& stage() noexcept { return of_.scene.stage(); }
@@ -59,9 +74,16 @@ class EditedScene {
   EditedScene& operator=(const EditedScene&) = default;
   EditedScene& operator=(EditedScene&&) = default;
 
+  /// Whether an element of the scene stands in it for one of a type of a Z text.
+  virtual bool stands_in(const std::string&) const { return false; }
+
+  /// Makes the element of that name one of a type of a Z text, or not one. Precondition: it stands in the scene so.
+  virtual void set_written(const std::string&, std::optional<WrittenElement>) {}
+
   scene::GroupedScene of_;  ///< as edited so far
 
  private:
+  void require_coordinates(const model::Cambiar_Material& in) const;
   model::Answer own_answer(const scene::Edit& edit);
   /// The group that the element is no more in after an edit, or none: it left `was_in`, or is back without its group.
   std::string left_group(const std::string& name, std::string was_in);

@@ -4,6 +4,10 @@
 ///   Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1        one a line; the ? is optional; # starts a comment
 ///   {"op":"Agregar_Esfera","e":"s1","centro":[0,0,5],"radio":1}
 ///
+///   Cambiar_Radio_Esfera e?=s1 radio?=2                  an attribute of a sphere, or of any element: Cambiar_Radio
+///   Cambiar_Material e?=s1 material?=red                 and Quitar_Material e?=s1
+///   Cambiar_Grupo e?=s1 g?=pair                          and Quitar_Grupo e?=s1
+///
 ///   group g?=pair elementos?=s1,s2 groups?=others        an edit of the groups
 ///   ungroup g?=pair
 ///
@@ -30,6 +34,8 @@
 
 #include "durero/io/json/written_elements.hpp"
 #include "durero/io/source.hpp"
+#include "durero/model/cambio.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/scene/closing.hpp"
 #include "durero/scene/copying.hpp"
 #include "durero/scene/edit.hpp"
@@ -46,7 +52,7 @@ struct ScriptStep {
   std::size_t line;  ///< from 1
   /// A material is a place in the stage that the script was read with.
   std::variant<scene::Edit, scene::GroupEdit, scene::Closing, WrittenEdit, scene::Copying, scene::CopyRemoval,
-               scene::Joining, scene::SolidRemoval, scene::MeshEdit>
+               scene::Joining, scene::SolidRemoval, scene::MeshEdit, model::AttributeChange, model::LookChange>
       edit;
 };
 
