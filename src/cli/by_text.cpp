@@ -8,6 +8,8 @@
 
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/pov/algebraic.hpp"
+#include "durero/model/cambio.hpp"
+#include "durero/model/malla.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/spec/spec.hpp"
 #include "durero/written/edited.hpp"
@@ -25,15 +27,30 @@ void require_samples(const io::Source& scene, const written::Text& text, const i
                        "expected one that the program has samples of: no text says where points of a surface are");
 }
 
+const model::Operation& of_text(const scene::Edit& edit) { return edit.operation; }
+const model::AttributeChange& of_text(const model::AttributeChange& change) { return change; }
+
+/// The text on what the contracts answered: of a face alone, which they refuse, whether it is one.
+std::optional<std::string> difference(const spec::Judge& judge, const model::Escena& before, const auto& operation,
+                                      const model::Answer& answer, const scene::Scene& after) {
+  if (answer.r != model::Respuesta::es_de_malla) return judge.difference(before, operation, answer, retrieve(after));
+  const model::Elemento e = std::visit([](const auto& in) { return in.e; }, operation);
+  if (spec::in_de_malla(e, scene::retrieve_mallas(after))) return std::nullopt;
+  return "the contracts refuse " + e.name() + " as a face, and the text knows it as none";
+}
+
 io::EditAnswer carry_out(io::EditedScene& edited, const io::ScriptStep& step, const spec::Judge& judge) {
-  const auto* const edit = std::get_if<scene::Edit>(&step.edit);
-  if (edit == nullptr) return edited.apply_total(step);
-  const model::Escena before = scene::retrieve(edited.of().scene);
-  const auto [answer, told] = edited.apply_own(*edit);
-  const auto difference = judge.difference(before, edit->operation, answer, scene::retrieve(edited.of().scene));
-  if (!difference) return told;
-  throw std::logic_error(fmt::format("a defect of the program: at line {}, {}; expected that contracts and text agree",
-                                     step.line, *difference));
+  const auto judged = [&](const auto& edit) {
+    const model::Escena before = scene::retrieve(edited.of().scene);
+    const auto [answer, told] = edited.apply_own(edit);
+    if (const auto found = difference(judge, before, of_text(edit), answer, edited.of().scene))
+      throw std::logic_error(fmt::format(
+          "a defect of the program: at line {}, {}; expected that contracts and text agree", step.line, *found));
+    return told;
+  };
+  if (const auto* const edit = std::get_if<scene::Edit>(&step.edit)) return judged(*edit);
+  if (const auto* const change = std::get_if<model::AttributeChange>(&step.edit)) return judged(*change);
+  return edited.apply_total(step);
 }
 
 }  // namespace

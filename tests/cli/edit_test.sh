@@ -46,6 +46,27 @@ for by in --quiet --by-spec; do
 {"line":4,"ok":true,"r":"cono_eliminado","left_group":"pair"}'
 done
 
+# A change of an attribute, of looks and of a group, by the Z text too.
+for by in --quiet --by-spec; do
+  run 1 edit scene.json --op 'group g=pair elementos=s1' --op 'Cambiar_Radio_Esfera e=s1 radio=3' \
+    --op 'Cambiar_Radio_Esfera e=k1 radio=3' --op 'Cambiar_Altura e=k1 altura=0' --op 'Cambiar_Material e=s1 material=none' \
+    --op 'Cambiar_Grupo e=k1 g=pair' --op 'Quitar_Grupo e=s1' $by -o changed.json
+  is out '{"line":1,"ok":true,"r":"grouped"}
+{"line":2,"ok":true,"r":"elemento_cambiado"}
+{"line":3,"ok":false,"r":"tipo_incorrecto","violated":"Es_Esfera.pre.1","predicate":"e? ↦ soy_esfera ∈ de_que_tipo"}
+{"line":4,"ok":false,"r":"altura_no_positiva","violated":"Cambiar_Altura.pre.2","predicate":"altura? ∈ Rmas"}
+{"line":5,"ok":false,"r":"material_no_existe","violated":"Cambiar_Material.pre.2","predicate":"material? ∈ materiales"}
+{"line":6,"ok":true,"r":"elemento_cambiado"}
+{"line":7,"ok":true,"r":"elemento_cambiado"}'
+  has changed.json '"radio":3'
+  has changed.json '"pair":{"elementos":["k1"]}}'
+done
+# A face of a mesh is not edited alone, and the text knows that it is one.
+echo '{"format":"durero-scene","version":1,"elementos":[],"mallas":[{"id":"m","puntos":[[0,0,0],[1,0,0],[0,1,0]],"caras":[[0,1,2]]}]}' >mesh.json
+run 1 edit mesh.json --by-spec --op 'Eliminar_Triangulo e=m:0' --op 'Cambiar_Vertices e=m:0 vertices=((0,0,0),(1,0,0),(0,2,0))'
+is out '{"line":1,"ok":false,"r":"es_de_malla","violated":"Fuera_De_Malla.pre.1","predicate":"e? ∉ de_malla(θMallas)"}
+{"line":2,"ok":false,"r":"es_de_malla","violated":"Fuera_De_Malla.pre.1","predicate":"e? ∉ de_malla(θMallas)"}'
+
 # The operations of --op follow the script's lines; each may check whole predicates.
 run 1 edit scene.json --audit --script script --op 'Eliminar_Elemento e=c1' --op 'Eliminar_Elemento e=c1'
 has out '{"line":6,"ok":true,"r":"elemento_eliminado"}'
