@@ -49,7 +49,7 @@ from .errors import InputError, Refused, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
 from .mesh import MeshCheck, MeshFinding, MeshPiece, check_mesh
-from .scene import Answer, Group, HitsWithElements, Imported, Mesh, Scene
+from .scene import Answer, Group, HitsWithElements, Imported, Mesh, Scene, Step
 
 __version__ = _durero.version
 
@@ -112,6 +112,7 @@ __all__ = [
     "Resultado",
     "Scene",
     "Sphere",
+    "Step",
     "Surd",
     "Triangle",
     "Triangulo",

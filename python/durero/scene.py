@@ -1,12 +1,13 @@
 """A scene: read, edited under contract, asked for hits and drawn."""
 from __future__ import annotations
 
+import contextlib
 import copy
 import dataclasses
 import json
 import os
 import pathlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple, Optional, Tuple, Union, overload
 
 import numpy as np
@@ -63,6 +64,14 @@ class Answer(str):
         return self
 
 
+class Step(NamedTuple):
+    """A step of a scene's history, as on_edit tells it."""
+
+    kind: Literal["done", "undone", "redone"]
+    operations: Tuple[str, ...]
+    """The edits, in order, as lines of a script."""
+
+
 class Mesh(NamedTuple):
     """A mesh: its vertices, and its faces by the places of their corners."""
 
@@ -111,6 +120,7 @@ class Scene(Mapping[str, Element]):
 
     def __init__(self) -> None:
         self._scene = _durero.Scene()
+        self._callbacks: list[Callable[[Step], object]] = []
 
     @classmethod
     def load(cls, path: Union[str, os.PathLike[str]], *, surfaces: Optional[_Path] = None) -> Scene:
@@ -199,6 +209,7 @@ class Scene(Mapping[str, Element]):
         answers = self._scene.apply(_single(operation), "operation")
         if not answers:
             raise ValueError("the operation is blank; expected one operation")
+        self._tell("done")
         return Answer(*answers[0])
 
     def apply_all(self, operations: Union[str, Iterable[str]]) -> list[Answer]:
@@ -210,7 +221,10 @@ class Scene(Mapping[str, Element]):
         ['esfera_agregada', 'esfera_eliminada']
         """
         text = operations if isinstance(operations, str) else "\n".join(map(_single, operations))
-        return [Answer(*answer) for answer in self._scene.apply(text, "operations")]
+        answers = [Answer(*answer) for answer in self._scene.apply(text, "operations")]
+        if answers:
+            self._tell("done")
+        return answers
 
     def add(self, e: str, element: Element) -> Answer:
         """Adds an element under a name, by the operation of its type, and answers its r!. Raises Refused."""
@@ -228,6 +242,118 @@ class Scene(Mapping[str, Element]):
 
         It leaves its group, which the answer names: left_group."""
         return self._operate({"op": "Eliminar_Elemento", "e": e})
+
+    @takes_english
+    def change(
+        self,
+        e: str,
+        *,
+        centro: Optional[Sequence[float]] = None,
+        radio: Optional[float] = None,
+        vector: Optional[Sequence[float]] = None,
+        altura: Optional[float] = None,
+        proporcion: Optional[float] = None,
+        vertices: Optional[Sequence[Sequence[float]]] = None,
+    ) -> Answer:
+        """Gives an element other values of attributes, in one step, and answers r!. Raises Refused, and then nothing is
+        changed. The element keeps its name, its type, its material and its group.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1))
+        'esfera_agregada'
+        >>> scene.change("s1", radio=2, centro=(0, 0, 9)), scene["s1"].radio
+        ('elemento_cambiado', 2.0)
+        """
+        if not isinstance(e, str):
+            raise TypeError(f"e is {e!r}; expected a name")
+        given = {"centro": centro, "radio": radio, "vector": vector, "altura": altura, "proporcion": proporcion}
+        changed: dict[str, object] = {word: _plain(value) for word, value in given.items() if value is not None}
+        if vertices is not None:
+            changed["vertices"] = [_plain(vertex) for vertex in vertices]
+        if not changed:
+            raise ValueError("change names no attribute; expected one or more, such as radio=2")
+        return self.apply_all(
+            json.dumps({"op": f"Cambiar_{word.capitalize()}", "e": e, word: value}) for word, value in changed.items()
+        )[-1]
+
+    def set_material(self, e: str, material: Optional[str]) -> Answer:
+        """Gives an element another material of the scene, or none, and answers its r!. Raises Refused."""
+        if material is None:
+            return self._operate({"op": "Quitar_Material", "e": e})
+        return self._operate({"op": "Cambiar_Material", "e": e, "material": material})
+
+    def set_group(self, e: str, g: Optional[str]) -> Answer:
+        """Puts an element into another group, or takes it out of its group, and answers its r!. Raises Refused."""
+        if g is None:
+            return self._operate({"op": "Quitar_Grupo", "e": e})
+        return self._operate({"op": "Cambiar_Grupo", "e": e, "g": g})
+
+    def undo(self) -> Answer:
+        """Undoes the last step: an edit, a call of apply_all or change, or a transaction. Raises Refused where there is
+        none. The last 10,000 steps are kept.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1)), scene.undo(), len(scene)
+        ('esfera_agregada', 'deshecho', 0)
+        >>> scene.redo(), scene.history
+        ('rehecho', (('Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1',),))
+        """
+        answer = Answer(self._scene.undo())
+        self._tell("undone")
+        return answer
+
+    def redo(self) -> Answer:
+        """Does the step again that was undone last. Raises Refused where there is none."""
+        answer = Answer(self._scene.redo())
+        self._tell("redone")
+        return answer
+
+    @contextlib.contextmanager
+    def transaction(self) -> Iterator[Scene]:
+        """Makes one step of the edits within. Where they end by an exception, everything is undone.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> with scene.transaction():
+        ...     _ = scene.add("a", durero.Esfera(centro=(0, 0, 5), radio=1))
+        ...     _ = scene.add("b", durero.Esfera(centro=(0, 0, 9), radio=1))
+        >>> len(scene.history), scene.undo(), len(scene)
+        (1, 'deshecho', 0)
+        """
+        self._scene.begin()
+        try:
+            yield self
+        except BaseException:
+            self._scene.roll_back()
+            raise
+        self._scene.commit()
+        self._tell("done")
+
+    def on_edit(self, callback: Callable[[Step], object]) -> None:
+        """Has a function called behind each step that is done, undone or done again. A transaction is one step, behind
+        its end; one that is undone at its end is none.
+
+        >>> import durero
+        >>> scene = durero.Scene()
+        >>> scene.on_edit(lambda step: print(step.kind, *step.operations))
+        >>> _ = scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1))
+        done Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1
+        """
+        self._callbacks.append(callback)
+
+    def _tell(self, kind: Literal["done", "undone", "redone"]) -> None:
+        if not self._callbacks or self._scene.in_transaction():
+            return
+        step = Step(kind, tuple(self._scene.last_step(kind == "undone")))
+        for callback in self._callbacks:
+            callback(step)
+
+    @property
+    def history(self) -> Tuple[Tuple[str, ...], ...]:
+        """The steps that are done, in order: of each the operations, as lines of a script."""
+        return tuple(map(tuple, self._scene.history()))
 
     @takes_english
     def group(self, g: str, elementos: Iterable[str] = (), groups: Iterable[str] = ()) -> Answer:
@@ -283,7 +409,9 @@ class Scene(Mapping[str, Element]):
         ('malla_agregada', ('square:0', 'square:1'))
         """
         points, corners = _mesh_arrays(vertices, faces)
-        return Answer(_durero.add_mesh(self._scene, m, points, corners, normals, uv, material, False))
+        answer = Answer(_durero.add_mesh(self._scene, m, points, corners, normals, uv, material, False))
+        self._tell("done")
+        return answer
 
     def replace_mesh(
         self,
@@ -297,7 +425,9 @@ class Scene(Mapping[str, Element]):
     ) -> Answer:
         """Puts another mesh in the place of one, under its name, and answers its r!. Raises Refused. See add_mesh."""
         points, corners = _mesh_arrays(vertices, faces)
-        return Answer(_durero.add_mesh(self._scene, m, points, corners, normals, uv, material, True))
+        answer = Answer(_durero.add_mesh(self._scene, m, points, corners, normals, uv, material, True))
+        self._tell("done")
+        return answer
 
     def remove_mesh(self, m: str) -> Answer:
         """Removes a mesh with its triangles, and answers its r!. Raises Refused."""
@@ -328,7 +458,7 @@ class Scene(Mapping[str, Element]):
         named = next(key for key in ("e", "g", "m") if key in operation)
         if not isinstance(operation[named], str):
             raise TypeError(f"{named} is {operation[named]!r}; expected a name")
-        return Answer(*self._scene.apply(json.dumps(operation), "operation")[0])
+        return self.apply(json.dumps(operation))
 
     def __len__(self) -> int:
         return self._scene.size()
@@ -514,6 +644,11 @@ class Scene(Mapping[str, Element]):
         `size` is (width, height), by default the scene's resolution; `hierarchy` as of trace. Raises ValueError without a camera.
         """
         return self._scene.render(size, engine, hierarchy)
+
+
+def _plain(value: object) -> object:
+    """A number or numbers, as JSON writes them."""
+    return float(value) if np.ndim(value) == 0 else [float(x) for x in value]  # type: ignore[arg-type, attr-defined]
 
 
 def _single(line: str) -> str:

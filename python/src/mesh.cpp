@@ -45,7 +45,7 @@ scene::Mesh mesh_of(const Scene& scene, const std::string& m, const py::object& 
 /// r!; raises Refused.
 template <class Edit>
 std::string done(Scene& scene, Edit edit, std::string_view operation, const std::string& m) {
-  const io::EditAnswer answer = scene.edited().apply_total(scene::MeshEdit(std::move(edit)));
+  const io::EditAnswer answer = scene.history().apply_total(scene.edited(), {1, scene::MeshEdit(std::move(edit))});
   if (answer.ok()) return answer.r;
   py::dict inputs;
   inputs["m"] = m;

@@ -145,6 +145,30 @@ Asked asked(const scene::MeshEdit& edit, const written::Edited&) {
       edit);
 }
 
+Asked asked(const model::AttributeChange& change, const written::Edited&) {
+  return std::visit(
+      [&]<class Change>(const Change& in) {
+        const auto& attribute = model::attribute_of<Change::component>();
+        py::dict inputs;
+        inputs["e"] = in.e.name();
+        inputs[py::str(std::string(attribute.word))] = as_python(scene::stored(attribute.input(in)));
+        return Asked{model::schema_name(change), inputs};
+      },
+      change);
+}
+
+Asked asked(const model::LookChange& change, const written::Edited&) {
+  return std::visit(
+      [](const auto& in) {
+        py::dict inputs;
+        inputs["e"] = in.e.name();
+        if constexpr (requires { in.material; }) inputs["material"] = in.material;
+        if constexpr (requires { in.g; }) inputs["g"] = in.g;
+        return Asked{std::string(in.schema), inputs};
+      },
+      change);
+}
+
 Asked asked(const scene::SolidRemoval& in, const written::Edited&) {
   py::dict inputs;
   inputs["e"] = in.e;
@@ -175,22 +199,59 @@ Asked asked(const io::WrittenEdit& edit, const written::Edited& scene) {
 /// r!, and the group that is left.
 using Done = std::pair<std::string, std::string>;
 
-Done done(written::Edited& scene, const io::ScriptStep& step) {
-  const io::EditAnswer answer = scene.apply_total(step);
+/// What an edit answered, or Refused.
+Done done(const Scene& scene, const io::ScriptStep& step, const io::EditAnswer& answer) {
   if (answer.ok()) return {answer.r, answer.left_group};
-  const auto [operation, inputs] = std::visit([&](const auto& edit) { return asked(edit, scene); }, step.edit);
+  const auto [operation, inputs] = std::visit([&](const auto& edit) { return asked(edit, scene.whole()); }, step.edit);
   raise("Refused", answer.violated, answer.predicate, answer.r, operation, inputs, step.line);
 }
 
 /// Every operation of the text, or none of them.
 std::vector<Done> apply(Scene& scene, const std::string& text, const std::string& name) {
   const auto script = io::read_script(io::Source(name, text), scene.value().stage(), scene.whole().types());
-  if (script.size() == 1) return {done(scene.edited(), script.front())};
+  const auto all = scene.history().apply_all(scene.edited(), script);
   std::vector<Done> answers;
-  written::Edited edited = scene.whole();
-  for (const io::ScriptStep& step : script) answers.push_back(done(edited, step));
-  scene.assign(std::move(edited));
+  for (std::size_t i = 0; i < all.size(); ++i) answers.push_back(done(scene, script[i], all[i]));
   return answers;
+}
+
+/// The lines of a step's edits.
+std::vector<std::string> lines_of(const Scene& scene, const io::HistoryStep& step) {
+  std::vector<std::string> lines;
+  for (const io::ScriptStep& edit : step.edits)
+    lines.push_back(io::operation_text(edit, scene.value().stage(), scene.whole().types()));
+  return lines;
+}
+
+/// The steps that are done, in order.
+std::vector<std::vector<std::string>> history(const Scene& scene) {
+  std::vector<std::vector<std::string>> steps;
+  for (const io::HistoryStep& step : scene.history().done()) steps.push_back(lines_of(scene, step));
+  return steps;
+}
+
+void require_transaction(const Scene& scene, bool is_open) {
+  if (scene.history().is_open() == is_open) return;
+  throw std::runtime_error(is_open ? "no transaction is open" : "a transaction is open; expected its end before");
+}
+
+[[noreturn]] void refuse(const contract::clause& precondition, model::Respuesta r, const char* operation) {
+  raise("Refused", std::string(precondition.label), std::string(precondition.predicate), std::string(model::name(r)),
+        operation, py::dict(), 1);
+}
+
+std::string undo(Scene& scene) {
+  require_transaction(scene, false);
+  if (!scene.history().undo(scene.edited()))
+    refuse(model::Deshacer_pre_1, model::Respuesta::nada_que_deshacer, "Deshacer");
+  return std::string(model::name(model::Respuesta::deshecho));
+}
+
+std::string redo(Scene& scene) {
+  require_transaction(scene, false);
+  if (!scene.history().redo(scene.edited()))
+    refuse(model::Rehacer_pre_1, model::Respuesta::nada_que_rehacer, "Rehacer");
+  return std::string(model::name(model::Respuesta::rehecho));
 }
 
 /// Of the program's own shapes, or by a Z text.
@@ -383,6 +444,29 @@ void add_scene(py::module_& module) {
            })
       .def("copy", [](const Scene& scene) { return scene; })
       .def("apply", apply)
+      .def("undo", undo)
+      .def("redo", redo)
+      .def("history", history)
+      .def("last_step",
+           [](const Scene& scene, bool undone) {
+             return lines_of(scene, undone ? scene.history().undone().back() : scene.history().done().back());
+           })
+      .def("in_transaction", [](const Scene& scene) { return scene.history().is_open(); })
+      .def("begin",
+           [](Scene& scene) {
+             require_transaction(scene, false);
+             scene.history().begin();
+           })
+      .def("commit",
+           [](Scene& scene) {
+             require_transaction(scene, true);
+             scene.history().commit();
+           })
+      .def("roll_back",
+           [](Scene& scene) {
+             require_transaction(scene, true);
+             scene.history().roll_back(scene.edited());
+           })
       .def("groups", groups)
       .def("surfaces", surfaces)
       .def("text", text)

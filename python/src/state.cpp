@@ -47,7 +47,7 @@ written::Edited& State::edited() {
 }
 
 written::Edited& Scene::edited() {
-  if (state_.use_count() > 1) assign(whole());
+  if (state_.use_count() > 1) state_ = std::make_shared<State>(whole());
   return state_->edited();
 }
 

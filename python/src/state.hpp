@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/engine/engine.hpp"
+#include "durero/io/json/edit_history.hpp"
 #include "durero/written/edited.hpp"
 
 namespace durero::python {
@@ -82,11 +83,15 @@ class Scene {
 
   /// The scene and its groups, to be edited in place.
   written::Edited& edited();
-  /// Puts others in their place.
-  void assign(written::Edited value) { state_ = std::make_shared<State>(std::move(value)); }
+  /// The steps that led to it, with those that were undone.
+  io::EditHistory& history() noexcept { return history_; }
+  const io::EditHistory& history() const noexcept { return history_; }
 
  private:
+  static constexpr std::size_t most_steps = 10'000;
+
   std::shared_ptr<State> state_;
+  io::EditHistory history_{most_steps};
 };
 
 /// Throws std::invalid_argument, which lists the engines, where none has the name; and where a Z text answers in their

@@ -16,6 +16,7 @@
 #include "durero/io/json/operations_file.hpp"
 #include "durero/io/output_file.hpp"
 #include "durero/io/pictures/picture_file.hpp"
+#include "durero/model/historia.hpp"
 #include "durero/model/operaciones.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/grouped_scene.hpp"
@@ -61,6 +62,24 @@ durero_answer answered(durero_scene& scene, io::EditAnswer answer) {
   if (answer.ok()) return DURERO_DONE;
   last_error.assign(answer.violated).append(": ").append(answer.predicate);
   return DURERO_REFUSED;
+}
+
+/// The answer of an edit of meshes.
+io::EditAnswer applied(durero_scene& scene, scene::MeshEdit edit) {
+  return scene.history.apply_total(scene.value, {1, std::move(edit)});
+}
+
+/// The answer where a step of the history was done, or where none was and the clause says so.
+durero_answer moved(durero_scene& scene, bool is_done, const contract::clause& precondition) {
+  scene.left_group.clear();
+  if (is_done) return DURERO_DONE;
+  return answered(scene, {"", std::string(precondition.label), std::string(precondition.predicate), ""});
+}
+
+void require_transaction(const durero_scene& scene, bool is_open) {
+  if (scene.history.is_open() == is_open) return;
+  throw std::logic_error(is_open ? "no transaction is open; expected durero_begin() before"
+                                 : "a transaction is open; expected durero_commit() or durero_roll_back() before");
 }
 
 scene::Mesh mesh_of(std::string_view m, const durero_mesh& from) {
@@ -129,19 +148,55 @@ durero_answer durero_apply(durero_scene* scene, const char* operation) {
     const auto script =
         io::read_script(io::Source("operation", operation), scene->value.of().scene.stage(), scene->value.types());
     if (script.size() != 1) throw std::invalid_argument("operation: no single operation; expected one");
-    return answered(*scene, scene->value.apply_total(script.front()));
+    return answered(*scene, scene->history.apply_total(scene->value, script.front()));
   });
 }
 
 durero_answer durero_add_mesh(durero_scene* scene, const char* m, const durero_mesh* mesh) {
-  return guarded(DURERO_FAILED, [&] {
-    return answered(*scene, scene->value.apply_total(scene::MeshEdit(scene::MeshAddition{mesh_of(m, *mesh)})));
-  });
+  return guarded(DURERO_FAILED,
+                 [&] { return answered(*scene, applied(*scene, scene::MeshAddition{mesh_of(m, *mesh)})); });
 }
 
 durero_answer durero_replace_mesh(durero_scene* scene, const char* m, const durero_mesh* mesh) {
+  return guarded(DURERO_FAILED,
+                 [&] { return answered(*scene, applied(*scene, scene::MeshReplacement{mesh_of(m, *mesh)})); });
+}
+
+durero_answer durero_undo(durero_scene* scene) {
   return guarded(DURERO_FAILED, [&] {
-    return answered(*scene, scene->value.apply_total(scene::MeshEdit(scene::MeshReplacement{mesh_of(m, *mesh)})));
+    require_transaction(*scene, false);
+    return moved(*scene, scene->history.undo(scene->value), model::Deshacer_pre_1);
+  });
+}
+
+durero_answer durero_redo(durero_scene* scene) {
+  return guarded(DURERO_FAILED, [&] {
+    require_transaction(*scene, false);
+    return moved(*scene, scene->history.redo(scene->value), model::Rehacer_pre_1);
+  });
+}
+
+durero_answer durero_begin(durero_scene* scene) {
+  return guarded(DURERO_FAILED, [&] {
+    require_transaction(*scene, false);
+    scene->history.begin();
+    return DURERO_DONE;
+  });
+}
+
+durero_answer durero_commit(durero_scene* scene) {
+  return guarded(DURERO_FAILED, [&] {
+    require_transaction(*scene, true);
+    scene->history.commit();
+    return DURERO_DONE;
+  });
+}
+
+durero_answer durero_roll_back(durero_scene* scene) {
+  return guarded(DURERO_FAILED, [&] {
+    require_transaction(*scene, true);
+    scene->history.roll_back(scene->value);
+    return DURERO_DONE;
   });
 }
 

@@ -11,6 +11,7 @@
 #include "durero/c/durero.h"
 #include "durero/contract/contract.hpp"
 #include "durero/engine/engine.hpp"
+#include "durero/io/json/edit_history.hpp"
 #include "durero/model/resultado.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/written/edited.hpp"
@@ -19,6 +20,9 @@ struct durero_scene {
   durero::written::Edited value;
   std::string file{};        // that it was read from, from the root; empty where there was none
   std::string left_group{};  // by the last operation
+  durero::io::EditHistory history{most_steps};
+
+  static constexpr std::size_t most_steps = 10'000;
 };
 
 struct durero_engine {

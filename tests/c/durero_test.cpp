@@ -48,6 +48,51 @@ TEST_CASE("a scene is edited under contract, and a refusal names the clause") {
   CHECK(durero_scene_size(scene.get()) == 1);
 }
 
+TEST_CASE("what was done is undone, and done again; a transaction is one step") {
+  const Scene scene = two_spheres();
+  CHECK(durero_apply(scene.get(), "Cambiar_Radio e?=near radio?=2") == DURERO_DONE);
+  CHECK(durero_apply(scene.get(), "Cambiar_Radio e?=near radio?=0") == DURERO_REFUSED);
+  const auto t_of_first = [&] {
+    const Engine engine = engine_of(scene);
+    durero_hit hit{};
+    REQUIRE(durero_first_hits(engine.get(), &ahead, 1, &hit) == DURERO_DONE);
+    return hit.t;
+  };
+  CHECK(t_of_first() == 1.5);
+  CHECK(durero_undo(scene.get()) == DURERO_DONE);
+  CHECK(t_of_first() == 2);
+  CHECK(durero_redo(scene.get()) == DURERO_DONE);
+  CHECK(t_of_first() == 1.5);
+  CHECK(durero_redo(scene.get()) == DURERO_REFUSED);
+  CHECK(std::string(durero_error()) == "Rehacer.pre.1: deshechas ≠ ⟨⟩");
+
+  CHECK(durero_begin(scene.get()) == DURERO_DONE);
+  CHECK(durero_begin(scene.get()) == DURERO_FAILED);
+  CHECK(durero_undo(scene.get()) == DURERO_FAILED);
+  CHECK(std::string(durero_error()) == "a transaction is open; expected durero_commit() or durero_roll_back() before");
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=near") == DURERO_DONE);
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=same") == DURERO_DONE);
+  CHECK(durero_roll_back(scene.get()) == DURERO_DONE);
+  CHECK(durero_scene_size(scene.get()) == 2);
+  CHECK(durero_commit(scene.get()) == DURERO_FAILED);
+  CHECK(durero_roll_back(scene.get()) == DURERO_FAILED);
+
+  durero_begin(scene.get());
+  CHECK(durero_apply(scene.get(), "Eliminar_Esfera e?=near") == DURERO_DONE);
+  const std::vector<double> points{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::vector<std::uint32_t> faces{0, 1, 2};
+  const durero_mesh mesh{points.data(), 3, faces.data(), 1};
+  CHECK(durero_add_mesh(scene.get(), "tent", &mesh) == DURERO_DONE);
+  CHECK(durero_commit(scene.get()) == DURERO_DONE);
+  CHECK(durero_scene_size(scene.get()) == 2);
+  CHECK(durero_undo(scene.get()) == DURERO_DONE);
+  CHECK(t_of_first() == 1.5);
+  for (int i = 0; i < 3; ++i) CHECK(durero_undo(scene.get()) == DURERO_DONE);
+  CHECK(durero_scene_size(scene.get()) == 0);
+  CHECK(durero_undo(scene.get()) == DURERO_REFUSED);
+  CHECK(std::string(durero_error()) == "Deshacer.pre.1: hechas ≠ ⟨⟩");
+}
+
 TEST_CASE("groups are edited under contract, written and read") {
   const Scene scene = two_spheres();
   CHECK(durero_apply(scene.get(), "group g?=pair elementos?=near,same") == DURERO_DONE);

@@ -73,6 +73,19 @@ durero_answer durero_apply(durero_scene *scene, const char *operation);
  * Valid until the next operation. */
 const char *durero_left_group(const durero_scene *scene);
 
+/** Undoes what was done last, an operation or a whole transaction; the last 10,000 are kept. DURERO_REFUSED, and
+ * durero_error() is "Deshacer.pre.1: …", where there is nothing. DURERO_FAILED where a transaction is open. */
+durero_answer durero_undo(durero_scene *scene);
+/** Does again what was undone last, unless something else was done since. DURERO_REFUSED, "Rehacer.pre.1: …", where there
+ * is nothing. DURERO_FAILED where a transaction is open. */
+durero_answer durero_redo(durero_scene *scene);
+/** Opens a transaction: what is done until its end is undone together. DURERO_FAILED where one is open. */
+durero_answer durero_begin(durero_scene *scene);
+/** Ends a transaction, which is one step. DURERO_FAILED where none is open. */
+durero_answer durero_commit(durero_scene *scene);
+/** Ends a transaction, and undoes everything that was done in it. DURERO_FAILED where none is open. */
+durero_answer durero_roll_back(durero_scene *scene);
+
 /** A mesh in plain arrays of the caller's, which are copied. */
 typedef struct durero_mesh {
   const double *vertices; /**< x, y and z of each vertex */
