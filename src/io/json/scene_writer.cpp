@@ -7,6 +7,7 @@
 #include "durero/scene/stage.hpp"
 #include "map_fields.hpp"
 #include "mesh_fields.hpp"
+#include "part_text.hpp"
 #include "stage_fields.hpp"
 #include "vertex_fields.hpp"
 
@@ -148,6 +149,13 @@ void write_meshes(json::Writer& out, const scene::Scene& scene) {
 }
 
 }  // namespace
+
+std::string part_text(const scene::Body& part) {
+  std::string text;
+  json::Writer out(text);
+  write_part(out, part);
+  return text;
+}
 
 std::string scene_text(const scene::Scene& scene) { return scene_text(scene, {}); }
 
