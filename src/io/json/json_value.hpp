@@ -1,0 +1,64 @@
+#pragma once
+/// JSON values that are taken apart and put together. Numbers stand as they are written: none is rounded.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "durero/io/json/json.hpp"
+
+namespace durero::io::json {
+
+struct JsonValue;
+struct JsonMember;
+
+/// A number, true, false or null, by its text.
+struct JsonWord {
+  std::string text;
+  bool operator==(const JsonWord&) const = default;
+};
+
+using JsonItems = std::vector<JsonValue>;
+using JsonMembers = std::vector<JsonMember>;
+
+/// A string stands without quotes and escapes.
+struct JsonValue {
+  std::variant<JsonWord, std::string, JsonItems, JsonMembers> of;
+  /// The value of the first member of that key; null where there is none, or where it is no object.
+  JsonValue* member(std::string_view key);
+  const JsonValue* member(std::string_view key) const;
+  /// Written alike: members in the same order, and numbers with the same digits.
+  bool operator==(const JsonValue& other) const;
+};
+
+struct JsonMember {
+  std::string key;
+  JsonValue value;
+  bool operator==(const JsonMember&) const = default;
+};
+
+/// The size of a value.
+struct ValueExtent {
+  std::size_t depth;   ///< how deep its brackets stand in each other; 0 of a word or a string
+  std::size_t values;  ///< how many values it has with all below it
+};
+ValueExtent extent_of(const JsonValue& value);
+
+/// How deep brackets may stand in brackets. A solid has at most most_shapes_of_a_solid = 1000 shapes, and each union in
+/// it two parts or more, so that fewer than 1000 unions stand in each other; each brings an object and an array. The
+/// other brackets are those of a scene and of a map, 5 at most.
+inline constexpr std::size_t deepest_brackets = 2048;
+
+/// Takes the value that stands here. Throws InputError where brackets are deeper than that.
+JsonValue read_value(const Source& source, Reader& in);
+
+/// Appends the text of a value, without blanks.
+void append_value(std::string& out, const JsonValue& value);
+
+/// Whether they are equal as RFC 6902 says it in section 4.6: numbers in their values, which are binary64 here, and
+/// members in any order.
+bool are_equal(const JsonValue& a, const JsonValue& b);
+
+}  // namespace durero::io::json
