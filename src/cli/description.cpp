@@ -43,7 +43,9 @@ constexpr std::array rows = {
     ArgumentRow{"--mirror", Kind::text, "NAME"},       ArgumentRow{"--of", Kind::text, "NAME"},
     ArgumentRow{"--tree", Kind::file, "DRAWING"},      ArgumentRow{"POINTS", Kind::file, "POINTS"},
     ArgumentRow{"--point", Kind::text, "X,Y,Z"},       ArgumentRow{"--rays", Kind::file, "RAYS"},
-    ArgumentRow{"--ranges", Kind::file, "RANGES"},
+    ArgumentRow{"--ranges", Kind::file, "RANGES"},     ArgumentRow{"BASE", Kind::file, "BASE"},
+    ArgumentRow{"OURS", Kind::file, "OURS"},           ArgumentRow{"THEIRS", Kind::file, "THEIRS"},
+    ArgumentRow{"--json-patch", Kind::file, "PATCH"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.

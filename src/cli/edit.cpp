@@ -19,13 +19,14 @@
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/scene/stage.hpp"
+#include "edit_patch.hpp"
 #include "progress.hpp"
 
 namespace durero::cli {
 namespace {
 
 struct EditOptions {
-  std::string scene, script, out, with;
+  std::string scene, script, out, with, json_patch;
   std::vector<std::string> operations;
   bool audit = false, by_spec = false, quiet = false;
 };
@@ -102,6 +103,9 @@ void add_edit(CLI::App& app, int& status) {
       command->add_flag("--by-spec", options->by_spec, "Let the Z text decide each step too; a difference is a defect");
   command->add_option("--with", options->with, "A Z text that says what the elements are: each is puntos_TIPO")
       ->excludes(by_spec);
+  auto* const patch = command->add_option("--json-patch", options->json_patch,
+                                          "Carry out a JSON Patch (RFC 6902) of the canonical text, all of it or none");
+  for (const char* other : {"--script", "--op", "--by-spec", "--with"}) patch->excludes(command->get_option(other));
   add_quiet(*command, options->quiet);
   command->footer(
       "Without --script and --op, operations are read from the standard input. With --with, the types that the text\n"
@@ -117,7 +121,10 @@ void add_edit(CLI::App& app, int& status) {
                 "edited.json",
                 "edit demo/surfaces/torus.json --with demo/surfaces/torus.tex --op \"Agregar_Toro e?=small "
                 "centro?=(0,2,0) mayor?=1 menor?=0.25\" -o edited.json"}));
-  command->callback([options, &status] { status = edit(*options); });
+  command->callback([options, &status] {
+    status =
+        options->json_patch.empty() ? edit(*options) : edit_by_patch(options->scene, options->json_patch, options->out);
+  });
 }
 
 }  // namespace durero::cli
