@@ -196,4 +196,22 @@ Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& st
   return {result.text(type->settled(), spelling), !result.is_undefined(), evaluator.taken()};
 }
 
+std::vector<std::string> Calculator::names(const std::string& typed, zed::Steps& steps) const {
+  zed::Term term = parsed(typed, notation_of(specification_));
+  const zed::Typing typing = check(term);
+  const std::optional<zed::Type> type = typing.type_of(term);
+  const std::string told = type ? type->settled().text(zed::Type::max_size) : "a predicate";
+  const std::string wanted = std::string("ℙ ") + elements;
+  if (told != wanted)
+    throw zed::ZError(term->place, "the term is of type " + told, "expected a set of elements, " + wanted);
+  const zed::Evaluator evaluator(specification_.sections, given_, &steps);
+  const zed::Value result = evaluator.value(term);
+  if (result.is_undefined()) throw zed::EvaluationError("the set is undefined");
+  if (!result.set() || !result.set()->members()) throw zed::EvaluationError("the set is not finite");
+  std::vector<std::string> names;
+  for (const zed::Value& member : *result.set()->members()) names.push_back((*member.get<zed::Atom>())->text);
+  std::ranges::sort(names);
+  return names;
+}
+
 }  // namespace durero::spec

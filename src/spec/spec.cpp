@@ -164,6 +164,33 @@ const zed::ConjunctTruth* first(const std::vector<zed::ConjunctTruth>& findings,
   return found == findings.end() ? nullptr : &*found;
 }
 
+/// What the text says otherwise than judgements of preconditions, and what it refuses that none of them looks at.
+struct JudgedDifference {
+  std::optional<std::string> otherwise, unseen;
+};
+
+JudgedDifference difference_of(const std::vector<zed::ConjunctTruth>& all, const model::Judgements& judged) {
+  JudgedDifference difference;
+  for (const auto& [what, holds] : judged) {
+    const auto found = std::ranges::find(all, what->label, &zed::ConjunctTruth::label);
+    if (found == all.end()) {
+      difference.otherwise = "the contracts name no predicate of the text: " + std::string(what->label);
+      return difference;
+    }
+    if (found->truth == (holds ? Truth::yes : Truth::no)) continue;
+    difference.otherwise = std::string(holds ? "the text refuses" : "the text does not refuse") +
+                           " what the contracts " + (holds ? "accept: " : "refuse: ") + told(*found);
+    return difference;
+  }
+  const auto is_judged = [&](const zed::ConjunctTruth& finding) {
+    return std::ranges::any_of(judged, [&](const model::Judgement& each) { return each.what->label == finding.label; });
+  };
+  const auto unseen = std::ranges::find_if(
+      all, [&](const zed::ConjunctTruth& each) { return each.truth == Truth::no && !is_judged(each); });
+  if (unseen != all.end()) difference.unseen = "the text refuses what the contracts do not look at: " + told(*unseen);
+  return difference;
+}
+
 }  // namespace
 
 /// A transition that contracts made or declined, as the text asks of it.
@@ -222,6 +249,22 @@ std::optional<std::string> Judge::difference(const model::Escena& before, const 
   const std::string partial = model::schema_name(change);
   return difference(Transition{before, after, answer, partial, partial, model::total_name(change), spec::inputs(change),
                                spec::inputs(change)});
+}
+
+std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
+                                             const model::Judgements& judged) const {
+  const auto* const general = std::get_if<model::Agregar_Elemento>(&operation);
+  const auto found = difference_of(findings(before, general != nullptr ? partial_of(*general) : operation), judged);
+  if (found.otherwise) return found.otherwise;
+  // The general removal is that of some type: it asks no more where there is the element, and has no type elsewhere.
+  if (std::holds_alternative<model::Eliminar_Elemento>(operation) && !model::all_hold(judged)) return std::nullopt;
+  return found.unseen;
+}
+
+std::optional<std::string> Judge::difference(const model::Escena& before, const model::AttributeChange& change,
+                                             const model::Judgements& judged) const {
+  const auto found = difference_of(findings(before, change), judged);
+  return found.otherwise ? found.otherwise : found.unseen;
 }
 
 bool Judge::in_puntos_de_rayo(const model::ExactPoint& p, const model::Rayo& rayo) const {

@@ -1,5 +1,6 @@
 #include "durero/spec/spec.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "durero/model/interseccion.hpp"
@@ -351,6 +352,46 @@ TEST_CASE("each total operation of the text takes what the model answers, done o
     CHECK(judge.difference(before, row.refused, refused, after));  // the error and an edit
     CHECK(judge.difference(before, row.refused, done, before));    // the error not told
   }
+}
+
+TEST_CASE("the text finds the very preconditions that do not hold, over random operations and scenes") {
+  Random random(20261129);
+  const Judge judge;
+  Escena before = model::Init();
+  std::size_t broken = 0, several = 0;
+  for (int i = test::fewer_when_sanitized(4000); i > 0; --i) {
+    const Operation operation = any_operation(random);
+    model::Judgements judged = model::pre(before, operation);
+    const auto of_broken = std::ranges::count(judged, false, &model::Judgement::holds);
+    broken += of_broken > 0 ? 1 : 0;
+    several += of_broken > 1 ? 1 : 0;
+    const auto difference = judge.difference(before, operation, judged);
+    INFO(difference.value_or(""));
+    CHECK_FALSE(difference);
+    model::Judgement& one = judged[random.below(judged.size())];  // a judge that errs about one is seen
+    one.holds = !one.holds;
+    CHECK(judge.difference(before, operation, judged));
+    one.holds = !one.holds;
+    model::apply_total(before, operation);
+  }
+  CHECK(broken > 500);
+  CHECK(several > 50);
+}
+
+TEST_CASE("a precondition that the contracts do not look at is seen by the text") {
+  const Judge judge;
+  const Escena before = model::Init();
+  const model::Elemento e("e");
+  const Operation operation = model::Agregar_Esfera{e, {0, 0, 0}, -1};
+  model::Judgements judged = model::pre(before, operation);
+  CHECK_FALSE(judge.difference(before, operation, judged));
+  std::erase_if(judged, [](const model::Judgement& each) { return each.what->label == "Agregar_Esfera.pre.2"; });
+  CHECK(judge.difference(before, operation, judged) ==
+        "the text refuses what the contracts do not look at: Agregar_Esfera.pre.2 (radio? ∈ Rmas)");
+  static constexpr contract::clause unknown{"Agregar_Esfera.pre.9", "radio? ∈ Rmas"};
+  judged.push_back({&unknown, false});
+  CHECK(judge.difference(before, operation, judged) ==
+        "the contracts name no predicate of the text: Agregar_Esfera.pre.9");
 }
 
 TEST_CASE("the contracts and the Z text agree on every conjunct of 100000 random transitions") {

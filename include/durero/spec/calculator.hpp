@@ -48,6 +48,9 @@ class Calculator {
   /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
   /// is not decided, zed::StepsSpent where it takes more steps than it may.
   Result evaluate(const std::string& typed, zed::Steps& steps) const;
+  /// The names of the members of a finite set of elements, ascending. Throws as evaluate() does, and zed::ZError where
+  /// the term is no such set.
+  std::vector<std::string> names(const std::string& typed, zed::Steps& steps) const;
   /// A line for the term, and indented below it one for each of its parts, with its value: so which conjunct is false;
   /// and below a ∀ that is false, or an ∃ that is true, the values that make it so, and the body with these. Throws as
   /// evaluate() does, but where a part is not decided, which it then says.

@@ -12,6 +12,7 @@
 
 #include "durero/model/cambio.hpp"
 #include "durero/model/exact_point.hpp"
+#include "durero/model/judgement.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operation.hpp"
 #include "durero/model/tipos.hpp"
@@ -115,6 +116,14 @@ class Judge {
                                         const model::Answer& answer, const model::Escena& after) const;
   std::optional<std::string> difference(const model::Escena& before, const model::AttributeChange& change,
                                         const model::Answer& answer, const model::Escena& after) const;
+  /// @}
+
+  /// @{ What the text says otherwise than these judgements of the preconditions, which name all that do not hold: the
+  /// predicate; nothing where both agree.
+  std::optional<std::string> difference(const model::Escena& before, const model::Operation& operation,
+                                        const model::Judgements& judged) const;
+  std::optional<std::string> difference(const model::Escena& before, const model::AttributeChange& change,
+                                        const model::Judgements& judged) const;
   /// @}
 
   // Points. Precondition: the coordinates lie in one field.
