@@ -10,7 +10,9 @@
 #include "durero/io/pov/algebraic.hpp"
 #include "durero/model/cambio.hpp"
 #include "durero/model/malla.hpp"
+#include "durero/model/operaciones_clauses.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/spec/calculator.hpp"
 #include "durero/spec/spec.hpp"
 #include "durero/written/edited.hpp"
 
@@ -99,6 +101,33 @@ Editor editor_by_spec() {
   return [judge = std::make_shared<const spec::Judge>()](io::EditedScene& edited, const io::ScriptStep& step) {
     return carry_out(edited, step, *judge);
   };
+}
+
+ClauseFinder clauses_by_spec() {
+  return [judge = std::make_shared<const spec::Judge>()](const io::EditedScene& edited, const io::ScriptStep& step) {
+    io::WhyNot told = io::why_not(edited, step);
+    const auto* const edit = std::get_if<scene::Edit>(&step.edit);
+    if (edit == nullptr) return told;
+    const model::Escena before = scene::retrieve(edited.of().scene);
+    const auto difference = judge->difference(before, edit->operation, model::pre(before, edit->operation));
+    if (!difference) return told;
+    throw std::logic_error(
+        fmt::format("a defect of the program: {}; expected that contracts and text agree", *difference));
+  };
+}
+
+std::vector<std::string> elements_of_set(const scene::Scene& scene, const std::string& set) {
+  constexpr const char* file = "--for-each";
+  const spec::Calculator text(scene::retrieve(scene));
+  zed::Steps unbounded;
+  try {
+    return text.names(set, unbounded);
+  } catch (const zed::ZError& error) {
+    throw io::InputError(file, {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
+  } catch (const zed::EvaluationError& error) {
+    throw io::InputError(file, {1, 1}, std::string("this is not decided: ") + error.what(),
+                         "expected a finite set of elements");
+  }
 }
 
 }  // namespace durero::cli

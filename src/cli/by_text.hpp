@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "durero/io/json/edited_scene.hpp"
 #include "durero/io/json/operations_file.hpp"
 #include "durero/io/json/scene_check.hpp"
+#include "durero/io/json/why_not.hpp"
 #include "durero/io/source.hpp"
 #include "durero/written/engine.hpp"
 
@@ -36,5 +38,14 @@ using Editor = std::function<io::EditAnswer(io::EditedScene& edited, const io::S
 /// The editor that lets the text of spec/ decide each step too; it does not speak of groups. Throws std::logic_error
 /// where the text decides otherwise: the program is wrong.
 Editor editor_by_spec();
+
+/// Finds every clause of a step that does not hold (io/json/why_not.hpp).
+using ClauseFinder = std::function<io::WhyNot(const io::EditedScene& edited, const io::ScriptStep& step)>;
+/// The finder that lets the text of spec/ decide the preconditions of its operations too. Throws std::logic_error where
+/// the text decides otherwise: the program is wrong.
+ClauseFinder clauses_by_spec();
+
+/// The names of the elements of a set that the text of spec/ gives of a scene, ascending. Throws io::InputError.
+std::vector<std::string> elements_of_set(const scene::Scene& scene, const std::string& set);
 
 }  // namespace durero::cli

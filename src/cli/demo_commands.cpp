@@ -27,6 +27,8 @@ written::Written read_shapes_by_text(const io::Source&, const std::string&) { re
 io::SceneCheck check_by_text(const io::Source&, const std::string&) { refuse_text(); }
 std::unique_ptr<io::EditedScene> edited_by_text(const io::Source&, const std::string&) { refuse_text(); }
 Editor editor_by_spec() { refuse_text(); }
+ClauseFinder clauses_by_spec() { refuse_text(); }
+std::vector<std::string> elements_of_set(const scene::Scene&, const std::string&) { refuse_text(); }
 int audit_mesh(const AuditCall&) { refuse("audits no mesh"); }
 
 }  // namespace durero::cli

@@ -6,7 +6,7 @@ tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 scene=$root/demo/still-life.json
 printf 'Eliminar_Esfera e?=s\n' >"$tmp/script"
 for call in "check $scene --with $root/spec/puntos.tex" "edit $scene --script $tmp/script --by-spec" \
-  "edit $scene --script $tmp/script --with $root/spec/puntos.tex" "agree $scene --with $root/spec/puntos.tex" \
+  "edit $scene --script $tmp/script --with $root/spec/puntos.tex" "edit $scene --for-each elementos --op group" "agree $scene --with $root/spec/puntos.tex" \
   "render $scene --with $root/spec/puntos.tex -o $tmp/picture.png" "check --mesh $scene --picture $tmp/picture.png"; do
   status=0
   # shellcheck disable=SC2086

@@ -42,6 +42,7 @@ class Edited final : public io::EditedScene {
   /// The engine that answers rays by the text. It does not refer to this scene. Precondition: there is a text.
   std::unique_ptr<const engine::Engine> engine() const;
 
+  std::unique_ptr<io::EditedScene> copy() const override { return std::make_unique<Edited>(*this); }
   std::string scene_text() const override;
 
  private:

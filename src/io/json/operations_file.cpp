@@ -352,10 +352,12 @@ EditAnswer edit_answer(const scene::Outcome& answer) {
   return {std::string(answer.r), std::string(answer.violated->label), std::string(answer.violated->predicate)};
 }
 
-std::string answer_text(std::size_t line, const EditAnswer& answer) {
+std::string answer_text(std::size_t line, const EditAnswer& answer, std::string_view for_each) {
   std::string text;
   json::Writer out(text);
-  out.begin_object().member("line", line).member("ok", answer.ok()).member("r", answer.r);
+  out.begin_object().member("line", line);
+  if (!for_each.empty()) out.member("for", for_each);
+  out.member("ok", answer.ok()).member("r", answer.r);
   if (!answer.left_group.empty()) out.member("left_group", answer.left_group);
   if (!answer.ok()) out.member("violated", answer.violated).member("predicate", answer.predicate);
   out.end_object();

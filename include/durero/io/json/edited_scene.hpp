@@ -2,6 +2,7 @@
 /// A scene that operations edit, with its groups. The answers tell of a group that an element has left.
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -61,6 +62,9 @@ class EditedScene {
   virtual std::optional<WrittenElement> written_record(const std::string&) const { return std::nullopt; }
   /// Puts back what an edit found (EditHistory).
   void restore(const EditRecord& record);
+
+  /// A copy, which shares the text.
+  virtual std::unique_ptr<EditedScene> copy() const { return std::unique_ptr<EditedScene>(new EditedScene(*this)); }
 
   /// The stage of the scene, of which no text speaks.
   scene::Stage& stage() noexcept { return of_.scene.stage(); }

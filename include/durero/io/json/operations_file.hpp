@@ -29,6 +29,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -78,7 +79,7 @@ std::vector<ScriptStep> read_script(const Source& source, const scene::Stage& st
                                     std::span<const WrittenType> types = {});
 
 /// `{"line":1,"ok":true,"r":"esfera_agregada"}`, perhaps with a left_group, or with what was violated; without line
-/// end.
-std::string answer_text(std::size_t line, const EditAnswer& answer);
+/// end. `for_each` is the element that an operation is repeated for, where it is.
+std::string answer_text(std::size_t line, const EditAnswer& answer, std::string_view for_each = {});
 
 }  // namespace durero::io
