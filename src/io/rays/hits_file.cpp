@@ -103,6 +103,7 @@ struct GivenKeys {
 };
 
 void read_part(json::Reader& in, HitKey key, const scene::Scene& scene, RayHit& read, GivenKeys& seen) {
+  using enum HitKey;
   switch (key) {
     case HitKey::ray:
       read.offset = in.offset();
