@@ -13,6 +13,7 @@
 #include "durero/io/file_name.hpp"
 #include "durero/io/json/edited_scene.hpp"
 #include "durero/io/json/groups_file.hpp"
+#include "durero/io/json/file_patch.hpp"
 #include "durero/io/json/operations_file.hpp"
 #include "durero/io/json/why_not.hpp"
 #include "durero/io/lines.hpp"
@@ -66,29 +67,46 @@ std::vector<NamedStep> read_repeated(const EditOptions& options, const io::Edite
   return steps;
 }
 
+/// The script, where there is one: operations, or a JSON Patch of the scene's file.
+struct Script {
+  std::optional<io::Source> text{};
+  std::vector<io::json::PatchOperation> patch{};
+};
+
+Script read_script_text(const EditOptions& options) {
+  if (options.script.empty() && !options.operations.empty()) return {};
+  Script script{io::read_lines(options.script.empty() ? "-" : options.script)};
+  if (io::json::is_patch(*script.text)) script.patch = io::json::read_patch(*script.text);
+  return script;
+}
+
 // The script's operations, then those of --op, numbered as lines after the script's last.
-std::vector<NamedStep> read_steps(const EditOptions& options, const io::EditedScene& edited) {
+std::vector<NamedStep> read_steps(const EditOptions& options, const io::EditedScene& edited, const Script& script) {
   if (!options.for_each.empty()) return read_repeated(options, edited);
   std::vector<NamedStep> steps;
-  std::size_t lines = 0;
-  if (!options.script.empty() || options.operations.empty()) {
-    const io::Source script = io::read_lines(options.script.empty() ? "-" : options.script);
-    append_steps(steps, script, edited, 0);
-    lines = io::count_lines(script.text());
-  }
-  append_steps(steps, joined("--op", options.operations), edited, lines);
+  if (script.text && script.patch.empty()) append_steps(steps, *script.text, edited, 0);
+  append_steps(steps, joined("--op", options.operations), edited,
+               script.text ? io::count_lines(script.text->text()) : 0);
   return steps;
 }
 
-std::unique_ptr<io::EditedScene> read(const EditOptions& options) {
-  const io::Source source = io::read_source(options.scene);
+io::Source scene_source(const EditOptions& options, const Script& script) {
+  io::Source source = io::read_source(options.scene);
+  if (script.patch.empty()) return source;
+  io::Source patched(source.name() + " as patched", io::json::patched(source, *script.text, script.patch));
+  patched.set_root(source.root());
+  return patched;
+}
+
+std::unique_ptr<io::EditedScene> read(const EditOptions& options, const Script& script) {
+  const io::Source source = scene_source(options, script);
   if (options.with.empty()) return std::make_unique<io::EditedScene>(io::read_grouped_scene(source, io::Bodies::read));
   return edited_by_text(source, options.with);
 }
 
 /// Tells of each operation every clause that does not hold; nothing is carried out.
 int tell_why_not(const EditOptions& options) {
-  const std::unique_ptr<io::EditedScene> edited = read(options);
+  const std::unique_ptr<io::EditedScene> edited = read(options, {});
   std::vector<NamedStep> steps;
   append_steps(steps, joined("--why-not", options.why_not), *edited, 0);
   const ClauseFinder find = options.by_spec ? clauses_by_spec() : ClauseFinder(io::why_not);
@@ -110,11 +128,11 @@ struct Answers {
 };
 
 /// Carries out the steps; where all or nothing is to be done, up to the first that is refused.
-Answers carry_out(const EditOptions& options, io::EditedScene& edited, const std::vector<NamedStep>& steps) {
+void carry_out(const EditOptions& options, io::EditedScene& edited, const std::vector<NamedStep>& steps,
+               Answers& answers) {
   const Editor apply = options.by_spec ? editor_by_spec() : [](io::EditedScene& of, const io::ScriptStep& step) {
     return of.apply_total(step);
   };
-  Answers answers;
   Progress progress(options.quiet, "edit", "operations", steps.size());
   for (const auto& [step, for_each] : steps) {
     const io::EditAnswer answer = apply(edited, step);
@@ -123,7 +141,14 @@ Answers carry_out(const EditOptions& options, io::EditedScene& edited, const std
     if (!answer.ok() && options.all_or_nothing) break;
     progress.add();
   }
-  return answers;
+}
+
+/// A patch is carried out before there is a scene: an answer for each of its operations, at its line.
+std::string patch_answers(const Script& script) {
+  std::string text;
+  for (const io::json::PatchOperation& operation : script.patch)
+    text.append(io::answer_text(script.text->place(operation.offset).line, {"patched"})).append("\n");
+  return text;
 }
 
 int edit(EditOptions options) {
@@ -136,8 +161,10 @@ int edit(EditOptions options) {
   if (writes && io::is_same_file(options.scene, options.out)) lock.emplace(options.out);
   std::optional<io::OutputFile> out;
   if (writes) out.emplace(options.out);
-  const std::unique_ptr<io::EditedScene> edited = read(options);
-  const Answers answers = carry_out(options, *edited, read_steps(options, *edited));
+  const Script script = read_script_text(options);
+  const std::unique_ptr<io::EditedScene> edited = read(options, script);
+  Answers answers{patch_answers(script)};
+  carry_out(options, *edited, read_steps(options, *edited, script), answers);
   if (out && (answers.all_done || !options.all_or_nothing)) {
     io::rename_pictures(edited->stage(), options.scene, options.out);
     out->write(edited->scene_text());
@@ -153,8 +180,8 @@ void add_edit(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("edit", "Run operations on a scene, each checked; one JSON line each");
   const auto options = std::make_shared<EditOptions>();
   command->add_option("SCENE", options->scene, "Scene file (JSON)")->required();
-  auto* const script =
-      command->add_option("--script", options->script, "File of operations, one a line; - is the standard input");
+  auto* const script = command->add_option("--script", options->script,
+                                           "File of operations, one a line, or a JSON Patch; - is the standard input");
   auto* const op =
       command->add_option("--op", options->operations, "An operation; may be given again")->allow_extra_args(false);
   auto* const output = command->add_option("-o,--output", options->out,
