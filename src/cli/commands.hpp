@@ -66,6 +66,7 @@ void add_trace(CLI::App& app, int& status);
 void add_version(CLI::App& app, int& status);
 void add_view(CLI::App& app, int& status);
 void add_voxelise(CLI::App& app, int& status);
+void add_watch(CLI::App& app, int& status);
 
 void add_spec_export(CLI::App& spec, int& status);   ///< of spec: export
 void add_spec_convert(CLI::App& spec, int& status);  ///< of spec: convert

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
@@ -87,9 +88,9 @@ void append_colour(std::string& text, const Pixel& pixel, bool has_all_colours, 
 
 }  // namespace
 
-Terminal::Terminal() {
+Terminal::Terminal(int other) : other_(other) {
   if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDOUT_FILENO) != 1 || ::tcgetattr(STDIN_FILENO, &before_) != 0)
-    throw std::invalid_argument("view: standard input or output is no terminal; expected one that shows the scene");
+    throw std::invalid_argument("standard input or output is no terminal; expected one that shows the scene");
   interrupted();
   struct sigaction action {};
   action.sa_handler = [](int) { was_resized = true; };  // without SA_RESTART: poll() ends
@@ -115,8 +116,8 @@ TerminalSize Terminal::size() {
 }
 
 bool Terminal::has_next(int within) const {
-  pollfd input{STDIN_FILENO, POLLIN, 0};
-  return !typed_.empty() || was_resized || interrupted() || ::poll(&input, 1, within) != 0;
+  std::array inputs{pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{other_, POLLIN, 0}};  // a negative one is passed over
+  return !typed_.empty() || was_resized || interrupted() || ::poll(inputs.data(), inputs.size(), within) != 0;
 }
 
 /// Whether some bytes have come in that time; without end where it is negative.
@@ -133,9 +134,11 @@ TerminalInput Terminal::next() {
   while (true) {
     if (was_resized.exchange(false)) return {Kind::resized};
     if (interrupted()) return {Kind::end};
-    if (typed_.empty() && !read_more(-1)) {
-      if (was_resized) continue;
-      return {Kind::end};
+    if (typed_.empty()) {
+      std::array inputs{pollfd{STDIN_FILENO, POLLIN, 0}, pollfd{other_, POLLIN, 0}};
+      if (::poll(inputs.data(), inputs.size(), -1) < 0 && errno == EINTR) continue;
+      if (inputs[1].revents != 0) return {Kind::told};
+      if (!read_more(0)) return {Kind::end};
     }
     const auto take = [&](std::size_t bytes) { typed_.erase(0, bytes); };
     if (typed_.front() != '\033') {

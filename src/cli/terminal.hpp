@@ -23,6 +23,7 @@ struct TerminalInput {
     nearer,
     farther,  ///< its wheel
     resized,  ///< the terminal has another size
+    told,     ///< the other descriptor can be read
     end       ///< nothing comes any more, or the program is interrupted
   };
   Kind kind;
@@ -38,8 +39,11 @@ struct TerminalSize {
 /// The terminal of standard input and output, as long as this lives; then it is as it was before.
 class Terminal {
  public:
-  /// Throws std::invalid_argument where one of both is no terminal.
-  Terminal();
+  /// The number of no descriptor.
+  static constexpr int no_descriptor = -1;
+  /// Waits for another descriptor as well, where one is given. Throws std::invalid_argument where one of both is no
+  /// terminal.
+  explicit Terminal(int other = no_descriptor);
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
@@ -54,6 +58,7 @@ class Terminal {
  private:
   bool read_more(int milliseconds);
 
+  int other_;
   termios before_{};
   std::string typed_{};  // and not taken yet
 };

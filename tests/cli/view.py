@@ -22,15 +22,15 @@ def expect(holds, what):
 
 
 class Viewer:
-    """A run of `durero view` that a terminal drives."""
+    """A run of `durero view`, or of another command, that a terminal drives."""
 
-    def __init__(self, durero, *arguments, colours="truecolor"):
+    def __init__(self, durero, *arguments, colours="truecolor", command="view"):
         self.said = b""
         self.child, self.terminal = pty.fork()
         if self.child == 0:
             os.environ["COLORTERM"] = colours
             sys.stdin.readline()  # until the terminal has its size
-            os.execv(durero, [durero, "view", *arguments])
+            os.execv(durero, [durero, command, *arguments])
         self.resize(COLUMNS, ROWS)
         self.type(b"\n")
 
