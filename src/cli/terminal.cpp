@@ -27,7 +27,7 @@ namespace {
 constexpr std::string_view begin_screen = "\033[?1049h\033[?25l\033[?1000h\033[?1006h",
                            end_screen = "\033[?1006l\033[?1000l\033[?25h\033[?1049l";
 /// The rest of a key's bytes comes as soon as this, or it was the key Escape.
-constexpr int patience = 50;  // milliseconds
+constexpr int sequence_patience = 50;  // milliseconds
 
 std::atomic<bool> was_resized = false;
 
@@ -146,7 +146,7 @@ TerminalInput Terminal::next() {
       take(1);
       return {Kind::character, character};
     }
-    if (typed_.size() < 3 && !read_more(patience)) {
+    if (typed_.size() < 3 && !read_more(sequence_patience)) {
       take(typed_.size());
       return {Kind::character, '\033'};
     }
@@ -154,7 +154,7 @@ TerminalInput Terminal::next() {
     // A key is ESC [ or ESC O, and what ends with the first letter.
     std::size_t end = typed_.find_first_of("ABCDEFGHMPQRSZm~", 2);
     if (end == typed_.npos) {
-      if (!read_more(patience)) take(typed_.size());
+      if (!read_more(sequence_patience)) take(typed_.size());
       continue;
     }
     const std::string key = typed_.substr(0, end + 1);
