@@ -6,8 +6,10 @@
 #include <gmp.h>
 #include <hwy/highway.h>
 #include <jconfig.h>
+#include <openssl/opensslv.h>
 #include <png.h>
 #include <rapidjson/rapidjson.h>
+#include <sqlite3.h>
 #include <tbb/version.h>
 
 #include <CLI/Version.hpp>
@@ -79,7 +81,9 @@ Pairs libraries() {
           {"RapidJSON", RAPIDJSON_VERSION_STRING},
           {"CLI11", CLI11_VERSION},
           {"FLINT", FLINT_VERSION},
-          {"pugixml", of_parts(PUGIXML_VERSION / 10, 100, 1)}};
+          {"pugixml", of_parts(PUGIXML_VERSION / 10, 100, 1)},
+          {"SQLite", sqlite3_libversion()},
+          {"OpenSSL", OPENSSL_VERSION_STR}};
 }
 
 void write_words(io::json::Writer& out, std::string_view key, const std::vector<std::string>& words) {
