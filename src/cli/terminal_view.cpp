@@ -31,7 +31,7 @@ constexpr double turn = 5;           // degrees of an arrow
 constexpr double step = 0.05;        // of the distance, sideways
 constexpr double nearer = 0.9;       // of the distance, ahead
 constexpr unsigned status_rows = 2;  // below the picture
-constexpr int patience = 150;        // milliseconds without input, after which the picture becomes finer
+constexpr int stillness = 150;        // milliseconds without input, after which the picture becomes finer
 constexpr std::uint32_t fine = 9;    // rays of a pixel then
 constexpr int digits = 40;           // of an exact t
 
@@ -50,7 +50,7 @@ class TerminalView {
     Terminal terminal(watch_ == nullptr ? Terminal::no_descriptor : watch_->descriptor());
     for (bool goes_on = true; goes_on;) {
       if (!terminal.has_next()) draw(1);
-      if (!terminal.has_next(patience)) draw_finely(terminal);
+      if (!terminal.has_next(stillness)) draw_finely(terminal);
       goes_on = answer(terminal.next());
     }
     return camera();
