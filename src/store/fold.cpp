@@ -60,7 +60,7 @@ void Fold::move_to(EventNumber to, const std::set<EventNumber>& spoiled) {
 }
 
 void Fold::require_hash(const HistoryEvent& event, const Digest& parent) const {
-  if (event.kind != EventKind::edit || hash_of(event, parent, "") != event.hash)
+  if (event.kind != EventKind::edit || hash_of(event, parent) != event.hash)
     refuse(event.number, "is not as it was written");
 }
 

@@ -29,11 +29,11 @@ std::optional<int> digits_in(std::string_view text) {
 
 }  // namespace
 
-Digest hash_of(const HistoryEvent& event, const Digest& parent, std::string_view content) {
+Digest hash_of(const HistoryEvent& event, const Digest& parent) {
   FieldDigest fields;
   fields.add(bytes_of(parent)).add(word_of(event.kind)).add(event.begins ? "begins" : "goes on");
   fields.add(std::to_string(event.line)).add(event.operation).add(event.answer);
-  return fields.add(event.by.author).add(event.by.time).add(event.by.comment).add(content).digest();
+  return fields.add(event.by.author).add(event.by.time).add(event.by.comment).add(event.content).digest();
 }
 
 bool is_time(std::string_view text) {

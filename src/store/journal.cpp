@@ -55,7 +55,8 @@ void move_head(Records& records, const StoreHead& head, EventNumber to) {
 void append(Records& records, HistoryEvent& event, const Digest& parent, std::string_view snapshot) {
   event.number = records.last() + 1;
   const bool is_import = event.kind == EventKind::import;
-  event.hash = hash_of(event, parent, is_import ? bytes_of(digest_of(snapshot)) : std::string_view());
+  if (is_import) event.content = bytes_of(digest_of(snapshot));
+  event.hash = hash_of(event, parent);
   records.put(event);
   if (is_import) records.put_snapshot(event.number, snapshot);
 }

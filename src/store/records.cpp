@@ -24,6 +24,7 @@ CREATE TABLE event (
   author TEXT NOT NULL,
   time TEXT NOT NULL,
   comment TEXT NOT NULL,
+  content BLOB NOT NULL,
   hash BLOB NOT NULL
 ) STRICT;
 CREATE TABLE snapshot (event INTEGER PRIMARY KEY, seal BLOB NOT NULL, content BLOB NOT NULL) STRICT;
@@ -78,14 +79,13 @@ std::string title_of(NameKind kind, std::string_view name) {
 
 Records::Records(Database& database)
     : database_(checked(database)),
-      event_(
-          database.prepare("SELECT number, parent, kind, begins, line, operation, answer, author, time, comment, hash "
-                           "FROM event WHERE number = ?1")),
+      event_(database.prepare("SELECT number, parent, kind, begins, line, operation, answer, author, time, comment, "
+                              "content, hash FROM event WHERE number = ?1")),
       origin_(database.prepare("SELECT parent, kind, EXISTS (SELECT 1 FROM snapshot WHERE event = ?1) FROM event "
                                "WHERE number = ?1")),
       hash_(database.prepare("SELECT hash FROM event WHERE number = ?1")),
       last_(database.prepare("SELECT coalesce(max(number), 0) FROM event")),
-      put_(database.prepare("INSERT INTO event VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)")),
+      put_(database.prepare("INSERT INTO event VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)")),
       has_snapshot_(database.prepare("SELECT 1 FROM snapshot WHERE event = ?1")),
       snapshot_(database.prepare("SELECT seal, content FROM snapshot WHERE event = ?1")),
       put_snapshot_(database.prepare("INSERT INTO snapshot VALUES (?1, ?2, ?3)")),
@@ -110,9 +110,10 @@ HistoryEvent Records::read_event() {
   event.operation = event_.bytes(5);
   event.answer = event_.bytes(6);
   event.by = {std::string(event_.bytes(7)), std::string(event_.bytes(8)), std::string(event_.bytes(9))};
+  event.content = event_.bytes(10);
   const bool is_known = kind == std::int64_t{0} || kind == std::int64_t{1};  // the two of EventKind
   if (!is_known || event.parent < no_event || event.parent >= event.number ||
-      !copy_digest(event_.bytes(10), event.hash))
+      !copy_digest(event_.bytes(11), event.hash))
     database_.refuse(fmt::format("event {} is spoiled", event.number), expected_whole);
   return event;
 }
@@ -126,6 +127,13 @@ std::optional<HistoryEvent> Records::event(EventNumber number) {
 HistoryEvent Records::required_event(EventNumber number) {
   if (auto found = event(number)) return *std::move(found);
   database_.refuse(fmt::format("event {} is missing", number), expected_whole);
+}
+
+HistoryEvent Records::checked_event(EventNumber number) {
+  HistoryEvent event = required_event(number);
+  if (hash_of(event, hash(event.parent)) != event.hash)
+    database_.refuse(fmt::format("event {} is not as it was written", number), expected_whole);
+  return event;
 }
 
 EventOrigin Records::origin(EventNumber number) {
@@ -156,7 +164,7 @@ void Records::put(const HistoryEvent& event) {
   put_.bind(1, event.number).bind(2, event.parent).bind(3, static_cast<std::int64_t>(event.kind));
   put_.bind(4, std::int64_t{event.begins}).bind(5, event.line).bind(6, event.operation).bind(7, event.answer);
   put_.bind(8, event.by.author).bind(9, event.by.time).bind(10, event.by.comment);
-  put_.bind_bytes(11, bytes_of(event.hash)).run();
+  put_.bind_bytes(11, event.content).bind_bytes(12, bytes_of(event.hash)).run();
 }
 
 bool Records::has_snapshot(EventNumber event) {

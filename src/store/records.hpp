@@ -59,10 +59,12 @@ class Records {
   /// Makes the tables in one that is empty.
   static void make_tables(Database& database);
 
-  /// The event of a number; nothing where there is none.
+  /// The event of a number, as it is found; nothing where there is none.
   std::optional<HistoryEvent> event(EventNumber number);
-  /// The event of a number. Throws io::FileError where there is none.
+  /// The event of a number, as it is found. Throws io::FileError where there is none.
   HistoryEvent required_event(EventNumber number);
+  /// The same, held against its hash. Throws io::FileError also where it is not as it was written.
+  HistoryEvent checked_event(EventNumber number);
   /// What an event is made from. Throws io::FileError where there is no such event.
   EventOrigin origin(EventNumber number);
   /// The hash of an event, as it is stored: of no_event 32 zeros.

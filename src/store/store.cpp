@@ -164,7 +164,7 @@ const std::string& Store::path() const noexcept { return journal_->database.path
 
 StoreHead Store::head() { return head_of(journal_->records); }
 
-HistoryEvent Store::event(EventNumber number) { return journal_->records.required_event(number); }
+HistoryEvent Store::event(EventNumber number) { return journal_->records.checked_event(number); }
 
 EventNumber Store::last() { return journal_->records.last(); }
 

@@ -152,7 +152,7 @@ class Verifier {
       refuse(fmt::format("the snapshot of event {} is not canonical", event.number));
     standing(event.number) = EventStanding::rebased;
     ++report_.snapshots;
-    if (hash_of(event, records_.hash(event.parent), bytes_of(digest_of(content))) != event.hash)
+    if (event.content != bytes_of(digest_of(content)) || hash_of(event, records_.hash(event.parent)) != event.hash)
       refuse(fmt::format("event {} is not as it was written", event.number));
     if (event.parent == no_event || standing(event.parent) == EventStanding::whole)
       standing(event.number) = EventStanding::whole;

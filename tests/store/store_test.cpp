@@ -71,7 +71,7 @@ TEST_CASE("An edit is kept with its answer, and a refused one is not") {
   CHECK(second.answer == R"({"line":4,"ok":true,"r":"esfera_eliminada","left_group":"g"})");
   CHECK_FALSE(second.begins);
   CHECK(second.parent == 2);
-  CHECK(second.hash == hash_of(second, first.hash, ""));
+  CHECK(second.hash == hash_of(second, first.hash));
 }
 
 TEST_CASE("All operations are kept, or none") {

@@ -94,6 +94,7 @@ TEST_CASE("Each change of an event is found, and what stands on it is lost") {
       "UPDATE event SET time = '2026-01-31T12:00:01Z' WHERE number = 4",
       "UPDATE event SET comment = '' WHERE number = 4",
       "UPDATE event SET line = 2 WHERE number = 4",
+      "UPDATE event SET content = x'00' WHERE number = 4",
       "UPDATE event SET begins = 0 WHERE number = 4",
       "UPDATE event SET kind = 0 WHERE number = 4",
       "UPDATE event SET kind = 7 WHERE number = 4",

@@ -38,12 +38,13 @@ struct HistoryEvent {
   std::string operation{};           ///< the line of the operation; of an import, the name of the file
   std::string answer{};              ///< the JSON line that was answered
   Provenance by{};                   ///< of the transaction
+  std::string content{};             ///< of an import, the digest of its snapshot; of an edit it is empty
   Digest hash{};                     ///< hash_of() it
 };
 
 /// The hash that chains an event to its parent: the digest of the parent's hash and of everything that the event says
-/// but for numbers. Of an import, `content` is the digest of the snapshot; of an edit it is empty.
-Digest hash_of(const HistoryEvent& event, const Digest& parent, std::string_view content);
+/// but for numbers.
+Digest hash_of(const HistoryEvent& event, const Digest& parent);
 
 /// Whether a text is a time as Provenance has it, of a day that there is.
 bool is_time(std::string_view text);
