@@ -1,0 +1,304 @@
+"""Stores that are killed, shared, full and read-only: `FILE DURERO [TEST...]`. What was answered is kept, and nothing that
+was refused. Events are read by Python's own SQLite, which knows nothing of the program."""
+import json
+import os
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+
+home = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, home)
+from running import run_tests  # noqa: E402
+
+durero = sys.argv[1]
+PATIENCE = 120  # seconds
+EMPTY = '{"format":"durero-scene","version":1,\n"elementos":[]}\n'
+
+
+def run(*arguments, status=0, **how):
+    done = subprocess.run([durero, "store", *arguments], capture_output=True, text=True, timeout=PATIENCE, **how)
+    assert done.returncode == status, (arguments, done.returncode, done.stdout[-500:], done.stderr)
+    return done
+
+
+def operation(name):
+    return f"Agregar_Esfera e?={name} centro?=(0,0,0) radio?=1"
+
+
+def kept(store="s.store", behind=1):
+    """The operations of the events behind one, in order."""
+    with sqlite3.connect(store) as database:
+        return [row[0] for row in database.execute("SELECT operation FROM event WHERE number > ? ORDER BY number", (behind,))]
+
+
+def head_operations(store="s.store"):
+    """The operations from HEAD back to the import, in order."""
+    told = [json.loads(line) for line in run("log", store, "--json").stdout.splitlines()]
+    return [event["operation"] for event in reversed(told) if "operation" in event]
+
+
+def accepted(answers):
+    """The lines that were answered with ok. What is no whole line was not answered."""
+    return [answer["line"] for answer in map(json.loads, answers.split("\n")[:-1]) if answer["ok"]]
+
+
+class Killed:
+    """A store that is killed again and again, with what it must hold."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.names = 0
+        self.lasts = {}  # seconds that a command takes
+        self.renew()
+
+    def renew(self):
+        for file in os.listdir("."):
+            os.unlink(file)
+        run("init", "s.store")
+        self.behind, self.way = 1, []  # the last event, and the operations up to HEAD
+
+    def killed(self, *arguments, text=""):
+        """What the command printed before it was killed, or ended."""
+        known = arguments[0]
+        with open("out", "w+") as out:
+            begin = time.monotonic()
+            process = subprocess.Popen([durero, "store", *arguments], stdin=subprocess.PIPE, stdout=out,
+                                       stderr=subprocess.DEVNULL, text=True)
+            try:
+                process.stdin.write(text)
+                process.stdin.close()
+            except BrokenPipeError:
+                pass
+            if known in self.lasts:
+                time.sleep(max(0, self.random.uniform(0, 1.2) * self.lasts[known] - (time.monotonic() - begin)))
+                process.send_signal(signal.SIGKILL)
+            process.wait(PATIENCE)
+            self.lasts.setdefault(known, time.monotonic() - begin)
+            out.seek(0)
+            return out.read()
+
+    def edit(self):
+        """Some operations are refused; those that are accepted are kept in order, and each that was answered is."""
+        group = self.random.choice([1, 3, 10])
+        script, good = [], []
+        for _ in range(30):
+            if self.random.random() < 0.3 and self.way + good:
+                script.append(self.random.choice(self.way + good))  # a name that is taken
+            else:
+                self.names += 1
+                script.append(operation(f"n{self.names}"))
+                good.append(script[-1])
+        answered = [script[line - 1] for line in
+                    accepted(self.killed("edit", "s.store", "--group", str(group), text="\n".join(script) + "\n"))]
+        new = kept(behind=self.behind)
+        assert answered == good[:len(answered)], "an operation was answered that is none of the accepted"
+        assert new == good[:len(new)], "what is kept is not what was accepted"
+        assert len(new) >= len(answered), f"lost: {good[len(new):len(answered)]}"
+        self.behind += len(new)
+        self.way += new
+
+    def undo(self):
+        """HEAD is where it was, or a transaction before."""
+        said = self.killed("undo", "s.store")
+        now = head_operations()
+        assert now == self.way[:len(now)], "an undo goes elsewhere"
+        assert not said.endswith("\n") or not self.way or len(now) < len(self.way), "an undo that was answered is lost"
+        self.way = now
+
+    def redo(self):
+        said = self.killed("redo", "s.store")
+        now = head_operations()
+        assert now[:len(self.way)] == self.way, "a redo goes elsewhere"
+        assert "no undo" in said or not said.endswith("\n") or len(now) > len(self.way), "a redo that was answered is lost"
+        self.way = now
+
+    def tag(self):
+        self.names += 1
+        said = self.killed("tag", "s.store", f"t{self.names}") is not None
+        tags = dict(line.split("  ") for line in run("tag", "s.store").stdout.splitlines())
+        assert said and set(tags.values()) <= {str(number) for number in range(self.behind + 1)}
+
+    def init(self):
+        """The store is there whole, or not at all, and another init goes on."""
+        if os.path.exists("new.store"):
+            os.unlink("new.store")
+        said = self.killed("init", "new.store")
+        is_there = os.path.exists("new.store") and os.path.getsize("new.store") > 0
+        assert is_there or not said, "a store that was answered is lost"
+        if not is_there:
+            run("init", "new.store")
+        run("verify", "new.store")
+        assert [file for file in os.listdir(".") if file.endswith(".part")] == []
+
+    def go(self, kills):
+        for number in range(kills):
+            self.random.choices([self.edit, self.undo, self.redo, self.tag, self.init], [12, 3, 2, 1, 1])[0]()
+            if number % 50 == 49:
+                run("verify", "s.store")
+                assert head_operations() == self.way
+                run("export", "s.store", "-o", "exported.json")
+                with open("exported.json") as file:
+                    assert sorted(element["id"] for element in json.load(file)["elementos"]) == \
+                        sorted(line.split("e?=")[1].split()[0] for line in self.way)
+                self.renew()
+
+
+def test_200_kills_lose_nothing_that_was_answered_and_keep_nothing_that_was_refused():
+    Killed(20260131).go(200)
+
+
+def long_10000_kills():
+    seed = random.SystemRandom().randrange(2**32)
+    print("  seed", seed, flush=True)
+    Killed(seed).go(10_000)
+
+
+def test_60_programs_edit_one_store_at_a_time():
+    run("init", "s.store")
+    started = [subprocess.Popen([durero, "store", "edit", "s.store", "--op", operation(f"p{number}")],
+                                stdout=subprocess.DEVNULL) for number in range(60)]
+    assert [process.wait(PATIENCE) for process in started] == [0] * 60
+    assert sorted(kept()) == sorted(operation(f"p{number}") for number in range(60))
+    assert head_operations() == kept()
+    run("verify", "s.store")
+
+
+def test_two_programs_that_add_the_same_names_share_them():
+    run("init", "s.store")
+    script = "".join(operation(f"n{number}") + "\n" for number in range(100))
+    started = [subprocess.Popen([durero, "store", "edit", "s.store", "--group", "1"], stdin=subprocess.PIPE,
+                                stdout=subprocess.PIPE, text=True) for _ in range(2)]
+    for process in started:
+        process.stdin.write(script)
+        process.stdin.close()
+    answers = [accepted(process.stdout.read()) for process in started]
+    for process in started:
+        process.wait(PATIENCE)
+        process.stdout.close()
+    assert sorted(answers[0] + answers[1]) == list(range(1, 101)), "each name is accepted once"
+    assert len(kept()) == 100
+    run("verify", "s.store")
+
+
+def test_readers_beside_a_writer_see_whole_transactions():
+    run("init", "s.store")
+    script = "".join(operation(f"n{number:04}") + "\n" for number in range(1, 401))
+    with subprocess.Popen([durero, "store", "edit", "s.store", "--group", "4"], stdin=subprocess.PIPE,
+                          stdout=subprocess.DEVNULL, text=True) as writer:
+        writer.stdin.write(script)
+        writer.stdin.close()
+        seen, last = 0, -1
+        while True:
+            is_done = writer.poll() is not None
+            ids = [element["id"] for element in json.loads(run("export", "s.store").stdout)["elementos"]]
+            assert ids == [f"n{number:04}" for number in range(1, len(ids) + 1)], "a reader sees what never was"
+            assert len(ids) % 4 == 0 and len(ids) >= last, "a reader sees a part of a transaction, or goes back"
+            seen, last = seen + 1, len(ids)
+            if is_done:
+                break
+    assert last == 400 and seen > 1
+
+
+def in_namespace(script):
+    """Runs a script of the shell where mounts are its own; nothing where that is not allowed."""
+    try:
+        if subprocess.run(["unshare", "--mount", "true"], capture_output=True).returncode != 0:
+            raise PermissionError
+    except (FileNotFoundError, PermissionError):
+        print("  skipped: no mounts of its own are allowed here")
+        return None
+    return subprocess.run(["unshare", "--mount", "sh", "-euc", script, "sh", durero], capture_output=True, text=True,
+                          timeout=PATIENCE)
+
+
+def test_a_full_disk_keeps_what_was_answered():
+    with open("script", "w") as file:
+        file.writelines(operation(f"n{number}") + "\n" for number in range(20_000))
+    done = in_namespace("""
+        mkdir full && mount -t tmpfs -o size=400k none full
+        "$1" store init full/s.store >/dev/null
+        "$1" store edit full/s.store --script script --group 50 >answers 2>said && status=0 || status=$?
+        [ "$status" = 2 ]
+        "$1" store verify full/s.store >verified || { cat verified; exit 1; }
+        "$1" store export full/s.store >exported.json
+        dd if=/dev/zero of=full/more bs=1k 2>/dev/null || :
+        "$1" store edit full/s.store --script script --group 50 >>answers 2>>said && status=0 || status=$?
+        [ "$status" = 2 ]
+        "$1" store show full/s.store >/dev/null
+        ! "$1" store init full/other.store 2>>said
+        [ ! -e full/other.store ]
+        rm full/more
+        "$1" store verify full/s.store >/dev/null
+        cp full/s.store* .
+        """)
+    if done is None:
+        return
+    assert done.returncode == 0, (done.stdout, done.stderr)
+    with open("said") as file:
+        lines = file.read().splitlines()
+    assert len(lines) == 3 and all("cannot be written: No space left on device; expected" in line for line in lines), lines
+    with open("answers") as file:
+        answered = accepted(file.read())
+    assert answered and len(answered) % 50 == 0
+    assert kept()[:len(answered)] == [operation(f"n{line - 1}") for line in answered]
+    run("edit", "s.store", "--op", operation("more"))  # with room again
+    run("verify", "s.store")
+
+
+def test_a_store_that_cannot_be_written_is_read():
+    run("init", "s.store")
+    run("edit", "s.store", "--op", operation("a"))
+    done = in_namespace("""
+        mkdir read && cp s.store read && mount -t tmpfs none "$(mktemp -d)" && mount --bind read read
+        mount -o remount,ro,bind read
+        for command in log show export verify blame branch; do "$1" store $command read/s.store >$command; done
+        "$1" store edit read/s.store --op 'Eliminar_Esfera e=a' 2>said && status=0 || status=$?
+        [ "$status" = 2 ]
+        "$1" store undo read/s.store 2>>said && status=0 || status=$?
+        [ "$status" = 2 ]
+        """)
+    if done is None:
+        return
+    assert done.returncode == 0, (done.stdout, done.stderr)
+    with open("said") as file:
+        lines = file.read().splitlines()
+    assert len(lines) == 2 and all(line.startswith("durero: read/s.store: cannot be ") for line in lines), lines
+    with open("export") as file:
+        assert '"id":"a"' in file.read()
+
+
+def test_a_journal_that_is_spoiled_leaves_an_earlier_transaction():
+    """What a killed program has left beside the store: a part of it that is not whole is as if it had not come."""
+    run("init", "s.store")
+    script = "".join(operation(f"n{number}") + "\n" for number in range(40))
+    with sqlite3.connect("s.store") as holding:  # another program has it open, so that its journal stays
+        holding.execute("SELECT count(*) FROM event").fetchall()
+        run("edit", "s.store", "--group", "4", input=script)
+        shutil.copy("s.store", "base"), shutil.copy("s.store-wal", "journal")
+    with open("journal", "rb") as file:
+        journal = file.read()
+    chance, lengths = random.Random(7), set()
+    for number in range(60):
+        spoiled = bytearray(journal)
+        if number % 2:
+            spoiled[chance.randrange(len(spoiled))] ^= 1 << chance.randrange(8)
+        else:
+            spoiled = spoiled[:chance.randrange(len(spoiled))]
+        for file in ("t.store", "t.store-wal", "t.store-shm"):
+            if os.path.exists(file):
+                os.unlink(file)
+        shutil.copy("base", "t.store")
+        with open("t.store-wal", "wb") as file:
+            file.write(spoiled)
+        run("verify", "t.store")
+        told = head_operations("t.store")
+        assert len(told) % 4 == 0 and told == [operation(f"n{number}") for number in range(len(told))]
+        lengths.add(len(told))
+    assert len(lengths) > 3
+
+
+sys.exit(run_tests(globals()))
