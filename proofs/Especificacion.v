@@ -1,4 +1,4 @@
-(** The Z text of spec/*.tex, without tablas, malla and auditoria, in Coq, written by `durero spec export --coq` of its sections:
+(** The Z text of spec/*.tex, without tablas, malla, auditoria and historia, in Coq, written by `durero spec export --coq` of its sections:
     change the text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
@@ -119,7 +119,9 @@ Inductive Respuesta := | elemento_agregado | elemento_eliminado | esfera_agregad
   cono_eliminado | tronco_eliminado | plano_eliminado | disco_eliminado | triangulo_eliminado | elemento_ya_existe |
   elemento_no_existe | tipo_incorrecto | radio_no_positivo | vector_no_unitario | altura_no_positiva |
   proporcion_no_positiva | vertices_alineados | malla_agregada | malla_eliminada | malla_reemplazada | vertice_movido
-  | malla_ya_existe | malla_no_existe | cara_incompleta | cara_sin_nombre | vertice_no_existe | es_de_malla.
+  | malla_ya_existe | malla_no_existe | cara_incompleta | cara_sin_nombre | vertice_no_existe | es_de_malla |
+  elemento_cambiado | material_no_existe | grupo_no_existe | hecho | deshecho | rehecho | transaccion_rechazada |
+  nada_que_deshacer | nada_que_rehacer.
 
 (** * escena.tex *)
 
