@@ -1,12 +1,12 @@
 (** What is proved of the program, and nothing else: each statement in full, each proof a reference to where it is done. It
-    goes on from MainText.v, which has the names, MainModels.v and MainMeshes.v; the four hold the final statements.
+    goes on from MainText.v, which has the names, MainModels.v, MainMeshes.v and MainHistory.v; the five hold the final statements.
 
     Walk.walks, Walk.leads == a traversal as it runs; a path of cells, each of which holds the parameter, to an element
     Search.published st  == what the search publishes; Chain.says a == it is the text's answer, each number rounded once *)
 From Coq Require Import Reals List.
 From Flocq Require Raux Zaux Generic_fmt FLT.
 From Durero Require Import Toolkit Especificacion.
-From Durero Require MainText MainModels MainMeshes Moments.
+From Durero Require MainText MainModels MainMeshes MainHistory Moments.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion
   Surd Exacto ExactoEscena Rounding Vectors Formas Decision Flotante Certified Twofold Sums Products
   Words Quick Once Newton Verdict Steps Triage Doubled Second AtRoot AtRootText Levels Running Walk Limits Search Boxes Lattice

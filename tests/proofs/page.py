@@ -27,7 +27,7 @@ AROUND = re.compile(r"(Local |Global )?(Variable|Hypothes|Context|Let\b|Notation
 TITLE = """# What is proved
 
 `sh tests/proofs/run.sh build/proofs update` writes this page, and `tests/proofs/audit.sh` fails where it is not what the
-proofs say. First stand the theorems of `MainText.v`, `MainModels.v`, `MainMeshes.v` and `Main.v` with the hypotheses of their sections,
+proofs say. First stand the theorems of `MainText.v`, `MainModels.v`, `MainMeshes.v`, `MainHistory.v` and `Main.v` with the hypotheses of their sections,
 then the definitions that they reach, each once, a file before those that need it, and at last the names that they reach
 of generated files and of Coq's libraries. The number after a definition or a theorem is a check sum of what Coq
 understands by it: where it changes and the text does not, a notation, a scope or a name in it has another meaning. After
