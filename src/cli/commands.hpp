@@ -63,6 +63,7 @@ void add_shader(CLI::App& app, int& status);
 void add_spec(CLI::App& app, int& status);
 void add_stats(CLI::App& app, int& status);
 void add_store(CLI::App& app, int& status);
+void add_serve(CLI::App& app, int& status);
 void add_trace(CLI::App& app, int& status);
 void add_version(CLI::App& app, int& status);
 void add_view(CLI::App& app, int& status);

@@ -25,14 +25,14 @@ std::string check_time(const std::string& said) {
   return fmt::format("{}: no time; expected one of UTC, as 2026-01-31T12:00:00Z", said);
 }
 
+}  // namespace
+
 std::string author_of_environment() {
   for (const char* const name : {"DURERO_AUTHOR", "LOGNAME", "USER"})
     if (const char* const author = std::getenv(name); author != nullptr && *author != '\0')
       return text::escaped(author);
   return "";
 }
-
-}  // namespace
 
 void add_store_path(CLI::App& command, std::string& path) {
   command.add_option("STORE", path, "A file that store init has made")->required();

@@ -6,6 +6,7 @@
 #include "durero/model/malla_clauses.hpp"
 #include "durero/model/vista.hpp"
 #include "durero/scene/edit.hpp"
+#include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
 
 namespace durero::scene {
@@ -75,6 +76,19 @@ Answer GroupedScene::change_looks(const model::LookChange& change) {
   if (!element) return {Respuesta::elemento_no_existe, labels.exists};
   if (labels.is_of_material && scene.face(*element)) return {Respuesta::es_de_malla, &model::Fuera_De_Malla_pre_1};
   return std::visit(LookEditor{*this, *element}, change);
+}
+
+model::Vista retrieve_looks(const GroupedScene& of) {
+  const auto& materials = of.scene.stage().materials;
+  model::Vista looks{retrieve(of.scene), {}, {}, {}, {}};
+  for (const auto& [name, group] : of.groups.table()) looks.grupos.insert(name);
+  for (const Material& material : materials) looks.materiales.insert(material.name);
+  for (const model::Elemento& e : looks.escena.elementos) {
+    if (const auto g = of.groups.of_element(e.name()); !g.empty()) looks.mi_grupo.emplace(e, g);
+    if (const auto material = of.scene.material(of.scene.find(e.name()).value()))
+      looks.mi_material.emplace(e, materials[*material].name);
+  }
+  return looks;
 }
 
 }  // namespace durero::scene

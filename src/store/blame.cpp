@@ -33,6 +33,16 @@ void set(Setters& to, const scene::VertexMove& edit, EventNumber by) { to.meshes
 void set(Setters& to, const scene::MeshEdit& edit, EventNumber by) {
   std::visit([&](const auto& in) { set(to, in, by); }, edit);
 }
+void set(Setters& to, const model::AttributeChange& edit, EventNumber by) {
+  to.elements[model::name_of(edit).name()] = by;
+}
+void set(Setters& to, const model::Cambiar_Material& edit, EventNumber by) { to.elements[edit.e.name()] = by; }
+void set(Setters& to, const model::Quitar_Material& edit, EventNumber by) { to.elements[edit.e.name()] = by; }
+void set(Setters&, const model::Cambiar_Grupo&, EventNumber) {}  // as every edit of groups
+void set(Setters&, const model::Quitar_Grupo&, EventNumber) {}
+void set(Setters& to, const model::LookChange& edit, EventNumber by) {
+  std::visit([&](const auto& in) { set(to, in, by); }, edit);
+}
 void set(Setters&, const scene::GroupEdit&, EventNumber) {}
 void set(Setters&, const io::WrittenEdit&, EventNumber) {}  // a store has none
 /// @}

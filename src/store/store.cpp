@@ -210,25 +210,54 @@ const scene::GroupedScene& Store::state(EventNumber number) {
 }
 
 EditResult Store::edit(const EditCall& call) {
+  EditAttempt attempt = std::move(edit_together({&call, 1}).front());
+  if (attempt.error) std::rethrow_exception(attempt.error);
+  if (attempt.is_stale)
+    journal_->database.refuse(fmt::format("HEAD is at {}", attempt.head), fmt::format("expected {}", call.expected_head));
+  return std::move(attempt.result);
+}
+
+std::vector<EditAttempt> Store::edit_together(std::span<const EditCall> calls) {
   WriteTransaction transaction(*journal_);
+  std::vector<EditAttempt> attempts;
+  for (const EditCall& call : calls) {
+    EditAttempt& attempt = attempts.emplace_back();
+    journal_->database.run("SAVEPOINT attempt");
+    try {
+      attempt_edit(call, attempt);
+    } catch (const io::FileError&) {
+      throw;  // of the store
+    } catch (const std::exception&) {
+      attempt.error = std::current_exception();
+    }
+    const bool is_kept = !attempt.error && !(call.all_or_nothing && attempt.result.is_refused);
+    if (!is_kept) {
+      journal_->database.run("ROLLBACK TO attempt");
+      if (journal_->fold.at() != head().event) journal_->fold.forget();
+      attempt.result.event = no_event;
+    }
+    journal_->database.run("RELEASE attempt");
+    attempt.head = head().event;
+  }
+  transaction.commit();
+  return attempts;
+}
+
+void Store::attempt_edit(const EditCall& call, EditAttempt& attempt) {
   const StoreHead head = this->head();
+  attempt.is_stale = call.expected_head != no_event && call.expected_head != head.event;
+  if (attempt.is_stale) return;
   Fold& fold = journal_->fold;
   fold.move_to(head.event);
   fold.edited().begin_transaction();
-  EditResult result = carry_out_steps(*journal_, call, io::read_script(call.script, fold.edited().of().scene.stage()));
-  if (call.all_or_nothing && result.is_refused) {
-    result.event = no_event;
-    return result;
-  }
-  if (result.event != no_event) {
-    move_head(journal_->records, head, result.event);
-    if (is_snapshot_due(fold)) {
-      journal_->records.put_snapshot(result.event, snapshot_of(fold.edited().of()));
-      fold.keep_snapshot();
-    }
-  }
-  transaction.commit();
-  return result;
+  std::vector<io::ScriptStep> steps = io::read_script(call.script, fold.edited().of().scene.stage());
+  attempt.result = carry_out_steps(*journal_, call, std::move(steps));
+  const EditResult& result = attempt.result;
+  if (result.event == no_event || (call.all_or_nothing && result.is_refused)) return;
+  move_head(journal_->records, head, result.event);
+  if (!is_snapshot_due(fold)) return;
+  journal_->records.put_snapshot(result.event, snapshot_of(fold.edited().of()));
+  fold.keep_snapshot();
 }
 
 std::vector<io::ScriptStep> Store::read(const io::Source& script) {

@@ -4,6 +4,10 @@
 #include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 
+namespace durero::model {
+struct Vista;
+}  // namespace durero::model
+
 namespace durero::scene {
 
 /// Both, which edits keep together.
@@ -21,5 +25,8 @@ struct GroupedScene {
   Outcome apply_total(const GroupEdit& edit) { return groups.apply_total(edit, scene); }
   /// @}
 };
+
+/// What the scene and its groups stand for: the elements with their materials and groups. O(n log n).
+model::Vista retrieve_looks(const GroupedScene& of);
 
 }  // namespace durero::scene

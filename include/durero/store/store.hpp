@@ -3,8 +3,10 @@
 /// that is chained to the one before. Nothing of it is ever deleted. Several programs may use it at a time: those that
 /// write wait for each other, and those that read see what was there when they began.
 
+#include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,7 @@ struct EditCall {
   std::size_t lines_before = 0;           ///< how many lines of the script stand before them
   Provenance by{};                        ///< of the transaction
   bool all_or_nothing = false;            ///< whether a refusal ends it, and leaves nothing of it
+  EventNumber expected_head = no_event;   ///< where HEAD must be; no_event: anywhere
   CarryOut carry_out = store::carry_out;  ///< how each operation is carried out
 };
 
@@ -38,6 +41,14 @@ struct EditResult {
   std::string answers{};         ///< a JSON line for each operation, as io::answer_text has it
   bool is_refused = false;       ///< whether some operation was refused
   EventNumber event = no_event;  ///< the last event that was kept; no_event where none was
+};
+
+/// What one of several transactions has come to.
+struct EditAttempt {
+  EditResult result{};           ///< as of one alone
+  EventNumber head = no_event;   ///< where HEAD is behind it
+  bool is_stale = false;         ///< whether HEAD was elsewhere than expected, and nothing was done
+  std::exception_ptr error{};    ///< why its script could not be read or carried out; null where it was
 };
 
 /// Where the next edit goes.
@@ -91,6 +102,9 @@ class Store {
   /// Carries a transaction out where HEAD is, and keeps the operations that are accepted, durably. Throws
   /// io::InputError, and keeps nothing, where a line is no operation.
   EditResult edit(const EditCall& call);
+  /// Carries transactions out one after the other, as edit() does, and makes all of them durable at once: whoever waits
+  /// for the disk waits once. Each is done or refused for itself, and is a step of its own.
+  std::vector<EditAttempt> edit_together(std::span<const EditCall> calls);
   /// Reads a script with the materials of HEAD, as edit() would, and changes nothing. Throws io::InputError.
   std::vector<io::ScriptStep> read(const io::Source& script);
   /// Puts another scene in the place of that of HEAD, as create() does.
@@ -120,6 +134,9 @@ class Store {
   Journal& journal() noexcept { return *journal_; }
 
  private:
+  /// A part of a transaction of the database, which is to be taken back where it throws or leaves nothing.
+  void attempt_edit(const EditCall& call, EditAttempt& attempt);
+
   std::unique_ptr<Journal> journal_;
 };
 

@@ -24,8 +24,8 @@ bool is_word_of_text(std::string_view text) {
 /// The line of an operation, in one of the two syntaxes.
 class OperationLine {
  public:
-  OperationLine(std::string_view name, const scene::Stage& stage, Place material)
-      : material_(material ? &stage.materials.at(*material).name : nullptr) {
+  /// With the name of a material, or null.
+  OperationLine(std::string_view name, const std::string* material) : material_(material) {
     if (material_ == nullptr || is_word_of_text(*material_))
       text_ = name;
     else
@@ -128,9 +128,23 @@ class EditLines {
   std::string operator()(const scene::SolidRemoval& in) const {
     return begin("Eliminar_Solido").input("e", in.e).done();
   }
+  std::string operator()(const model::AttributeChange& change) const {
+    return std::visit(
+        [&]<class Change>(const Change& in) {
+          const auto& attribute = model::attribute_of<Change::component>();
+          OperationLine out = begin(model::schema_name(change));
+          return out.input("e", in.e.name()).input(attribute.word, scene::stored(attribute.input(in))).done();
+        },
+        change);
+  }
+  std::string operator()(const model::LookChange& change) const {
+    return std::visit([&](const auto& in) { return line(in); }, change);
+  }
 
  private:
-  OperationLine begin(std::string_view name, Place material = {}) const { return {name, stage_, material}; }
+  OperationLine begin(std::string_view name, Place material = {}) const {
+    return {name, material ? &stage_.materials.at(*material).name : nullptr};
+  }
 
   static glm::dvec3 rounded(const model::ExactVector& v) {
     return {number::round_to_binary64(v.x), number::round_to_binary64(v.y), number::round_to_binary64(v.z)};
@@ -170,6 +184,15 @@ class EditLines {
   std::string line(const model::Eliminar_Elemento& in, Place) const {
     return begin("Eliminar_Elemento").input("e", in.e.name()).done();
   }
+
+  static std::string line(const model::Cambiar_Material& in) {
+    return OperationLine(in.schema, &in.material).input("e", in.e.name()).done();
+  }
+  std::string line(const model::Cambiar_Grupo& in) const {
+    return begin(in.schema).input("e", in.e.name()).input("g", in.g).done();
+  }
+  std::string line(const model::Quitar_Material& in) const { return begin(in.schema).input("e", in.e.name()).done(); }
+  std::string line(const model::Quitar_Grupo& in) const { return begin(in.schema).input("e", in.e.name()).done(); }
 
   std::string line(const scene::Grouping& in) const {
     OperationLine out = begin("group");

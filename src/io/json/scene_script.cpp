@@ -13,6 +13,8 @@
 #include "durero/io/json/scene_changes.hpp"
 #include "durero/io/json/scene_parts.hpp"
 #include "durero/io/lines.hpp"
+#include "durero/model/cambio.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/number/rational.hpp"
 #include "durero/scene/addition.hpp"
 #include "durero/scene/by_name.hpp"
@@ -74,10 +76,40 @@ AnyStep addition_step(const std::string& name, const Shape& shape, std::optional
   return scene::Edit{scene::addition(model::Elemento(name), shape), material};
 }
 
-/// Whether the two points have the same text.
+/// @{ Whether two values of an attribute have the same text.
+bool is_written_alike(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
 bool is_written_alike(const glm::dvec3& a, const glm::dvec3& b) {
-  const auto alike = [](double x, double y) { return x == y && std::signbit(x) == std::signbit(y); };
-  return alike(a.x, b.x) && alike(a.y, b.y) && alike(a.z, b.z);
+  return is_written_alike(a.x, b.x) && is_written_alike(a.y, b.y) && is_written_alike(a.z, b.z);
+}
+bool is_written_alike(const scene::Corners& a, const scene::Corners& b) {
+  return std::ranges::equal(a, b, [](const glm::dvec3& p, const glm::dvec3& q) { return is_written_alike(p, q); });
+}
+/// @}
+
+/// Whether two elements have the same of what no operation gives.
+bool has_same_rest(const scene::Scene& a, ElementRef x, const scene::Scene& b, ElementRef y) {
+  const auto same = [](const auto* one, const auto* other) {
+    return one == nullptr || other == nullptr ? one == other : *one == *other;
+  };
+  return same(a.motion(x), b.motion(y)) && a.wrap(x) == b.wrap(y) && a.vertex_normals(x) == b.vertex_normals(y);
+}
+
+/// The change of an attribute to the value that a shape has, by the name of its type.
+template <class Shape, class Attribute>
+AnyStep change_to(const std::string& name, const Shape& shape, const Attribute& attribute) {
+  std::optional<AnyStep> step;
+  const auto consider = [&]<class Change>(std::type_identity<Change>) {
+    const auto& of = model::attribute_of<Change::component>();
+    if (of.word != attribute.word) return;
+    using Input = std::remove_cvref_t<decltype(of.input(std::declval<Change&>()))>;
+    if constexpr (requires { scene::input_of<Input>(shape.*attribute.field); })
+      step = model::AttributeChange(
+          Change{model::Elemento(name), scene::input_of<Input>(shape.*attribute.field), Shape::tipo});
+  };
+  [&]<class... Change>(std::type_identity<std::variant<Change...>>) {
+    (consider(std::type_identity<Change>()), ...);
+  }(std::type_identity<model::AttributeChange>());
+  return step.value();
 }
 
 /// The only point that two meshes do not share; nothing where they differ in more.
@@ -121,6 +153,7 @@ class ScriptMaker {
 
   void note_element(const PartChange& change) {
     const std::string& name = change.part.name;
+    if (change.from && change.to && can_be_changed(name)) return changed_.push_back(name);
     if (change.from) removed_.push_back(name);
     if (!change.to) return;
     const ElementRef element = to_.scene.find(name).value();
@@ -128,9 +161,41 @@ class ScriptMaker {
     (to_.scene.body(element) == nullptr ? added_ : added_bodies_).push_back(name);
   }
 
+  /// Whether changes of attributes and of the material make an element what it is to be, in fewer steps than to remove
+  /// it, to add it, and to put it into its group again; or in any number, where it has what no operation gives.
+  bool can_be_changed(const std::string& name) const {
+    const ElementRef x = from_.scene.find(name).value(), y = to_.scene.find(name).value();
+    if (x.tipo != y.tipo || from_.scene.body(x) != nullptr || to_.scene.body(y) != nullptr) return false;
+    if (!has_same_rest(from_.scene, x, to_.scene, y)) return false;
+    if (!can_be_added(to_.scene, y)) return true;
+    return changes_of(name).size() <= (from_.groups.of_element(name).empty() ? 2 : 3);
+  }
+
+  /// The steps that change an element.
+  std::vector<AnyStep> changes_of(const std::string& name) const {
+    const ElementRef x = from_.scene.find(name).value(), y = to_.scene.find(name).value();
+    std::vector<AnyStep> steps;
+    from_.scene.visit(x, [&]<class Shape>(const Shape& old) {
+      const Shape& made = to_.scene.shapes<Shape>()[y.index];
+      scene::for_each_attribute<Shape>([&](const auto& attribute) {
+        if (!is_written_alike(old.*attribute.field, made.*attribute.field))
+          steps.push_back(change_to(name, made, attribute));
+      });
+    });
+    const auto material = to_.scene.material(y);
+    if (material == from_.scene.material(x)) return steps;
+    const model::Elemento e(name);
+    steps.push_back(material
+                        ? model::LookChange(model::Cambiar_Material{e, to_.scene.stage().materials[*material].name})
+                        : model::LookChange(model::Quitar_Material{e}));
+    return steps;
+  }
+
   /// Names go before others come, so that none is ever in use twice. The face of a mesh has the name of no other's.
   void make_steps() {
     for (const std::string& name : removed_) add(removal_step(from_.scene, name));
+    for (const std::string& name : changed_)
+      for (AnyStep& step : changes_of(name)) add(std::move(step));
     for (const std::string& m : removed_meshes_) add(scene::MeshEdit(scene::MeshRemoval{model::Elemento(m)}));
     for (const std::string& m : changed_meshes_) change_mesh(m);
     for (const std::string& m : added_meshes_) add_whole_mesh<scene::MeshAddition>(m);
@@ -143,10 +208,50 @@ class ScriptMaker {
       const ElementRef element = to_.scene.find(name).value();
       add_body(name, *to_.scene.body(element), to_.scene.material(element));
     }
-    for (scene::GroupEdit& edit : regrouping(working_.of().groups, to_.groups)) {
+    make_groups();
+  }
+
+  /// Elements go from group to group one by one where that takes fewer steps than to make the groups anew.
+  void make_groups() {
+    const scene::Groups& now = working_.of().groups;
+    std::vector<scene::GroupEdit> edits = regrouping(now, to_.groups);
+    scene::Groups moved = now;
+    std::vector<AnyStep> moves = element_moves(moved);
+    std::vector<scene::GroupEdit> rest = regrouping(moved, to_.groups);
+    if (moves.size() + rest.size() < edits.size()) {
+      for (AnyStep& move : moves) add(std::move(move));
+      edits = std::move(rest);
+    }
+    for (scene::GroupEdit& edit : edits) {
       const std::string g = std::visit([](const auto& in) { return in.g; }, edit);
       add_long(std::move(edit), {PartKind::groups, g});
     }
+  }
+
+  /// The moves of elements between groups that both scenes have; `groups` becomes what they make of it.
+  std::vector<AnyStep> element_moves(scene::Groups& groups) const {
+    const auto is_kept = [&](std::string_view g) {
+      return g.empty() || (groups.table().contains(g) && to_.groups.table().contains(g));
+    };
+    std::vector<std::string> names;
+    for (const scene::Groups* const of : {&working_.of().groups, &to_.groups})
+      for (const auto& [g, group] : of->table())
+        names.insert(names.end(), group.elementos.begin(), group.elementos.end());
+    std::ranges::sort(names);
+    names.erase(std::ranges::unique(names).begin(), names.end());
+    std::vector<AnyStep> moves;
+    for (const std::string& name : names) {
+      const std::string from(groups.of_element(name)), to(to_.groups.of_element(name));
+      if (from == to || !is_kept(from) || !is_kept(to)) continue;
+      if (to.empty()) {
+        moves.emplace_back(model::LookChange(model::Quitar_Grupo{model::Elemento(name)}));
+        groups.take_out(name);
+      } else {
+        moves.emplace_back(model::LookChange(model::Cambiar_Grupo{model::Elemento(name), to}));
+        groups.put(name, to);
+      }
+    }
+    return moves;
   }
 
   void change_mesh(const std::string& m) {
@@ -254,7 +359,7 @@ class ScriptMaker {
   const scene::GroupedScene& to_;
   EditedScene working_;
   SceneScript script_{};
-  std::vector<std::string> removed_{}, added_{}, added_bodies_{};
+  std::vector<std::string> removed_{}, changed_{}, added_{}, added_bodies_{};
   std::vector<std::string> removed_meshes_{}, changed_meshes_{}, added_meshes_{};
   Geometry by_geometry_{};
   std::vector<Geometry::iterator> made_parts_{};

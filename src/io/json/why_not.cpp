@@ -64,6 +64,24 @@ class PredicateValues {
     if (const auto* const in = std::get_if<WrittenAddition>(&edit)) return add_written(in->element);
     add_element(std::get<WrittenRemoval>(edit).e);
   }
+  void add(const model::AttributeChange& change) {
+    std::visit(
+        [&]<class Change>(const Change& in) {
+          const auto& attribute = model::attribute_of<Change::component>();
+          add_element(in.e.name());
+          add(fmt::format("{}?", attribute.word), scene::stored(attribute.input(in)));
+        },
+        change);
+  }
+  void add(const model::LookChange& change) {
+    std::visit(
+        [&](const auto& in) {
+          add_element(in.e.name());
+          if constexpr (requires { in.material; }) add("material?", in.material);
+          if constexpr (requires { in.g; }) add("g?", in.g);
+        },
+        change);
+  }
   void add(const scene::GroupEdit& edit) {
     if (const auto* const in = std::get_if<scene::Ungrouping>(&edit)) return add("g?", in->g);
     const auto& in = std::get<scene::Grouping>(edit);
@@ -163,6 +181,12 @@ model::Judgements judged(const EditedScene& edited, const WrittenEdit& edit) {
   const auto exists = [&](const std::string& name) { return edited.of().scene.find(name).has_value(); };
   if (in != nullptr) return {{&model::Agregar_Elemento_pre_1, !exists(in->element.id)}};
   return {{&model::Eliminar_Elemento_pre_1, exists(std::get<WrittenRemoval>(edit).e)}};
+}
+model::Judgements judged(const EditedScene& edited, const model::AttributeChange& change) {
+  return model::pre(scene::retrieve(edited.of().scene), change);
+}
+model::Judgements judged(const EditedScene& edited, const model::LookChange& change) {
+  return model::pre(scene::retrieve_looks(edited.of()), change);
 }
 template <class In>
 model::Judgements judged(const EditedScene& edited, const In& in) {

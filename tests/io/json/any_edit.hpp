@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "durero/io/json/edited_scene.hpp"
+#include "durero/model/cambio.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/scene/body.hpp"
 #include "durero/scene/by_name.hpp"
 #include "durero/scene/vertex_normals.hpp"
@@ -128,6 +130,51 @@ inline AnyEdit any_mesh_edit(const scene::Stage& stage) {
   }
 }
 
+inline AnyEdit any_change(const scene::Stage& stage) {
+  const model::Elemento e(any_name());
+  const auto of_type = [] {
+    return flip() ? std::nullopt : std::optional(static_cast<model::Tipo>(below(static_cast<int>(model::tipo_count))));
+  };
+  const auto of_type_with = [&](const auto& attribute) {
+    auto t = of_type();
+    while (t && !attribute.types.contains(*t)) t = of_type();
+    return t;
+  };
+  const auto real = [] { return flip() ? any_positive() : *anyFinite(); };
+  const auto type_of = [&]<auto component> { return of_type_with(model::attribute_of<component>()); };
+  switch (below(10)) {
+    case 0:
+      return model::AttributeChange(model::Cambiar_Centro{e, model::Punto(any_triple()),
+                                                          type_of.template operator()<&model::Escena::mi_centro>()});
+    case 1:
+      return model::AttributeChange(
+          model::Cambiar_Radio{e, real(), type_of.template operator()<&model::Escena::mi_radio>()});
+    case 2:
+      return model::AttributeChange(model::Cambiar_Vector{e, model::Vector(flip() ? any_axis() : any_triple()),
+                                                          type_of.template operator()<&model::Escena::mi_vector>()});
+    case 3:
+      return model::AttributeChange(
+          model::Cambiar_Altura{e, real(), type_of.template operator()<&model::Escena::mi_altura>()});
+    case 4:
+      return model::AttributeChange(
+          model::Cambiar_Proporcion{e, real(), type_of.template operator()<&model::Escena::mi_proporcion>()});
+    case 5:
+      return model::AttributeChange(model::Cambiar_Vertices{
+          e, model::Terna{model::Punto(any_triple()), {1, -0.0, 0}, model::Punto(any_small_triple())},
+          type_of.template operator()<&model::Escena::mi_vertices>()});
+    case 6: {
+      const auto material = any_material(stage, true);
+      if (!material) return model::LookChange(model::Quitar_Material{e});
+      return model::LookChange(model::Cambiar_Material{e, stage.materials[*material].name});
+    }
+    case 7:
+    case 8:
+      return model::LookChange(model::Cambiar_Grupo{e, any_group_name()});
+    default:
+      return model::LookChange(model::Quitar_Grupo{e});
+  }
+}
+
 inline AnyEdit any_group_edit() {
   if (below(3) == 0) return scene::GroupEdit(scene::Ungrouping{any_group_name()});
   scene::Grouping made{any_group_name(), {}};
@@ -138,7 +185,11 @@ inline AnyEdit any_group_edit() {
 
 /// Of every kind but those of a Z text.
 inline AnyEdit any_edit(const scene::Stage& stage) {
-  switch (below(12)) {
+  switch (below(15)) {
+    case 12:
+    case 13:
+    case 14:
+      return any_change(stage);
     case 0:
       return scene::Closing{any_name(), any_name(), any_name()};
     case 1:
