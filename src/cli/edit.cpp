@@ -70,7 +70,7 @@ std::vector<NamedStep> read_repeated(const EditOptions& options, const io::Edite
 /// The script, where there is one: operations, or a JSON Patch of the scene's file.
 struct Script {
   std::optional<io::Source> text{};
-  std::vector<io::json::PatchOperation> patch{};
+  std::vector<io::json::PatchProposal> patch{};
 };
 
 Script read_script_text(const EditOptions& options) {
@@ -146,7 +146,7 @@ void carry_out(const EditOptions& options, io::EditedScene& edited, const std::v
 /// A patch is carried out before there is a scene: an answer for each of its operations, at its line.
 std::string patch_answers(const Script& script) {
   std::string text;
-  for (const io::json::PatchOperation& operation : script.patch)
+  for (const io::json::PatchProposal& operation : script.patch)
     text.append(io::answer_text(script.text->place(operation.offset).line, {"patched"})).append("\n");
   return text;
 }

@@ -56,7 +56,9 @@ void add_serve(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("serve", "Edits, rays and history of a store over HTTP");
   const auto options = std::make_shared<ServeOptions>();
   command->add_option("STORE", options->store, "Store, as durero store init makes one")->required();
-  command->add_option("--host", options->server.host, "Address that it listens at; other than of this machine with --token")
+  command
+      ->add_option("--host", options->server.host,
+                   "Address that it listens at; other than of this machine with --token")
       ->capture_default_str();
   command->add_option("--port", options->server.port, "Port; 0 is one that is free")
       ->check(CLI::Range(0, 65535))
@@ -66,8 +68,10 @@ void add_serve(CLI::App& app, int& status) {
   command->add_option("--author", options->server.author,
                       "Who edits, where an edit names nobody; without it as of durero store edit");
   command->footer(
-      "It prints its address, and answers until it is interrupted. docs/serve.md lists what it answers. Edits that come\n"
-      "at a time are made durable together. An edit whose If-Match names another scene than the last changes nothing.\n\n" +
+      "It prints its address, and answers until it is interrupted. docs/serve.md lists what it answers. Edits that "
+      "come\n"
+      "at a time are made durable together. An edit whose If-Match names another scene than the last changes "
+      "nothing.\n\n" +
       exit_status("it was interrupted", "", "the call or the store is bad, or the address is taken") +
       examples({"serve room.store", "serve room.store --host 0.0.0.0 --token token.txt"}));
   command->callback([options, &status] { status = serve_store(*options); });

@@ -76,6 +76,7 @@ void add_store(CLI::App& app, int& status) {
   add_store_edit(*command, status);
   add_store_read(*command, status);
   add_store_names(*command, status);
+  add_store_compare(*command, status);
   add_store_verify(*command, status);
 }
 

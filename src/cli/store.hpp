@@ -13,6 +13,7 @@ void add_store_write(CLI::App& command, int& status);
 void add_store_edit(CLI::App& command, int& status);
 void add_store_read(CLI::App& command, int& status);
 void add_store_names(CLI::App& command, int& status);
+void add_store_compare(CLI::App& command, int& status);
 void add_store_verify(CLI::App& command, int& status);
 /// @}
 

@@ -26,7 +26,8 @@ std::string object_line(io::json::Reader& in, const io::Source& source) {
   in.skip();
   const std::string_view behind = std::string_view(source.text()).substr(begin, in.offset() - begin);
   std::string line(behind.substr(0, behind.rfind('}') + 1));
-  std::ranges::replace_if(line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::ranges::replace_if(
+      line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return line;
 }
 

@@ -12,7 +12,8 @@
 namespace durero::serve {
 
 /// Reads an edit:
-///   {"operations":["Agregar_Esfera e?=a …",{"op":"Eliminar_Esfera","e":"a"}],"all_or_nothing":true,"comment":"…","author":"…"}
+///   {"operations":["Agregar_Esfera e?=a
+///   …",{"op":"Eliminar_Esfera","e":"a"}],"all_or_nothing":true,"comment":"…","author":"…"}
 /// Throws io::InputError at the first thing that is wrong, with its place in the body. The time is now.
 AskedEdit read_edit(std::string_view body, const std::string& author);
 

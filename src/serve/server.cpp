@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <exception>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -94,7 +96,9 @@ std::string named_host(const Request& in) {
 std::string event_json(const store::HistoryEvent& event) {
   std::string text;
   io::json::Writer out(text);
-  out.begin_object().member("event", static_cast<double>(event.number)).member("parent", static_cast<double>(event.parent));
+  out.begin_object()
+      .member("event", static_cast<double>(event.number))
+      .member("parent", static_cast<double>(event.parent));
   out.member("begins", event.begins).member("operation", std::string_view(event.operation));
   out.member("author", std::string_view(event.by.author)).member("time", std::string_view(event.by.time));
   out.member("comment", std::string_view(event.by.comment)).end_object();
@@ -117,7 +121,7 @@ struct Server::Parts {
     http.set_tcp_nodelay(true);
     http.set_keep_alive_max_count(std::numeric_limits<std::size_t>::max());
     http.set_pre_routing_handler([this](const Request& in, Response& out) { return admit(in, out); });
-    http.set_exception_handler([](const Request&, Response& out, std::exception& error) { tell(out, error); });
+    http.set_exception_handler([](const Request&, Response& out, std::exception_ptr error) { tell(out, error); });
     http.set_error_handler([](const Request& in, Response& out) {
       if (out.body.empty()) refuse(out, out.status, fmt::format("nothing answers {} {}", in.method, in.path));
     });
@@ -125,18 +129,23 @@ struct Server::Parts {
     bound = options.port == 0 ? http.bind_to_any_port(options.host) : options.port;
     const bool listens = options.port == 0 ? bound > 0 : http.bind_to_port(options.host, options.port);
     if (!listens)
-      throw std::runtime_error(fmt::format("cannot listen at {}:{}; expected an address of this machine, and a free port",
-                                           options.host, options.port));
+      throw std::runtime_error(fmt::format(
+          "cannot listen at {}:{}; expected an address of this machine, and a free port", options.host, options.port));
   }
 
-  /// What the request has done wrong.
-  static void tell(Response& out, const std::exception& error) {
-    if (dynamic_cast<const io::InputError*>(&error) != nullptr ||
-        dynamic_cast<const std::invalid_argument*>(&error) != nullptr ||
-        dynamic_cast<const std::domain_error*>(&error) != nullptr)
-      return refuse(out, bad, error.what());
-    if (dynamic_cast<const io::FileError*>(&error) != nullptr) return refuse(out, not_found, error.what());
-    refuse(out, failed, error.what());
+  /// Tells what the request has done wrong.
+  static void tell(Response& out, const std::exception_ptr& thrown) {
+    try {
+      std::rethrow_exception(thrown);
+    } catch (const io::InputError& error) {
+      refuse(out, bad, error.what());
+    } catch (const std::invalid_argument& error) {
+      refuse(out, bad, error.what());
+    } catch (const std::domain_error& error) {
+      refuse(out, bad, error.what());
+    } catch (const std::exception& error) {
+      refuse(out, failed, error.what());
+    }
   }
 
   /// Whether somebody may ask at all. A page of another origin may not, by a name of this machine that it has made up
@@ -240,7 +249,8 @@ struct Server::Parts {
     const bool all_or_nothing = asked.all_or_nothing;
     const EditOutcome outcome = worker.edit(std::move(asked));
     out.set_header("ETag", tag_of(outcome.head));
-    if (outcome.is_stale) return refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
+    if (outcome.is_stale)
+      return refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
     const bool is_refused = all_or_nothing && outcome.result.is_refused;
     answer(out, fmt::format(R"({{"event":{},"answers":{}}})", outcome.head, as_array(outcome.result.answers)),
            is_refused ? conflict : done);
@@ -258,7 +268,8 @@ struct Server::Parts {
       return std::tuple(after.value_or(before), false, after.has_value());
     });
     out.set_header("ETag", tag_of(head));
-    if (is_stale) return refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
+    if (is_stale)
+      return refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
     if (!is_moved) return refuse(out, conflict, fmt::format("nothing can be {}", what));
     answer(out, fmt::format(R"({{"event":{}}})", head));
   }

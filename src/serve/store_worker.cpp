@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "durero/composed/engine.hpp"
+#include "durero/engine/prepared.hpp"
 
 namespace durero::serve {
 
@@ -21,9 +22,8 @@ std::string as_array(const std::string& lines) {
 }
 
 const engine::Engine& SceneAt::engine() const {
-  std::call_once(made_, [&] {
-    engine_ = composed::prepared(*engine::find(engine::default_engine), engine::automatic, scene_);
-  });
+  std::call_once(
+      made_, [&] { engine_ = composed::prepared(*engine::find(engine::default_engine), engine::automatic, scene_); });
   return *engine_;
 }
 
@@ -116,8 +116,7 @@ void StoreWorker::carry_out(std::deque<std::shared_ptr<PendingEdit>>& edits) {
       continue;
     }
     if (attempt.result.event != store::no_event)
-      feed_.send(
-          fmt::format(R"({{"event":{},"answers":{}}})", attempt.result.event, as_array(attempt.result.answers)));
+      feed_.send(fmt::format(R"({{"event":{},"answers":{}}})", attempt.result.event, as_array(attempt.result.answers)));
     edits[i]->answer.set_value({std::move(attempt.result), attempt.head, attempt.is_stale});
   }
 }

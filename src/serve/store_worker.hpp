@@ -37,17 +37,17 @@ class SceneAt {
 
 /// A transaction that somebody asks for.
 struct AskedEdit {
-  std::string operations;                          ///< lines of a script
-  store::Provenance by;                            ///< of the transaction
-  bool all_or_nothing = false;                     ///< whether a refusal leaves nothing of it
-  store::EventNumber expected = store::no_event;   ///< where HEAD must be; no_event: anywhere
+  std::string operations;                         ///< lines of a script
+  store::Provenance by;                           ///< of the transaction
+  bool all_or_nothing = false;                    ///< whether a refusal leaves nothing of it
+  store::EventNumber expected = store::no_event;  ///< where HEAD must be; no_event: anywhere
 };
 
 /// What it has come to.
 struct EditOutcome {
-  store::EditResult result;             ///< as the store says
-  store::EventNumber head;              ///< where HEAD is now
-  bool is_stale = false;                ///< whether HEAD was elsewhere than expected, and nothing was done
+  store::EditResult result;  ///< as the store says
+  store::EventNumber head;   ///< where HEAD is now
+  bool is_stale = false;     ///< whether HEAD was elsewhere than expected, and nothing was done
 };
 
 /// JSON lines as an array of JSON.

@@ -213,7 +213,8 @@ EditResult Store::edit(const EditCall& call) {
   EditAttempt attempt = std::move(edit_together({&call, 1}).front());
   if (attempt.error) std::rethrow_exception(attempt.error);
   if (attempt.is_stale)
-    journal_->database.refuse(fmt::format("HEAD is at {}", attempt.head), fmt::format("expected {}", call.expected_head));
+    journal_->database.refuse(fmt::format("HEAD is at {}", attempt.head),
+                              fmt::format("expected {}", call.expected_head));
   return std::move(attempt.result);
 }
 

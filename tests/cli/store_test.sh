@@ -203,4 +203,33 @@ for command in log 'edit --op x' verify undo 'export -o x.json' blame; do
   shift
   refused 'later.store: is a store of version 2; expected version 1: a later program reads it' store "$first" later.store "$@"
 done
+# diff and merge: two branches that changed different elements; then one that changed the same.
+sample >scene.json
+run 0 store init forked.store --from scene.json $at
+run 0 store branch forked.store spring
+run 0 store edit forked.store --op 'Cambiar_Radio_Esfera e=s1 radio=3' $at
+run 0 store goto forked.store spring
+run 0 store edit forked.store --op 'Eliminar_Elemento e=k1' --op "$second" $at
+run 1 store diff forked.store main HEAD
+is out 'Eliminar_Cono e?=k1
+Cambiar_Radio_Esfera e?=s1 radio?=1
+Agregar_Esfera e?=s3 centro?=(0,0,9) radio?=1'
+run 0 store diff forked.store spring
+empty out
+run 0 store goto forked.store main
+run 0 store merge forked.store spring $at
+has out 'branch main'
+run 0 store export forked.store -o merged.json
+has merged.json '"radio":3'
+has merged.json '"id":"s3"'
+run 0 store log forked.store
+has out 'merge spring'
+run 0 store merge forked.store spring $at
+run 0 store verify forked.store --by-spec
+run 0 store goto forked.store spring
+run 0 store edit forked.store --op 'Cambiar_Radio_Esfera e=s1 radio=5' $at
+run 0 store goto forked.store main
+run 1 store merge forked.store spring $at
+has out '"part":"/elementos/s1","violated":"merge.pre.1"'
+
 finish

@@ -79,9 +79,10 @@ TEST_CASE("an edit is done, or refused with its predicate, and the scene tells")
   CHECK(answer->get_header_value("ETag") == "\"2\"");
   CHECK(answer->body.find(R"("id":"a","tipo":"esfera")") != std::string::npos);
   answer = client.Post("/hits", R"({"rays":[[0,0,0,0,0,1],{"ray":[0,0,4,0,0,1],"on":["a"]},[0,9,0,0,0,1]]})", json);
-  CHECK(answer->body ==
-        R"({"event":2,"hits":[{"ray":0,"outcome":"hit","elementos":["a"],"t":4,"point":[0,0,4]},)"
-        R"({"ray":1,"outcome":"hit","elementos":["a"],"t":2,"point":[0,0,6]},{"ray":2,"outcome":"miss","elementos":[]}]})");
+  CHECK(
+      answer->body ==
+      R"({"event":2,"hits":[{"ray":0,"outcome":"hit","elementos":["a"],"t":4,"point":[0,0,4]},)"
+      R"({"ray":1,"outcome":"hit","elementos":["a"],"t":2,"point":[0,0,6]},{"ray":2,"outcome":"miss","elementos":[]}]})");
   answer = client.Get("/log?limit=1");
   CHECK(answer->body.find(R"("event":2,"parent":1)") != std::string::npos);
   CHECK(client.Get("/")->body == R"({"server":"durero","branch":"main","event":2})");
@@ -183,8 +184,9 @@ TEST_CASE("bad input is refused in one line, and changes nothing") {
         R"({"operations":["Eliminar_Esfera e=a\nEliminar_Esfera e=b"]})", R"({"operations":[],"more":1})",
         R"({"operations":[],"comment":"a\nb"})", R"({"operations":[{"op":"Nothing"}]})"})
     CHECK(wrong("/edits", body) == 400);
-  for (const char* const body : {R"({"rays":[[0,0,0,0,0,0]]})", R"({"rays":[[0,0,0,0,0]]})", R"({"rays":[[1e999,0,0,0,0,1]]})",
-                                 R"({"rays":[{"ray":[0,0,0,0,0,1],"on":["nobody"]}]})", R"({"rays":[{"on":[]}]})"})
+  for (const char* const body :
+       {R"({"rays":[[0,0,0,0,0,0]]})", R"({"rays":[[0,0,0,0,0]]})", R"({"rays":[[1e999,0,0,0,0,1]]})",
+        R"({"rays":[{"ray":[0,0,0,0,0,1],"on":["nobody"]}]})", R"({"rays":[{"on":[]}]})"})
     CHECK(wrong("/hits", body) == 400);
   CHECK(status(client.Get("/nothing")) == 404);
   CHECK(status(client.Get("/schema/nothing.schema.json")) == 404);

@@ -32,8 +32,8 @@ struct EditCall {
   std::size_t lines_before = 0;           ///< how many lines of the script stand before them
   Provenance by{};                        ///< of the transaction
   bool all_or_nothing = false;            ///< whether a refusal ends it, and leaves nothing of it
-  EventNumber expected_head = no_event;   ///< where HEAD must be; no_event: anywhere
   CarryOut carry_out = store::carry_out;  ///< how each operation is carried out
+  EventNumber expected_head = no_event;   ///< where HEAD must be; no_event: anywhere
 };
 
 /// What a transaction has come to.
@@ -45,10 +45,10 @@ struct EditResult {
 
 /// What one of several transactions has come to.
 struct EditAttempt {
-  EditResult result{};           ///< as of one alone
-  EventNumber head = no_event;   ///< where HEAD is behind it
-  bool is_stale = false;         ///< whether HEAD was elsewhere than expected, and nothing was done
-  std::exception_ptr error{};    ///< why its script could not be read or carried out; null where it was
+  EditResult result{};          ///< as of one alone
+  EventNumber head = no_event;  ///< where HEAD is behind it
+  bool is_stale = false;        ///< whether HEAD was elsewhere than expected, and nothing was done
+  std::exception_ptr error{};   ///< why its script could not be read or carried out; null where it was
 };
 
 /// Where the next edit goes.

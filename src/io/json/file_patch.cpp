@@ -13,13 +13,13 @@
 namespace durero::io::json {
 namespace {
 
-using Kind = PatchOperation::Kind;
+using Kind = PatchProposal::Kind;
 
 constexpr std::array<std::string_view, 4> patch_keys{"op", "path", "value", "reason"};
 constexpr std::size_t required_of_patch = 2;
 
-PatchOperation read_patch_operation(Reader& in, const TreeNode& node) {
-  PatchOperation operation{Kind::remove, "", "", "", in.offset()};
+PatchProposal read_patch_operation(Reader& in, const TreeNode& node) {
+  PatchProposal operation{Kind::remove, "", "", "", in.offset()};
   const std::size_t at = in.offset();
   bool has_value = false;
   in.object("an operation", patch_keys, required_of_patch, [&](std::size_t key) {
@@ -51,7 +51,7 @@ PatchOperation read_patch_operation(Reader& in, const TreeNode& node) {
 }
 
 /// Carries out an operation; false where its path names nothing.
-bool apply(TreeNode& root, const PatchOperation& operation) {
+bool apply(TreeNode& root, const PatchProposal& operation) {
   return operation.kind == Kind::remove ? remove(root, operation.path) : replace(root, operation.path, operation.value);
 }
 
@@ -62,18 +62,18 @@ bool is_patch(const Source& source) {
   return first != std::string_view::npos && source.text()[first] == '[';
 }
 
-std::vector<PatchOperation> read_patch(const Source& source) {
+std::vector<PatchProposal> read_patch(const Source& source) {
   const TreeNode tree = read_tree(source);
   const Document document(source);
   Reader in(document);
-  std::vector<PatchOperation> patch;
+  std::vector<PatchProposal> patch;
   in.array("a patch", [&] { patch.push_back(read_patch_operation(in, tree.items[patch.size()])); });
   return patch;
 }
 
-std::string patch_text(std::span<const PatchOperation> patch) {
+std::string patch_text(std::span<const PatchProposal> patch) {
   std::string text = "[";
-  for (const PatchOperation& operation : patch) {
+  for (const PatchProposal& operation : patch) {
     text += &operation == &patch.front() ? "\n" : ",\n";
     std::string line;
     Writer out(line);
@@ -91,9 +91,9 @@ std::string patch_text(std::span<const PatchOperation> patch) {
   return text + "\n]\n";
 }
 
-std::string patched(const Source& file, const Source& patch_source, std::span<const PatchOperation> patch) {
+std::string patched(const Source& file, const Source& patch_source, std::span<const PatchProposal> patch) {
   TreeNode root = read_tree(file);
-  for (const PatchOperation& operation : patch)
+  for (const PatchProposal& operation : patch)
     if (!apply(root, operation))
       patch_source.fail(operation.offset, fmt::format("{} names nothing", text::shown(operation.path)),
                         fmt::format("expected a pointer to a value of {}", file.name()));

@@ -24,9 +24,9 @@
 namespace durero::io {
 namespace {
 
-using json::PatchOperation;
+using json::PatchProposal;
 using json::TreeNode;
-using Kind = PatchOperation::Kind;
+using Kind = PatchProposal::Kind;
 
 constexpr std::string_view elements_pointer = "/elementos/";
 
@@ -82,7 +82,7 @@ class Proposals {
  public:
   explicit Proposals(TreeNode& root) : root_(root), places_(root) {}
 
-  std::optional<PatchOperation> of(const InputError& error, const std::string& pointer) {
+  std::optional<PatchProposal> of(const InputError& error, const std::string& pointer) {
     const contract::clause* const broken = error.broken();
     if (broken == nullptr) return std::nullopt;
     const std::string_view label = broken->label;
@@ -97,7 +97,7 @@ class Proposals {
   }
 
  private:
-  std::optional<PatchOperation> unit_axis(const std::string& pointer) {
+  std::optional<PatchProposal> unit_axis(const std::string& pointer) {
     const TreeNode* const node = json::find(root_, pointer);
     if (node == nullptr) return std::nullopt;
     const std::string text = json::line_of(*node);
@@ -107,10 +107,10 @@ class Proposals {
     if (!axis) return std::nullopt;
     std::string value;
     json::Writer(value).value(axis->vector);
-    return PatchOperation{Kind::replace, pointer, value, fmt::format("its length is {}", axis->altura)};
+    return PatchProposal{Kind::replace, pointer, value, fmt::format("its length is {}", axis->altura)};
   }
 
-  std::optional<PatchOperation> one_name(const std::string& pointer) {
+  std::optional<PatchProposal> one_name(const std::string& pointer) {
     const std::string element = pointer.substr(0, pointer.rfind('/'));
     TreeNode* const node = json::find(root_, element);
     if (node == nullptr || !element.starts_with(elements_pointer)) return std::nullopt;
@@ -119,20 +119,20 @@ class Proposals {
     if (!first) return std::nullopt;
     const std::string other = fmt::format("{}{}", elements_pointer, *first);
     if (json::line_of(*json::find(root_, other)) == json::line_of(*node))
-      return PatchOperation{Kind::remove, element, "", fmt::format("it stands at {} too", other)};
+      return PatchProposal{Kind::remove, element, "", fmt::format("it stands at {} too", other)};
     const auto name = places_.free_name(*id);
     if (!name) return std::nullopt;
-    return PatchOperation{Kind::replace, element + "/id", quoted(*name), fmt::format("{} has the name", other)};
+    return PatchProposal{Kind::replace, element + "/id", quoted(*name), fmt::format("{} has the name", other)};
   }
 
-  static std::optional<PatchOperation> no_line(const std::string& pointer) {
+  static std::optional<PatchProposal> no_line(const std::string& pointer) {
     const std::string element = pointer.substr(0, pointer.rfind('/'));
     if (!element.starts_with(elements_pointer)) return std::nullopt;
-    return PatchOperation{Kind::remove, element, "", "its vertices lie on one line"};
+    return PatchProposal{Kind::remove, element, "", "its vertices lie on one line"};
   }
 
-  static std::optional<PatchOperation> member(const std::string& pointer, const char* reason) {
-    return PatchOperation{Kind::remove, pointer, "", reason};
+  static std::optional<PatchProposal> member(const std::string& pointer, const char* reason) {
+    return PatchProposal{Kind::remove, pointer, "", reason};
   }
 
   TreeNode& root_;
@@ -156,9 +156,9 @@ PlacedErrors errors_of(const Source& source) {
 }
 
 /// Replacements first: they move nothing. Then removals from the last to the first, so that none moves another.
-void sort_for_carrying_out(std::vector<PatchOperation>& operations) {
+void sort_for_carrying_out(std::vector<PatchProposal>& operations) {
   const auto removals = std::ranges::stable_partition(
-      operations, [](const PatchOperation& operation) { return operation.kind == Kind::replace; });
+      operations, [](const PatchProposal& operation) { return operation.kind == Kind::replace; });
   std::ranges::reverse(removals);
 }
 
@@ -176,11 +176,11 @@ InputError in_file(const Source& file, TreeNode& root, const InputError& error, 
 SceneFixes patch_of(const Source& file) {
   TreeNode root = json::read_tree(file);
   SceneFixes fixes;
-  std::vector<PatchOperation> patch;
+  std::vector<PatchProposal> patch;
   while (true) {
     const Source now(file.name(), json::tree_text(root));
     const PlacedErrors found = errors_of(now);
-    std::vector<PatchOperation> proposed;
+    std::vector<PatchProposal> proposed;
     fixes.left.reset();
     Proposals proposals(root);
     for (std::size_t i = 0; i < found.errors.size(); ++i) {
@@ -193,7 +193,7 @@ SceneFixes patch_of(const Source& file) {
     }
     if (proposed.empty()) break;
     sort_for_carrying_out(proposed);
-    for (const PatchOperation& operation : proposed) {
+    for (const PatchProposal& operation : proposed) {
       if (operation.kind == Kind::replace) json::replace(root, operation.path, operation.value);
       if (operation.kind == Kind::remove) json::remove(root, operation.path);
     }

@@ -102,7 +102,8 @@ AnyStep change_to(const std::string& name, const Shape& shape, const Attribute& 
     const auto& of = model::attribute_of<Change::component>();
     if (of.word != attribute.word) return;
     using Input = std::remove_cvref_t<decltype(of.input(std::declval<Change&>()))>;
-    if constexpr (requires { scene::input_of<Input>(shape.*attribute.field); })
+    using Stored = std::remove_cvref_t<decltype(scene::stored(std::declval<const Input&>()))>;
+    if constexpr (std::is_same_v<Stored, std::remove_cvref_t<decltype(shape.*attribute.field)>>)
       step = model::AttributeChange(
           Change{model::Elemento(name), scene::input_of<Input>(shape.*attribute.field), Shape::tipo});
   };

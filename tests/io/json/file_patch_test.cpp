@@ -39,10 +39,10 @@ TEST_CASE("a patch is written as it is read") {
   const std::string text =
       "[\n{\"op\":\"replace\",\"path\":\"/a\",\"reason\":\"its length\",\"value\":[0,1]},\n"
       "{\"op\":\"remove\",\"path\":\"/b/\\\"c\"}\n]\n";
-  const std::vector<PatchOperation> patch{{PatchOperation::Kind::replace, "/a", "[0,1]", "its length"},
-                                          {PatchOperation::Kind::remove, "/b/\"c"}};
+  const std::vector<PatchProposal> patch{{PatchProposal::Kind::replace, "/a", "[0,1]", "its length"},
+                                          {PatchProposal::Kind::remove, "/b/\"c"}};
   CHECK(patch_text(patch) == text);
-  const std::vector<PatchOperation> read = read_patch(Source("p", text));
+  const std::vector<PatchProposal> read = read_patch(Source("p", text));
   REQUIRE(read.size() == 2);
   CHECK(read[0].reason == "its length");
   CHECK(read[0].offset == 2);

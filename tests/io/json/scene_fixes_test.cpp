@@ -5,7 +5,7 @@
 
 #include "durero/io/json/edited_scene.hpp"
 #include "durero/io/json/groups_file.hpp"
-#include "durero/io/json/json_patch.hpp"
+#include "durero/io/json/file_patch.hpp"
 #include "durero/io/json/scene_check.hpp"
 #include "durero/model/judgement.hpp"
 #include "io/json/edited_script.hpp"
@@ -37,8 +37,8 @@ Source mended(const Source& file, const SceneFixes& fixes) {
 
 std::vector<std::string> operations_in(const std::string& patch) {
   std::vector<std::string> lines;
-  for (const json::PatchOperation& operation : json::read_patch(Source("fix", patch)))
-    lines.push_back((operation.kind == json::PatchOperation::Kind::remove ? "remove " : "replace ") + operation.path +
+  for (const json::PatchProposal& operation : json::read_patch(Source("fix", patch)))
+    lines.push_back((operation.kind == json::PatchProposal::Kind::remove ? "remove " : "replace ") + operation.path +
                     " " + operation.value);
   return lines;
 }

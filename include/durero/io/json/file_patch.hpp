@@ -12,7 +12,7 @@
 namespace durero::io::json {
 
 /// An operation of a patch.
-struct PatchOperation {
+struct PatchProposal {
   /// What is done at the path.
   enum class Kind : std::uint8_t { replace, remove };
 
@@ -27,13 +27,13 @@ struct PatchOperation {
 bool is_patch(const Source& source);
 
 /// Reads a patch. Throws InputError; an operation that the standard has and that is none of these is an error, too.
-std::vector<PatchOperation> read_patch(const Source& source);
+std::vector<PatchProposal> read_patch(const Source& source);
 
 /// The text of a patch, an operation a line.
-std::string patch_text(std::span<const PatchOperation> patch);
+std::string patch_text(std::span<const PatchProposal> patch);
 
 /// The text of a file after a patch: what is not touched keeps its digits. Throws InputError, of the patch where a path
 /// names nothing, and of the file where it is no JSON.
-std::string patched(const Source& file, const Source& patch_source, std::span<const PatchOperation> patch);
+std::string patched(const Source& file, const Source& patch_source, std::span<const PatchProposal> patch);
 
 }  // namespace durero::io::json
