@@ -79,7 +79,7 @@ Definition with_altura s e h : Escena := scene_changed s e ∅ ∅ ∅ ⦃h⦄ �
 Definition with_proporcion s e k : Escena := scene_changed s e ∅ ∅ ∅ ∅ ⦃k⦄ ∅.
 Definition with_vertices s e abc : Escena := scene_changed s e ∅ ∅ ∅ ∅ ∅ ⦃abc⦄.
 
-(** What is changed satisfies the invariant. *)
+(** A scene that is changed satisfies the invariant. *)
 Lemma scene_changed_ok s e cs rs ds hs ks vs : Escena_ok s ->
   may_be (mi_centro s) e univ cs -> may_be (mi_radio s) e Rmas rs -> may_be (mi_vector s) e Unitario ds ->
   may_be (mi_altura s) e Rmas hs -> may_be (mi_proporcion s) e Rmas ks -> may_be (mi_vertices s) e Vertices vs ->

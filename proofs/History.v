@@ -215,7 +215,7 @@ Proof.
   split; cbn; try reflexivity; [| apply Escena_eq_refl]. split; cbn; auto. now exists s.
 Qed.
 
-(** What is done is followed by one step more, and the scene by the one that the step leads to. *)
+(** A step more is done, and the scene is the one that it leads to. *)
 Lemma goes_on H f s l : Historia_ok H -> Operacion f -> (historia_escena H, s) ∈ f -> Forall Operacion l ->
   s ∈ dom (pliegue l) -> Historia_ok (mk_Historia s (inicial H) (hechas H ++ [f]) l).
 Proof.
@@ -224,7 +224,7 @@ Proof.
   - apply (steps_ran _ (proj1 Hf)). now exists (historia_escena H).
   - apply fold_last; [exact A' | now exists (historia_escena H)].
 Qed.
-(** What is said of the scene after an operation follows of the steps. *)
+(** The scene after an operation is the fold of its steps, as the invariant says already. *)
 Lemma goes H H' r_out : Historia_ok H -> Historia_ok H' -> Escena_eq (inicial H) (inicial H') -> Seguir H H' r_out.
 Proof.
   intros ok ok' I. split; [now split | exact I |]. exists (historia_escena H'). split; [| apply Escena_eq_refl].

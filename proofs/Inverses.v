@@ -70,7 +70,7 @@ Ltac attribute ok Ht := first [apply values_one; [apply ok | assumption] | apply
 Ltac put_back ok Ht := split; [exact Ht |];
   split; [repeat (split; try assumption) | apply scene_without_with; auto; attribute ok Ht].
 
-(** So it is of whichever type. *)
+(** An element of whichever type is put back by an addition. *)
 Lemma scene_without_added s e : Escena_ok s -> e ∈ elementos s -> exists t c rad d h k abc,
   (e, t) ∈ de_que_tipo s /\ addition_possible (scene_without s e) e t rad d h k abc
   /\ Escena_eq (scene_added (scene_without s e) e t c rad d h k abc) s.

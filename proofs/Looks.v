@@ -81,7 +81,7 @@ Qed.
 
 (** ** Operations on elements *)
 
-(** Whatever scene follows, what stays of the groups and materials is a view of it. *)
+(** Groups and materials of the elements that stay fit the scene that follows, whichever it is. *)
 Lemma what_stays V s' : Vista_ok V -> Escena_ok s' -> exists V', vista_escena V' = s' /\ Mismo_Aspecto V V'.
 Proof.
   intros ok ok'.
@@ -199,7 +199,7 @@ Proof. intros V e ok. answered Quitar_Grupo_computed. Qed.
 
 (** ** Every operation on them has one that undoes it *)
 
-(** What comes of V' is V, where V' came of V: it is left to show of the names that were changed. *)
+(** A scene with looks that came of V leads back to V: all but the names that were changed are as in V. *)
 Ltac looks_back E := destruct E as [E G K Q R]; cbn in *; split; cbn;
   [now apply Escena_eq_sym | now symmetry | now symmetry | ..]; first [now symmetry | symmetry; rewrite ?Q, ?R].
 

@@ -1,5 +1,5 @@
-(** What is proved of changes, of what undoes an operation, of groups and materials and of histories, and nothing else. As in
-    MainText.v, which has the names, each proof is a reference. *)
+(** The final statements about changes, what undoes an operation, groups and materials, and histories, and nothing else. As
+    in MainText.v, which has the names, each proof is a reference. *)
 From Coq Require Import Reals List.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Edits Malla Cambios Changes Inverses MeshInverses Vista Looks Historia History Transactions.
@@ -55,7 +55,7 @@ Proof.
     (conj (Changes.with_proporcion_ok s e k ok) (Changes.with_vertices_ok s e abc ok)))))).
 Qed.
 
-(** Where the operation names the type of the element, it happens exactly on an element of that type. *)
+(** An operation that names the type of the element happens exactly on an element of that type. *)
 Theorem preconditions_of_changes_of_one_type s e c rad d h k abc :
   ((exists s' r_out, Cambios.Cambiar_Centro_Esfera s s' e r_out c) <->
       Escena_ok s /\ (e, soy_esfera) ∈ de_que_tipo s)
@@ -195,8 +195,8 @@ Section Meshes.
 Variables (Elemento : Type) (nombre_cara : rel (Elemento * nat) Elemento).
 Hypothesis named : Malla.nombre_cara_def_1 Elemento nombre_cara.
 
-(** Under any names of faces that are of one face each: changes beside meshes have an answer for every call, and every operation
-    on meshes has one that undoes it. *)
+(** Changes beside meshes have an answer for every call, and every operation on meshes has one that undoes it, under any names
+    of faces that are of one face each. *)
 Theorem operations_on_meshes_are_undone :
   Cambios.Cambio_Mallas_conj_1 nombre_cara
   /\ Cambios.Agregar_Malla_conj_1 nombre_cara
@@ -211,7 +211,7 @@ Proof.
     (MeshInverses.moving_a_vertex_is_undone Elemento nombre_cara named))))).
 Qed.
 
-(** Whatever a change does to an element of no mesh, the meshes beside it are as they were. *)
+(** Meshes are as they were, whatever a change does to an element beside them. *)
 Theorem changes_leave_meshes S s' e c rad d h k abc r_out : Malla.Mallas_ok Elemento nombre_cara S ->
   ~ Malla.de_malla Elemento nombre_cara S e -> Cambios.Cambio_Total (Malla.escena _ S) s' e c rad d h k abc r_out ->
   Cambios.Cambio_Mallas nombre_cara S (Malla.mk_Mallas _ s' (Malla.mallas _ S)) e c rad d h k abc r_out.
@@ -223,7 +223,7 @@ End Meshes.
 Section Looks.
 Variables Elemento Nombre : Type.
 
-(** They survive every change; the operations on them have an answer for every call, and each has one that undoes it. *)
+(** Groups and materials survive every change; the operations on them have an answer for every call, and each has one that undoes it. *)
 Theorem the_conjectures_of_looks_hold :
   @Vista.Mismo_Aspecto_conj_1 Elemento Nombre
   /\ @Vista.Cambiar_Material_Total_conj_1 Elemento Nombre
@@ -248,7 +248,7 @@ Proof.
     (@Looks.a_group_taken_away_is_given_back Elemento Nombre))))))))))).
 Qed.
 
-(** In a scene with looks elements are added, removed and changed as without. *)
+(** Elements are added, removed and changed in a scene with looks as in one without. *)
 Theorem edits_of_elements_with_looks_are_total (V : @Vista.Vista Elemento Nombre) e t c rad d h k abc : Vista.Vista_ok V ->
   (exists V' r_out, Vista.Agregar_Elemento_Vista V V' e t c rad d h k abc r_out)
   /\ (exists V' r_out, Vista.Eliminar_Elemento_Vista V V' e r_out)
@@ -263,7 +263,7 @@ Variable Elemento : Type.
 Notation Operacion := (@Historia.Operacion Elemento).
 Notation pliegue := (@Historia.pliegue Elemento).
 
-(** What one operation with its inputs makes of scenes is a step. *)
+(** One operation with its inputs is a step. *)
 Theorem operations_are_steps e t c rad d h k abc :
   Operacion (Transactions.transition_of (fun s s' => Elemento_Agregado s s' e t c rad d h k abc))
   /\ Operacion (Transactions.transition_of (fun s s' => Elemento_Eliminado s s' e))
@@ -275,7 +275,7 @@ Theorem operations_are_steps e t c rad d h k abc :
   /\ Operacion (Transactions.transition_of (fun s s' r_out => Cambios.Cambiar_Vertices s s' e r_out abc)).
 Proof. exact (Transactions.operations_are_steps e t c rad d h k abc). Qed.
 
-(** There is one fold of sequences of steps as the text describes it. *)
+(** Sequences of steps have one fold as the text describes it. *)
 Theorem there_is_one_fold :
   (Historia.pliegue_decl pliegue /\ Historia.pliegue_def_1 pliegue /\ Historia.pliegue_def_2 pliegue)
   /\ forall fold, Historia.pliegue_def_1 fold -> Historia.pliegue_def_2 fold ->
@@ -308,8 +308,8 @@ Theorem the_scene_is_the_fold_of_what_is_done (H : @Historia.Historia Elemento) 
      /\ (Historia.inicial H, u) ∈ pliegue (Historia.hechas H ++ Historia.deshechas H).
 Proof. exact (History.the_scene_is_the_fold_of_what_is_done H s). Qed.
 
-(** Where the steps of a transaction can happen it does; it is undone, which gives back the scene, and done again, which gives
-    back the history. *)
+(** A transaction happens where its steps can; it is undone, which gives back the scene, and done again, which gives back the
+    history. *)
 Theorem a_transaction_is_undone_and_done_again (H : @Historia.Historia Elemento) ops :
   Historia.Historia_ok H -> Forall Operacion ops -> Historia.historia_escena H ∈ dom (pliegue ops) ->
   exists H1 H2 H3, Historia.Transaccion H H1 ops hecho

@@ -49,7 +49,7 @@ Proof.
   split; [apply H |]. apply others_keep with abc, H.
 Qed.
 
-(** Whatever a change does beside meshes, each mesh is as it was, and so is the scene of all. *)
+(** A change of an element of no mesh leaves each mesh as it is, whatever it does. *)
 Theorem changes_leave_meshes S s' e c rad d h k abc r_out : Mallas_ok S -> e ∉ de_malla S ->
   Cambio_Total (escena S) s' e c rad d h k abc r_out ->
   Cambio_Mallas nombre_cara S (mk_Mallas _ s' (mallas S)) e c rad d h k abc r_out.
@@ -99,7 +99,7 @@ Proof.
     + intros [[_ H] | H]; [exact H |]. injection H as -> ->. exact Hr.
 Qed.
 
-(** Putting one mesh and then another of the name is putting the other. *)
+(** Two meshes of one name, put one after the other, leave the second. *)
 Lemma replaced_twice S m r q : Mallas_ok S -> nameable m r -> nameable m q ->
   dom (familia m r) ∩ (elementos (escena S) ∖ suyos S m) ≡ ∅ ->
   Mallas_eq (replaced (replaced S m r) m q) (replaced S m q).
@@ -143,7 +143,7 @@ Proof.
     apply Mallas_eq_trans with (replaced S m r); [now apply replaced_removed | now apply replaced_same].
 Qed.
 
-(** What is said of one mesh in the place of another, said again of the one before. *)
+(** A mesh in the place of another is replaced by the one before. *)
 Lemma replacing_back S S' m r q : Mallas_ok S -> (m, q) ∈ mallas S -> nameable m r ->
   dom (familia m r) ∩ (elementos (escena S) ∖ suyos S m) ≡ ∅ -> Mallas_eq (replaced S m r) S' ->
   Mallas_ok S' /\ (m, r) ∈ mallas S' /\ dom (familia m q) ∩ (elementos (escena S') ∖ suyos S' m) ≡ ∅

@@ -50,7 +50,7 @@ Ltac changed computed := eapply step_of with (r := elemento_cambiado);
   | intros s s' r_out K; split; apply K
   | intros s s' r_out K; unfold transiciones; cbn ].
 
-(** What one operation makes of scenes is a step of a history. *)
+(** One operation with its inputs is a step of a history. *)
 Theorem operations_are_steps e t c rad d h k abc :
   Operacion (transition_of (fun s s' => Elemento_Agregado s s' e t c rad d h k abc))
   /\ Operacion (transition_of (fun s s' => Elemento_Eliminado s s' e))
@@ -82,7 +82,7 @@ Proof.
   - changed (@Cambiar_Vertices_computed Elemento). do 7 right; now exists e, r_out, abc.
 Qed.
 
-(** Where the steps of a transaction can happen it does; it is undone, which gives back the scene, and done again, which
+(** A transaction happens where its steps can; it is undone, which gives back the scene, and done again, which
     gives back the history. *)
 Theorem a_transaction_is_undone_and_done_again H ops : Historia_ok H -> Forall Operacion ops ->
   historia_escena H ∈ dom (pliegue ops) ->

@@ -75,6 +75,12 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
         echo "$named: none of Especificacion.v, Tablas.v, Malla.v, Cambios.v, Vista.v and Historia.v states it"
       grep -qw "$statement" "$tmp/main" || echo "$named: no theorem of Main.v states $statement"
     done
+    by_hand='proofs/Cambios.v proofs/Vista.v proofs/Historia.v'
+    grep -ohE "% $label$" spec/historia.tex | cut -c3- | while read -r named; do
+      field=$(echo "$named" | tr . _)
+      # shellcheck disable=SC2086  # a word a file
+      grep -qE "^  $field :|^Definition ($field|${named%%.*})\b" $by_hand || echo "$named: no field or definition of $by_hand has its name"
+    done
   fi
   # every predicate of a box, and every definition by ==, ends in a label, and has no other
   awk 'function end_of(what) {
