@@ -46,10 +46,10 @@ struct ValueExtent {
 };
 ValueExtent extent_of(const JsonValue& value);
 
-/// How deep brackets may stand in brackets. A solid has at most most_shapes_of_a_solid = 1000 shapes, and each union in
-/// it two parts or more, so that fewer than 1000 unions stand in each other; each brings an object and an array. The
-/// other brackets are those of a scene and of a map, 5 at most.
-inline constexpr std::size_t deepest_brackets = 2048;
+/// How deep brackets may stand in brackets. At most 500 bodies of a scene file lie in each other (most_within of
+/// body_reader.cpp), and each of them brings two brackets, that of its object and that of `de`: 1000. The other
+/// brackets are those of a scene and of a map, 5 at most.
+inline constexpr std::size_t deepest_brackets = 1024;
 
 /// Takes the value that stands here. Throws InputError where brackets are deeper than that.
 JsonValue read_value(const Source& source, Reader& in);
