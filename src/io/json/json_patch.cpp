@@ -109,9 +109,9 @@ class PatchReader {
   const Source& patch_;
 };
 
-/// The most values that the operations of a patch put in. Each copy may double a document, so that a short patch would
-/// fill any memory; a scene of a million triangles has as many.
-constexpr std::size_t most_put_in = std::size_t{1} << 24U;
+/// The most values that the copies of a patch put in. Each may double a document, so that a short patch would fill any
+/// memory; a scene of half a million spheres has as many. What else is put in stands in the patch.
+constexpr std::size_t most_copied = std::size_t{1} << 22U;
 
 class PatchRun {
  public:
@@ -121,24 +121,23 @@ class PatchRun {
     const PatchPointer& path = *operation.path;
     switch (operation.word) {
       case PatchWord::add:
-        require_room(path, *operation.value);
+        require_depth(path, *operation.value);
         return add(path, std::move(*operation.value));
       case PatchWord::remove:
         take(path);
         return;
       case PatchWord::replace:
-        require_room(path, *operation.value);
+        require_depth(path, *operation.value);
         existing(path) = std::move(*operation.value);
         return;
       case PatchWord::move:
         if (path.text.starts_with(operation.from->text + "/"))
           fail(path, "lies in what is moved", "expected a place outside it");
-        require_room(path, existing(*operation.from));
+        require_depth(path, existing(*operation.from));
         if (path.text != operation.from->text) add(path, take(*operation.from));
         return;
       case PatchWord::copy:
-        require_room(path, existing(*operation.from));
-        return add(path, JsonValue(existing(*operation.from)));
+        return add(path, copy(path, *operation.from));
       case PatchWord::test:
         if (!are_equal(existing(path), *operation.value)) fail(path, "has another value", "expected that of the test");
     }
@@ -171,13 +170,19 @@ class PatchRun {
   }
   JsonValue& existing(const PatchPointer& at) const { return existing(at, at.tokens()); }
 
-  /// Precondition of what is put in at a pointer: brackets do not stand deeper than they may, and memory suffices.
-  void require_room(const PatchPointer& at, const JsonValue& value) {
-    const ValueExtent extent = extent_of(value);
-    put_in_ += extent.values;
-    if (at.tokens().size() + extent.depth > deepest_brackets)
+  /// Brackets do not stand deeper than they may in what is put in at a pointer.
+  void require_depth(const PatchPointer& at, const JsonValue& value) const {
+    if (at.tokens().size() + extent_of(value).depth > deepest_brackets)
       fail(at, "would stand too deep", "expected no more brackets than a scene has");
-    if (put_in_ > most_put_in) fail(at, "would be too much", fmt::format("expected {} values in all", most_put_in));
+  }
+
+  JsonValue copy(const PatchPointer& to, const PatchPointer& from) {
+    const JsonValue& value = existing(from);
+    require_depth(to, value);
+    copied_ += extent_of(value).values;
+    if (copied_ > most_copied)
+      fail(to, "would be too much", fmt::format("expected {} copied values in all", most_copied));
+    return value;
   }
 
   void add(const PatchPointer& at, JsonValue value) {
@@ -216,7 +221,7 @@ class PatchRun {
 
   const Source& patch_;
   JsonValue& root_;
-  std::size_t put_in_ = 0;
+  std::size_t copied_ = 0;
 };
 
 using Lines = std::vector<std::string>;
