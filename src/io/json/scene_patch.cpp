@@ -6,6 +6,7 @@
 
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/json_pointer.hpp"
+#include "json_difference.hpp"
 #include "json_patch.hpp"
 
 namespace durero::io {

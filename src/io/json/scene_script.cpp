@@ -1,31 +1,23 @@
 #include "durero/io/json/scene_script.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <stdexcept>
 
+#include "body_steps.hpp"
+#include "change_steps.hpp"
 #include "durero/io/json/edited_scene.hpp"
 #include "durero/io/json/operation_text.hpp"
 #include "durero/io/json/scene_changes.hpp"
 #include "durero/io/json/scene_parts.hpp"
 #include "durero/io/lines.hpp"
-#include "durero/model/cambio.hpp"
-#include "durero/model/vista.hpp"
 #include "durero/number/rational.hpp"
-#include "durero/scene/addition.hpp"
-#include "durero/scene/by_name.hpp"
-#include "durero/scene/solids.hpp"
-#include "part_text.hpp"
 #include "regrouping.hpp"
 
 namespace durero::io {
 namespace {
 
-using AnyStep = decltype(ScriptStep::edit);
 using scene::ElementRef;
 
 bool is_of_stage(PartKind kind) { return kind < PartKind::groups; }
@@ -56,61 +48,6 @@ bool can_be_added(const scene::Scene& scene, ElementRef element) {
   if (scene.motion(element) != nullptr || scene.wrap(element) || scene.vertex_normals(element)) return false;
   const scene::Body* const body = scene.body(element);
   return body == nullptr || is_mapped_by_binary64(*body);
-}
-
-/// @{ The removal of an element by its own operation.
-AnyStep body_removal(const scene::Instance&, const std::string& name) { return scene::CopyRemoval{name}; }
-AnyStep body_removal(const scene::Compound&, const std::string& name) { return scene::SolidRemoval{name}; }
-AnyStep removal_step(const scene::Scene& scene, const std::string& name) {
-  const ElementRef element = scene.find(name).value();
-  if (const scene::Body* const body = scene.body(element))
-    return std::visit([&](const auto& form) { return body_removal(form, name); }, body->form);
-  return scene.visit(element, [&]<class Shape>(const Shape&) -> AnyStep {
-    return scene::Edit{typename Shape::Removal{model::Elemento(name)}, {}};
-  });
-}
-/// @}
-
-template <class Shape>
-AnyStep addition_step(const std::string& name, const Shape& shape, std::optional<std::uint32_t> material) {
-  return scene::Edit{scene::addition(model::Elemento(name), shape), material};
-}
-
-/// @{ Whether two values of an attribute have the same text.
-bool is_written_alike(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
-bool is_written_alike(const glm::dvec3& a, const glm::dvec3& b) {
-  return is_written_alike(a.x, b.x) && is_written_alike(a.y, b.y) && is_written_alike(a.z, b.z);
-}
-bool is_written_alike(const scene::Corners& a, const scene::Corners& b) {
-  return std::ranges::equal(a, b, [](const glm::dvec3& p, const glm::dvec3& q) { return is_written_alike(p, q); });
-}
-/// @}
-
-/// Whether two elements have the same of what no operation gives.
-bool has_same_rest(const scene::Scene& a, ElementRef x, const scene::Scene& b, ElementRef y) {
-  const auto same = [](const auto* one, const auto* other) {
-    return one == nullptr || other == nullptr ? one == other : *one == *other;
-  };
-  return same(a.motion(x), b.motion(y)) && a.wrap(x) == b.wrap(y) && a.vertex_normals(x) == b.vertex_normals(y);
-}
-
-/// The change of an attribute to the value that a shape has, by the name of its type.
-template <class Shape, class Attribute>
-AnyStep change_to(const std::string& name, const Shape& shape, const Attribute& attribute) {
-  std::optional<AnyStep> step;
-  const auto consider = [&]<class Change>(std::type_identity<Change>) {
-    const auto& of = model::attribute_of<Change::component>();
-    if (of.word != attribute.word) return;
-    using Input = std::remove_cvref_t<decltype(of.input(std::declval<Change&>()))>;
-    using Stored = std::remove_cvref_t<decltype(scene::stored(std::declval<const Input&>()))>;
-    if constexpr (std::is_same_v<Stored, std::remove_cvref_t<decltype(shape.*attribute.field)>>)
-      step = model::AttributeChange(
-          Change{model::Elemento(name), scene::input_of<Input>(shape.*attribute.field), Shape::tipo});
-  };
-  [&]<class... Change>(std::type_identity<std::variant<Change...>>) {
-    (consider(std::type_identity<Change>()), ...);
-  }(std::type_identity<model::AttributeChange>());
-  return step.value();
 }
 
 /// The only point that two meshes do not share; nothing where they differ in more.
@@ -162,41 +99,21 @@ class ScriptMaker {
     (to_.scene.body(element) == nullptr ? added_ : added_bodies_).push_back(name);
   }
 
-  /// Whether changes of attributes and of the material make an element what it is to be, in fewer steps than to remove
-  /// it, to add it, and to put it into its group again; or in any number, where it has what no operation gives.
+  /// Whether changes make an element what it is to be, in no more steps than to remove it, to add it, and to put it
+  /// into its group again; or in any number, where it has what no operation gives.
   bool can_be_changed(const std::string& name) const {
-    const ElementRef x = from_.scene.find(name).value(), y = to_.scene.find(name).value();
-    if (x.tipo != y.tipo || from_.scene.body(x) != nullptr || to_.scene.body(y) != nullptr) return false;
-    if (!has_same_rest(from_.scene, x, to_.scene, y)) return false;
-    if (!can_be_added(to_.scene, y)) return true;
-    return changes_of(name).size() <= (from_.groups.of_element(name).empty() ? 2 : 3);
-  }
-
-  /// The steps that change an element.
-  std::vector<AnyStep> changes_of(const std::string& name) const {
-    const ElementRef x = from_.scene.find(name).value(), y = to_.scene.find(name).value();
-    std::vector<AnyStep> steps;
-    from_.scene.visit(x, [&]<class Shape>(const Shape& old) {
-      const Shape& made = to_.scene.shapes<Shape>()[y.index];
-      scene::for_each_attribute<Shape>([&](const auto& attribute) {
-        if (!is_written_alike(old.*attribute.field, made.*attribute.field))
-          steps.push_back(change_to(name, made, attribute));
-      });
-    });
-    const auto material = to_.scene.material(y);
-    if (material == from_.scene.material(x)) return steps;
-    const model::Elemento e(name);
-    steps.push_back(material
-                        ? model::LookChange(model::Cambiar_Material{e, to_.scene.stage().materials[*material].name})
-                        : model::LookChange(model::Quitar_Material{e}));
-    return steps;
+    const ElementRef old = from_.scene.find(name).value(), made = to_.scene.find(name).value();
+    if (old.tipo != made.tipo || !has_same_rest(from_.scene, to_.scene, name)) return false;
+    if (!can_be_added(to_.scene, made)) return true;
+    const std::size_t anew = from_.groups.of_element(name).empty() ? 2 : 3;
+    return changes_between(from_.scene, to_.scene, name).size() <= anew;
   }
 
   /// Names go before others come, so that none is ever in use twice. The face of a mesh has the name of no other's.
   void make_steps() {
     for (const std::string& name : removed_) add(removal_step(from_.scene, name));
     for (const std::string& name : changed_)
-      for (AnyStep& step : changes_of(name)) add(std::move(step));
+      for (AnyStep& step : changes_between(from_.scene, to_.scene, name)) add(std::move(step));
     for (const std::string& m : removed_meshes_) add(scene::MeshEdit(scene::MeshRemoval{model::Elemento(m)}));
     for (const std::string& m : changed_meshes_) change_mesh(m);
     for (const std::string& m : added_meshes_) add_whole_mesh<scene::MeshAddition>(m);
@@ -205,19 +122,15 @@ class ScriptMaker {
       to_.scene.visit(element,
                       [&](const auto& shape) { add(addition_step(name, shape, to_.scene.material(element))); });
     }
-    for (const std::string& name : added_bodies_) {
-      const ElementRef element = to_.scene.find(name).value();
-      add_body(name, *to_.scene.body(element), to_.scene.material(element));
-    }
+    add_bodies();
     make_groups();
   }
 
   /// Elements go from group to group one by one where that takes fewer steps than to make the groups anew.
   void make_groups() {
-    const scene::Groups& now = working_.of().groups;
-    std::vector<scene::GroupEdit> edits = regrouping(now, to_.groups);
-    scene::Groups moved = now;
-    std::vector<AnyStep> moves = element_moves(moved);
+    std::vector<scene::GroupEdit> edits = regrouping(working_.of().groups, to_.groups);
+    scene::Groups moved = working_.of().groups;
+    std::vector<AnyStep> moves = element_moves(moved, to_.groups);
     std::vector<scene::GroupEdit> rest = regrouping(moved, to_.groups);
     if (moves.size() + rest.size() < edits.size()) {
       for (AnyStep& move : moves) add(std::move(move));
@@ -229,30 +142,13 @@ class ScriptMaker {
     }
   }
 
-  /// The moves of elements between groups that both scenes have; `groups` becomes what they make of it.
-  std::vector<AnyStep> element_moves(scene::Groups& groups) const {
-    const auto is_kept = [&](std::string_view g) {
-      return g.empty() || (groups.table().contains(g) && to_.groups.table().contains(g));
-    };
-    std::vector<std::string> names;
-    for (const scene::Groups* const of : {&working_.of().groups, &to_.groups})
-      for (const auto& [g, group] : of->table())
-        names.insert(names.end(), group.elementos.begin(), group.elementos.end());
-    std::ranges::sort(names);
-    names.erase(std::ranges::unique(names).begin(), names.end());
-    std::vector<AnyStep> moves;
-    for (const std::string& name : names) {
-      const std::string from(groups.of_element(name)), to(to_.groups.of_element(name));
-      if (from == to || !is_kept(from) || !is_kept(to)) continue;
-      if (to.empty()) {
-        moves.emplace_back(model::LookChange(model::Quitar_Grupo{model::Elemento(name)}));
-        groups.take_out(name);
-      } else {
-        moves.emplace_back(model::LookChange(model::Cambiar_Grupo{model::Elemento(name), to}));
-        groups.put(name, to);
-      }
+  void add_bodies() {
+    if (added_bodies_.empty()) return;
+    BodySteps steps(working_.of().scene, to_.scene, [&](AnyStep edit) { add(std::move(edit)); });
+    for (const std::string& name : added_bodies_) {
+      const ElementRef element = to_.scene.find(name).value();
+      steps.add_body(name, *to_.scene.body(element), to_.scene.material(element));
     }
-    return moves;
   }
 
   void change_mesh(const std::string& m) {
@@ -277,68 +173,6 @@ class ScriptMaker {
     return scene.meshes()[scene.meshes().find(m).value()];
   }
 
-  /// Adds an element with a body, and removes the elements that were made for its parts.
-  void add_body(const std::string& name, const scene::Body& body, std::optional<std::uint32_t> material) {
-    if (by_geometry_.empty()) index_geometry();
-    make(name, body, material);
-    for (; !made_parts_.empty(); made_parts_.pop_back()) {
-      const auto& [geometry, part] = *made_parts_.back();
-      add(removal_step(working_.of().scene, part));
-      by_geometry_.erase(made_parts_.back());
-    }
-    by_geometry_.emplace(part_text(body), name);
-  }
-
-  void make(const std::string& name, const scene::Body& body, std::optional<std::uint32_t> material) {
-    if (const auto* const copy = std::get_if<scene::Instance>(&body.form)) {
-      const std::string original = part_element(scene::unmoved(copy->shape), {});
-      return add(scene::Copying{name, original, copy->mapa, material});
-    }
-    const auto& solid = std::get<scene::Compound>(body.form);
-    std::vector<std::string> de;
-    for (const scene::Body& part : solid.parts) {
-      std::string element = part_element(part, de);
-      de.push_back(std::move(element));
-    }
-    add(scene::Joining{solid.operation, name, std::move(de), material});
-  }
-
-  /// An element of that geometry, not of those names: one that is there, or a new one.
-  std::string part_element(const scene::Body& part, const std::vector<std::string>& not_of) {
-    std::string geometry = part_text(part);
-    const auto [first, last] = by_geometry_.equal_range(geometry);
-    for (auto known = first; known != last; ++known)
-      if (std::ranges::find(not_of, known->second) == not_of.end()) return known->second;
-    std::string name = free_name();
-    const auto* const copy = std::get_if<scene::Instance>(&part.form);
-    if (copy != nullptr && model::identidad(copy->mapa))
-      std::visit([&](const auto& shape) { add(addition_step(name, shape, {})); }, copy->shape);
-    else
-      make(name, part, {});
-    made_parts_.push_back(by_geometry_.emplace(std::move(geometry), name));
-    return name;
-  }
-
-  void index_geometry() {
-    const scene::Scene& scene = working_.of().scene;
-    for (const ElementRef element : scene::singles_by_name(scene)) {
-      const scene::Body* const body = scene.body(element);
-      const std::string& name = scene.name(element).name();
-      if (body != nullptr)
-        by_geometry_.emplace(part_text(*body), name);
-      else
-        scene.visit(element, [&](const auto& shape) { by_geometry_.emplace(part_text(scene::unmoved(shape)), name); });
-    }
-  }
-
-  /// A name of nothing, neither now nor then.
-  std::string free_name() {
-    for (;;) {
-      std::string name = fmt::format("part:{}", ++last_part_);
-      if (!working_.of().scene.find(name) && !to_.scene.find(name)) return name;
-    }
-  }
-
   /// Adds a step whose line may be longer than a script's is.
   void add_long(AnyStep edit, const PartKey& name) {
     const ScriptStep step{script_.steps.size() + 1, std::move(edit)};
@@ -354,17 +188,12 @@ class ScriptMaker {
       throw std::logic_error("a script between two scenes was refused: " + operation_text(step, to_.scene.stage()));
   }
 
-  using Geometry = std::multimap<std::string, std::string>;  // from a body's text to the names of elements
-
   const scene::GroupedScene& from_;
   const scene::GroupedScene& to_;
   EditedScene working_;
   SceneScript script_{};
   std::vector<std::string> removed_{}, changed_{}, added_{}, added_bodies_{};
   std::vector<std::string> removed_meshes_{}, changed_meshes_{}, added_meshes_{};
-  Geometry by_geometry_{};
-  std::vector<Geometry::iterator> made_parts_{};
-  std::size_t last_part_ = 0;
 };
 
 }  // namespace
