@@ -11,8 +11,9 @@
 
 namespace durero::io {
 
-BodySteps::BodySteps(const scene::Scene& now, const scene::Scene& later, std::function<void(AnyStep)> add)
-    : now_(now), later_(later), add_(std::move(add)) {
+BodySteps::BodySteps(const scene::Scene& now, const scene::Scene& from, const scene::Scene& to,
+                     std::function<void(AnyStep)> add)
+    : now_(now), from_(from), to_(to), add_(std::move(add)) {
   for (const scene::ElementRef element : scene::singles_by_name(now)) {
     const scene::Body* const body = now.body(element);
     const std::string& name = now.name(element).name();
@@ -60,11 +61,11 @@ std::string BodySteps::part_element(const scene::Body& part, const std::vector<s
   return name;
 }
 
-/// A name of nothing, neither now nor later.
+/// A name of nothing: not of a part that is there now, nor of an element of either scene.
 std::string BodySteps::free_name() {
   for (;;) {
     std::string name = fmt::format("part:{}", ++last_part_);
-    if (!now_.find(name) && !later_.find(name)) return name;
+    if (!now_.find(name) && !from_.find(name) && !to_.find(name)) return name;
   }
 }
 

@@ -17,9 +17,10 @@ namespace durero::io {
 /// removed behind it.
 class BodySteps {
  public:
-  /// `now` is the scene that add() edits, whose other elements stay; no part is named as an element of `later` is. All
-  /// must outlive it.
-  BodySteps(const scene::Scene& now, const scene::Scene& later, std::function<void(AnyStep)> add);
+  /// `now` is the scene that add() edits, whose other elements stay, on the way between two scenes; no part has the
+  /// name of an element of these. All must outlive it.
+  BodySteps(const scene::Scene& now, const scene::Scene& from, const scene::Scene& to,
+            std::function<void(AnyStep)> add);
 
   /// Adds an element with a body, whose maps have entries that are binary64.
   void add_body(const std::string& name, const scene::Body& body, std::optional<std::uint32_t> material);
@@ -32,7 +33,8 @@ class BodySteps {
   std::string free_name();
 
   const scene::Scene& now_;
-  const scene::Scene& later_;
+  const scene::Scene& from_;
+  const scene::Scene& to_;
   std::function<void(AnyStep)> add_;
   Geometry by_geometry_{};
   std::vector<Geometry::iterator> made_{};  // the parts that are to be removed

@@ -144,7 +144,7 @@ class ScriptMaker {
 
   void add_bodies() {
     if (added_bodies_.empty()) return;
-    BodySteps steps(working_.of().scene, to_.scene, [&](AnyStep edit) { add(std::move(edit)); });
+    BodySteps steps(working_.of().scene, from_.scene, to_.scene, [&](AnyStep edit) { add(std::move(edit)); });
     for (const std::string& name : added_bodies_) {
       const ElementRef element = to_.scene.find(name).value();
       steps.add_body(name, *to_.scene.body(element), to_.scene.material(element));

@@ -98,6 +98,15 @@ TEST_CASE("An instance is copied from an element of its shape, or from a part th
         "Agregar_Instancia e?=copy de?=part:1 centro?=(5,0,0) x?=(2,0,0) y?=(0,1,0) z?=(0,0,1)\n"
         "Eliminar_Esfera e?=part:1\n");
   CHECK(script_of(elements(copy), elements("")) == "Eliminar_Instancia e?=copy\n");
+  // No part has the name of an element of either scene.
+  const std::string second = R"({"id":"part:2","tipo":"esfera","centro":[0,0,0],"radio":1})";
+  const std::string first = R"({"id":"part:1","tipo":"esfera","centro":[0,0,0],"radio":1})";
+  CHECK(script_of(elements(first), elements(second + "," + copy)) ==
+        "Eliminar_Esfera e?=part:1\n"
+        "Agregar_Esfera e?=part:2 centro?=(0,0,0) radio?=1\n"
+        "Agregar_Esfera e?=part:3 centro?=(0,1,0) radio?=1\n"
+        "Agregar_Instancia e?=copy de?=part:3 centro?=(5,0,0) x?=(2,0,0) y?=(0,1,0) z?=(0,0,1)\n"
+        "Eliminar_Esfera e?=part:3\n");
   const std::string third = R"({"id":"copy","tipo":"instancia","de":{"tipo":"esfera","centro":[0,1,0],"radio":1},)"
                             R"("mapa":[["1/3",0,0,5],[0,1,0,0],[0,0,1,0]]})";
   CHECK(script_of(elements(ball), elements(ball + "," + third)) == "beyond /elementos/copy");
