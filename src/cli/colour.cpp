@@ -15,10 +15,14 @@ bool has_colour(int file) {
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
+std::string in_colour(int number, std::string_view text, int file) {
+  return has_colour(file) ? fmt::format("\033[1;{}m{}\033[0m", number, text) : std::string(text);
+}
+
 }  // namespace
 
-std::string in_red(std::string_view text, int file) {
-  return has_colour(file) ? fmt::format("\033[1;31m{}\033[0m", text) : std::string(text);
-}
+std::string in_red(std::string_view text, int file) { return in_colour(31, text, file); }
+
+std::string in_green(std::string_view text, int file) { return in_colour(32, text, file); }
 
 }  // namespace durero::cli

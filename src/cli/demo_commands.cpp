@@ -5,6 +5,7 @@
 
 #include "by_text.hpp"
 #include "commands.hpp"
+#include "edit_interactive.hpp"
 #include "mesh_audit.hpp"
 
 namespace durero::cli {
@@ -29,6 +30,7 @@ std::unique_ptr<io::EditedScene> edited_by_text(const io::Source&, const std::st
 Editor editor_by_spec() { refuse_text(); }
 ClauseFinder clauses_by_spec() { refuse_text(); }
 std::vector<std::string> elements_of_set(const scene::Scene&, const std::string&) { refuse_text(); }
+int edit_interactively(SessionCall) { refuse("has no session"); }
 int audit_mesh(const AuditCall&) { refuse("audits no mesh"); }
 
 }  // namespace durero::cli

@@ -22,6 +22,7 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/scene/stage.hpp"
 #include "edit_patch.hpp"
+#include "edit_interactive.hpp"
 #include "for_each.hpp"
 #include "progress.hpp"
 
@@ -31,7 +32,7 @@ namespace {
 struct EditOptions {
   std::string scene, script, out, with, for_each, json_patch;
   std::vector<std::string> operations, why_not;
-  bool audit = false, by_spec = false, all_or_nothing = false, dry_run = false, quiet = false;
+  bool audit = false, by_spec = false, all_or_nothing = false, dry_run = false, interactive = false, quiet = false;
 };
 
 /// A step of the script, and the element that it is repeated for, if it is.
@@ -98,18 +99,34 @@ io::Source scene_source(const EditOptions& options, const Script& script) {
   return patched;
 }
 
-std::unique_ptr<io::EditedScene> read(const EditOptions& options, const Script& script) {
-  const io::Source source = scene_source(options, script);
+std::unique_ptr<io::EditedScene> read(const EditOptions& options, const io::Source& source) {
   if (options.with.empty()) return std::make_unique<io::EditedScene>(io::read_grouped_scene(source, io::Bodies::read));
   return edited_by_text(source, options.with);
 }
 
+Editor editor_of(const EditOptions& options) {
+  return options.by_spec ? editor_by_spec()
+                         : [](io::EditedScene& of, const io::ScriptStep& step) { return of.apply_total(step); };
+}
+
+ClauseFinder finder_of(const EditOptions& options) {
+  return options.by_spec ? clauses_by_spec() : ClauseFinder(io::why_not);
+}
+
+/// Begins a session on the scene.
+int begin_session(const EditOptions& options) {
+  if (!options.out.empty()) io::require_ending(options.out, io::json_endings, "a scene");
+  io::Source source = io::read_source(options.scene);
+  std::unique_ptr<io::EditedScene> scene = read(options, source);
+  return edit_interactively({std::move(source), std::move(scene), options.out, editor_of(options), finder_of(options)});
+}
+
 /// Tells of each operation every clause that does not hold; nothing is carried out.
 int tell_why_not(const EditOptions& options) {
-  const std::unique_ptr<io::EditedScene> edited = read(options, {});
+  const std::unique_ptr<io::EditedScene> edited = read(options, io::read_source(options.scene));
   std::vector<NamedStep> steps;
   append_steps(steps, joined("--why-not", options.why_not), *edited, 0);
-  const ClauseFinder find = options.by_spec ? clauses_by_spec() : ClauseFinder(io::why_not);
+  const ClauseFinder find = finder_of(options);
   std::string told;
   bool all_hold = true;
   for (const NamedStep& named : steps) {
@@ -130,9 +147,7 @@ struct Answers {
 /// Carries out the steps; where all or nothing is to be done, up to the first that is refused.
 void carry_out(const EditOptions& options, io::EditedScene& edited, const std::vector<NamedStep>& steps,
                Answers& answers) {
-  const Editor apply = options.by_spec ? editor_by_spec() : [](io::EditedScene& of, const io::ScriptStep& step) {
-    return of.apply_total(step);
-  };
+  const Editor apply = editor_of(options);
   Progress progress(options.quiet, "edit", "operations", steps.size());
   for (const auto& [step, for_each] : steps) {
     const io::EditAnswer answer = apply(edited, step);
@@ -153,6 +168,7 @@ std::string patch_answers(const Script& script) {
 
 int edit(EditOptions options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
+  if (options.interactive) return begin_session(options);
   if (!options.why_not.empty()) return tell_why_not(options);
   options.all_or_nothing = options.all_or_nothing || !options.for_each.empty();
   if (!options.out.empty()) io::require_ending(options.out, io::json_endings, "a scene");
@@ -162,7 +178,7 @@ int edit(EditOptions options) {
   std::optional<io::OutputFile> out;
   if (writes) out.emplace(options.out);
   const Script script = read_script_text(options);
-  const std::unique_ptr<io::EditedScene> edited = read(options, script);
+  const std::unique_ptr<io::EditedScene> edited = read(options, scene_source(options, script));
   Answers answers{patch_answers(script)};
   carry_out(options, *edited, read_steps(options, *edited, script), answers);
   if (out && (answers.all_done || !options.all_or_nothing)) {
@@ -186,22 +202,29 @@ void add_edit(CLI::App& app, int& status) {
       command->add_option("--op", options->operations, "An operation; may be given again")->allow_extra_args(false);
   auto* const output = command->add_option("-o,--output", options->out,
                                            "Where the edited scene goes, NAME.json; without it nothing is written");
-  command->add_flag("--all-or-nothing", options->all_or_nothing,
-                    "End at the first operation that is refused, and write nothing then");
-  command->add_flag("--dry-run", options->dry_run, "Do everything but write FILE");
+  auto* const all_or_nothing = command->add_flag("--all-or-nothing", options->all_or_nothing,
+                                                 "End at the first operation that is refused, and write nothing then");
+  auto* const dry_run = command->add_flag("--dry-run", options->dry_run, "Do everything but write FILE");
   auto* const for_each = command
                              ->add_option("--for-each", options->for_each,
                                           "A set of Z: carry out each --op for each of its elements, all or nothing")
                              ->needs(op)
                              ->excludes(script);
-  command
-      ->add_option("--why-not", options->why_not,
-                   "Tell every clause of an operation that does not hold, and carry out none; may be given again")
-      ->allow_extra_args(false)
+  auto* const why_not =
+      command
+          ->add_option("--why-not", options->why_not,
+                       "Tell every clause of an operation that does not hold, and carry out none; may be given again")
+          ->allow_extra_args(false)
+          ->excludes(op)
+          ->excludes(script)
+          ->excludes(output)
+          ->excludes(for_each);
+  command->add_flag("-i,--interactive", options->interactive, "Read operations line by line, and answer each")
       ->excludes(op)
       ->excludes(script)
-      ->excludes(output)
-      ->excludes(for_each);
+      ->excludes(why_not)
+      ->excludes(all_or_nothing)
+      ->excludes(dry_run);
   command->add_flag("--audit", options->audit, "Check whole predicates, with a copy of the old state");
   auto* const by_spec =
       command->add_flag("--by-spec", options->by_spec, "Let the Z text decide each step too; a difference is a defect");
@@ -218,13 +241,13 @@ void add_edit(CLI::App& app, int& status) {
       "Without --script and --op, operations are read from the standard input. With --with, the types that the text\n"
       "declares have operations too: puntos_toro gives Agregar_Toro and Eliminar_Toro; what the text gives\n"
       "no points is refused with the predicate that does not hold.\n\n"
-      "--for-each takes an expression of the text of spec/ over the scene, such as { e : elementos | mi_radio e > 2 } "
-      "or\n"
-      "dom mi_radio. In each --op, {} stands for the name of the element, and {radio}, or another attribute's word, "
-      "for\n"
-      "its value in SCENE.\n\n"
+      "--for-each takes an expression of the text of spec/ over the scene, such as dom mi_radio. In each --op {} "
+      "stands\n"
+      "for the name of the element, and {radio}, or another attribute's word, for its value in SCENE.\n\n"
       "--why-not prints a line for each operation: every clause that does not hold, with the values of what it names.\n"
       "With --with it tells the first predicate of the text alone, and then says \"whole\":false.\n\n"
+      "-i edits line by line: Tab completes operations, inputs and names, undo takes an operation back, write writes\n"
+      "the scene, and help tells the rest. A pipe is read as well.\n\n"
       "Where FILE is SCENE itself, others that edit it so wait for each other, and no edit is lost.\n\n"
       "An operation takes no longer in a large scene than in a small one; one on a mesh takes as long as the mesh is\n"
       "large. With --audit or --by-spec each looks at every element, before and after, so that time grows with the\n"

@@ -330,6 +330,23 @@ AnyEdit edit_of(const Source& source, const Call& call, const scene::Stage& stag
 std::string addition_name(std::string_view word) { return operation_name("Agregar", word); }
 std::string removal_name(std::string_view word) { return operation_name("Eliminar", word); }
 
+std::vector<OperationWords> operation_words(std::span<const WrittenType> types) {
+  std::vector<OperationWords> all;
+  for (const OperationSchema& schema : schemas()) {
+    const auto& [name, required, optional] = schema.signature;
+    OperationWords& words =
+        all.emplace_back(std::string(name), std::vector<std::string>(required.begin(), required.end()));
+    words.inputs.insert(words.inputs.end(), optional.begin(), optional.end());
+  }
+  for (const WrittenType& type : types) {
+    OperationWords& addition = all.emplace_back(addition_name(type.word), std::vector<std::string>{"e"});
+    for (const WrittenAttribute& attribute : type.attributes) addition.inputs.push_back(attribute.word);
+    addition.inputs.emplace_back(material_word);
+    all.push_back({removal_name(type.word), {"e"}});
+  }
+  return all;
+}
+
 std::vector<ScriptStep> read_script(const Source& source, const scene::Stage& stage,
                                     std::span<const WrittenType> types) {
   std::vector<WrittenSchemas> written;

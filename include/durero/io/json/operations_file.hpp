@@ -73,6 +73,14 @@ EditAnswer edit_answer(const model::Answer& answer);
 EditAnswer edit_answer(const scene::Outcome& answer);
 /// @}
 
+/// An operation by its name, and its inputs by theirs, without `?`; those that it needs come first.
+struct OperationWords {
+  std::string name;                 ///< such as `Agregar_Esfera`
+  std::vector<std::string> inputs;  ///< such as `e`, `centro`, `radio`, `material`
+};
+/// Every operation of a script, those of the types that a Z text declares too.
+std::vector<OperationWords> operation_words(std::span<const WrittenType> types = {});
+
 /// Reads a whole script, so that a malformed line stops it before anything is done. Throws InputError. Of a WrittenEdit
 /// there is none where there are no types.
 std::vector<ScriptStep> read_script(const Source& source, const scene::Stage& stage,
