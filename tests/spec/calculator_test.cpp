@@ -124,5 +124,20 @@ TEST_CASE("a connective of schemas is a schema, and a predicate is true or false
   CHECK_THROWS_AS(calculator.evaluate("nadie"), zed::ZError);
 }
 
+TEST_CASE("a set of elements gives their names, ascending, and nothing else is such a set") {
+  const Calculator calculator(spheres({"b", "a-1", "c", "radio"}));
+  zed::Steps steps;
+  using Elements = std::vector<std::string>;
+  CHECK(calculator.names("elementos", steps) == Elements{"a-1", "b", "c", "radio"});
+  CHECK(calculator.names("{ e : elementos | mi_radio e < 1 }", steps).empty());
+  CHECK(calculator.names("{ c, \"a-1\", c }", steps) == Elements{"a-1", "c"});
+  CHECK(calculator.names("∅[Elemento]", steps).empty());
+  CHECK_THROWS_AS(calculator.names("b", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.names("mi_radio", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.names("1 = 1", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.names("{ 1 }", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.names("Elemento", steps), zed::EvaluationError);
+}
+
 }  // namespace
 }  // namespace durero::spec

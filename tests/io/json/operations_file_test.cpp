@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/stage.hpp"
 #include "io/malformed.hpp"
@@ -276,4 +278,32 @@ TEST_CASE("No damage to a script does worse than an error") {
   const std::size_t refused = test::refused_after_damage(script, 20000, reading);
   CHECK(refused > 8000);
   CHECK(refused < 20000);
+}
+
+TEST_CASE("Every operation and each of its inputs has a word, and the reader knows them") {
+  const std::vector<io::WrittenType> types{{"toro", {{"mayor", io::WrittenKind::number}}}};
+  const std::vector<io::OperationWords> all = io::operation_words(types);
+  std::string listed;  // by the reader, where a word is none of them
+  try {
+    io::read_script(io::Source("f", "xyz a=b"), {}, types);
+  } catch (const io::InputError& error) {
+    listed = std::string(error.what()) + ",";
+  }
+  for (const io::OperationWords& words : all) {
+    CAPTURE(words.name);
+    std::string call = words.name;
+    for (const std::string& input : words.inputs) call += " " + input + "=(";  // no value of any input
+    try {
+      io::read_script(io::Source("f", call), {}, types);
+      FAIL("a value is taken that is none");
+    } catch (const io::InputError& error) {
+      CHECK(std::string(error.what()).find("unknown") == std::string::npos);
+    }
+    CHECK(listed.find(" " + words.name + ",") != std::string::npos);
+  }
+  CHECK(std::ranges::count(listed, ',') == static_cast<std::ptrdiff_t>(all.size()));
+  CHECK(all.front().name == "Agregar_Esfera");
+  CHECK(all.front().inputs == std::vector<std::string>{"e", "centro", "radio", "material"});
+  CHECK(all[all.size() - 2].inputs == std::vector<std::string>{"e", "mayor", "material"});
+  CHECK(all.back().name == "Eliminar_Toro");
 }
