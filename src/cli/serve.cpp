@@ -38,7 +38,6 @@ int serve_store(ServeOptions options) {
   const std::atomic<bool>& is_interrupted = interrupted();
   serve::Server server(options.store, options.server);
   io::print(fmt::format("http://{}:{}\n", options.server.host, server.port()));
-  io::flush_standard_output();
   std::atomic<bool> is_over = false;
   std::thread watch([&] {
     while (!is_interrupted && !is_over) std::this_thread::sleep_for(std::chrono::milliseconds(50));

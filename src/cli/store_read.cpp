@@ -141,7 +141,7 @@ CLI::App* add_question(CLI::App& store, int& status, const char* name, const cha
 const std::string store_was_asked =
     exit_status("it is printed", "the call or the store is bad, or there is no such revision");
 
-void add_log(CLI::App& store, int& status) {
+void add_store_log(CLI::App& store, int& status) {
   const auto question = std::make_shared<StoreQuestion>();
   auto* command =
       add_question(store, status, "log", "The events up to a revision, the last one first", question, print_log);
@@ -155,14 +155,14 @@ void add_log(CLI::App& store, int& status) {
       store_was_asked + examples({"store log room.store", "store log room.store main~3 --json"}));
 }
 
-void add_show(CLI::App& store, int& status) {
+void add_store_show(CLI::App& store, int& status) {
   const auto question = std::make_shared<StoreQuestion>();
   auto* command = add_question(store, status, "show", "One event, and how large its scene is", question, print_event);
   command->add_flag("--json", question->json, "The event as a JSON object, as log has it");
   command->footer(store_was_asked + examples({"store show room.store", "store show room.store 17"}));
 }
 
-void add_export(CLI::App& store, int& status) {
+void add_store_export(CLI::App& store, int& status) {
   const auto question = std::make_shared<StoreQuestion>();
   auto* command = add_question(store, status, "export", "Write the scene of a revision", question, export_scene);
   command->add_option("-o,--output", question->out, "Where it goes, NAME.json; without it to the standard output");
@@ -171,7 +171,7 @@ void add_export(CLI::App& store, int& status) {
                   examples({"store export room.store -o room.json", "store export room.store HEAD~1 -o before.json"}));
 }
 
-void add_blame(CLI::App& store, int& status) {
+void add_store_blame(CLI::App& store, int& status) {
   const auto question = std::make_shared<StoreQuestion>();
   auto* command =
       add_question(store, status, "blame", "Which event has set each element last", question, blame_elements);
@@ -185,10 +185,10 @@ void add_blame(CLI::App& store, int& status) {
 }  // namespace
 
 void add_store_read(CLI::App& store, int& status) {
-  add_log(store, status);
-  add_show(store, status);
-  add_export(store, status);
-  add_blame(store, status);
+  add_store_log(store, status);
+  add_store_show(store, status);
+  add_store_export(store, status);
+  add_store_blame(store, status);
 }
 
 }  // namespace durero::cli

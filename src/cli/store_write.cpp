@@ -46,7 +46,7 @@ int step_in_history(const std::string& path, std::optional<store::EventNumber> (
   return is_done ? 0 : 1;
 }
 
-void add_init(CLI::App& store, int& status) {
+void add_store_init(CLI::App& store, int& status) {
   auto* command = store.add_subcommand("init", "Make a new store");
   const auto call = std::make_shared<StoreImport>();
   command->add_option("STORE", call->store, "The file that it is to be")->required();
@@ -58,7 +58,7 @@ void add_init(CLI::App& store, int& status) {
   command->callback([call, &status] { status = init_store(*call); });
 }
 
-void add_import(CLI::App& store, int& status) {
+void add_store_import(CLI::App& store, int& status) {
   auto* command = store.add_subcommand("import", "Put the scene of a file in the place of HEAD's");
   const auto call = std::make_shared<StoreImport>();
   add_store_path(*command, call->store);
@@ -85,8 +85,8 @@ void add_step(CLI::App& store, int& status, const char* name, const char* about,
 }  // namespace
 
 void add_store_write(CLI::App& store, int& status) {
-  add_init(store, status);
-  add_import(store, status);
+  add_store_init(store, status);
+  add_store_import(store, status);
   add_step(store, status, "undo", "Go back before the last transaction",
            "The branch where HEAD is then stands on the event before. Nothing is deleted: redo goes on again.\n\n",
            &store::Store::undo, "no transaction is before it");

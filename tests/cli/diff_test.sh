@@ -7,9 +7,8 @@ run 1 edit a.json --op 'Eliminar_Esfera e=s1' --op 'Agregar_Esfera e=s1 centro=(
 
 run 1 diff a.json b.json
 is out 'Eliminar_Cono e?=k1
-Eliminar_Esfera e?=s1
+Cambiar_Radio_Esfera e?=s1 radio?=2
 Agregar_Disco e?=d1 centro?=(0,2,0) radio?=1 vector?=(0,1,0)
-Agregar_Esfera e?=s1 centro?=(0,0,0) radio?=2 material?=red
 group g?=pair elementos?=d1,s1'
 empty err
 cp out script
@@ -85,7 +84,7 @@ has deeper/dressed.json '"image":"../t.png"'
 run 0 diff --git a.json a.json 0000 100644 b.json 1111 100644
 has out 'diff --durero a/a.json b/a.json'
 has out 'Eliminar_Cono e?=k1'
-lines out 6
+lines out 5
 run 0 diff --git 'x y.json' /dev/null . . a.json 1111 100644
 has out '"part":"/camera/eye","change":"added"'
 run 0 diff --git a.json a.json 0 0 wide.json 0 0 new.json 'similarity index 90%'

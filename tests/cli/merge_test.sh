@@ -111,8 +111,7 @@ in_git 0 merge --abort
 # git diff and git log print operations, and lines of the canonical text.
 in_git 0 diff main sphere -- scene.json
 is out 'diff --durero a/scene.json b/scene.json
-Eliminar_Esfera e?=s1
-Agregar_Esfera e?=s1 centro?=(0,0,0) radio?=2 material?=red'
+Cambiar_Radio_Esfera e?=s1 radio?=2'
 in_git 0 diff main one
 has out 'diff --durero a/new.json b/new.json'
 tr -d '\n' <../base.json >scene.json
