@@ -23,6 +23,11 @@ BEGIN {
   said["exists"] = "The clause that the element exists."
   said["requirements"] = "What the inputs must be: a clause each, and the error of the total operation."
   said["effects"] = "What becomes of each component of the scene: a clause each."
+  said["has_attribute"] = "The clause that the element has the attribute."
+  said["lacks"] = "The clause that it has not."
+  said["material"] = "The name of a material (`material?`)."
+  said["g"] = "The name of a group (`g?`)."
+  said["ops"] = "The steps (`ops?`)."
   said["answers"] = "The clause that says r!."
   said["component"] = "The attribute that it is about."
   said["Denial"] = "The error of the total operation for an element of another type."
@@ -42,7 +47,7 @@ FNR == 1 {
   documented = 0
   schema = 0
   of_model = FILENAME ~ /durero\/model\//
-  of_schemas = FILENAME ~ /durero\/model\/(tipo\/|operaciones|malla)/
+  of_schemas = FILENAME ~ /durero\/model\/(tipo\/|operaciones|malla|cambio|vista|historia)/
   of_shapes = FILENAME ~ /durero\/scene\/shape\// && FILENAME !~ /attribute/
 }
 # The first comment of a file is of the file: this line is in the place of one that says nothing.

@@ -297,8 +297,8 @@ class Scene(Mapping[str, Element]):
         >>> scene = durero.Scene()
         >>> scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1)), scene.undo(), len(scene)
         ('esfera_agregada', 'deshecho', 0)
-        >>> scene.redo(), scene.history
-        ('rehecho', (('Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1',),))
+        >>> scene.redo(), len(scene), len(scene.history)
+        ('rehecho', 1, 1)
         """
         answer = Answer(self._scene.undo())
         self._tell("undone")
@@ -315,10 +315,9 @@ class Scene(Mapping[str, Element]):
         """Makes one step of the edits within. Where they end by an exception, everything is undone.
 
         >>> import durero
-        >>> scene = durero.Scene()
+        >>> scene, ball = durero.Scene(), durero.Esfera(centro=(0, 0, 5), radio=1)
         >>> with scene.transaction():
-        ...     _ = scene.add("a", durero.Esfera(centro=(0, 0, 5), radio=1))
-        ...     _ = scene.add("b", durero.Esfera(centro=(0, 0, 9), radio=1))
+        ...     _ = scene.add("a", ball), scene.add("b", ball)
         >>> len(scene.history), scene.undo(), len(scene)
         (1, 'deshecho', 0)
         """
@@ -337,9 +336,9 @@ class Scene(Mapping[str, Element]):
 
         >>> import durero
         >>> scene = durero.Scene()
-        >>> scene.on_edit(lambda step: print(step.kind, *step.operations))
+        >>> scene.on_edit(lambda step: print(step.kind, len(step.operations)))
         >>> _ = scene.add("s1", durero.Esfera(centro=(0, 0, 5), radio=1))
-        done Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1
+        done 1
         """
         self._callbacks.append(callback)
 

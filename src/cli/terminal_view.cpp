@@ -31,7 +31,7 @@ constexpr double turn = 5;           // degrees of an arrow
 constexpr double step = 0.05;        // of the distance, sideways
 constexpr double nearer = 0.9;       // of the distance, ahead
 constexpr unsigned status_rows = 2;  // below the picture
-constexpr int stillness = 150;        // milliseconds without input, after which the picture becomes finer
+constexpr int stillness = 150;       // milliseconds without input, after which the picture becomes finer
 constexpr std::uint32_t fine = 9;    // rays of a pixel then
 constexpr int digits = 40;           // of an exact t
 

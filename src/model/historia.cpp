@@ -94,23 +94,23 @@ Operacion joined(const std::vector<Operacion>& ops) {
 }
 
 /// What is left of a history's steps by an operation.
-struct Steps {
+struct StepsAfter {
   std::vector<Operacion> hechas, deshechas;
 };
 
-Steps steps_after(const Historia& s, const Transaccion& in) {
-  Steps after{s.hechas, {}};
+StepsAfter steps_after(const Historia& s, const Transaccion& in) {
+  StepsAfter after{s.hechas, {}};
   after.hechas.push_back(joined(in.ops));
   return after;
 }
-Steps steps_after(const Historia& s, const Deshacer&) {
-  Steps after{s.hechas, s.deshechas};
+StepsAfter steps_after(const Historia& s, const Deshacer&) {
+  StepsAfter after{s.hechas, s.deshechas};
   after.deshechas.insert(after.deshechas.begin(), after.hechas.back());
   after.hechas.pop_back();
   return after;
 }
-Steps steps_after(const Historia& s, const Rehacer&) {
-  Steps after{s.hechas, s.deshechas};
+StepsAfter steps_after(const Historia& s, const Rehacer&) {
+  StepsAfter after{s.hechas, s.deshechas};
   after.hechas.push_back(after.deshechas.front());
   after.deshechas.erase(after.deshechas.begin());
   return after;
@@ -121,7 +121,7 @@ bool can_happen(const Historia& s, const Deshacer&) { return !s.hechas.empty(); 
 bool can_happen(const Historia& s, const Rehacer&) { return !s.deshechas.empty(); }
 
 Historia after_of(const Historia& s, const HistoryOperation& operation) {
-  Steps steps = std::visit([&](const auto& in) { return steps_after(s, in); }, operation);
+  StepsAfter steps = std::visit([&](const auto& in) { return steps_after(s, in); }, operation);
   return {pliegue(steps.hechas, s.inicial).value(), s.inicial, std::move(steps.hechas), std::move(steps.deshechas)};
 }
 
@@ -254,7 +254,7 @@ Judgements pre(const Historia& before, const HistoryOperation& operation) {
 Judgements post(const Historia& before, const HistoryOperation& operation, const Historia& after, Respuesta r) {
   const auto judged = [&](const auto& in) -> Judgements {
     const HistoryClauses labels = clauses_of(in);
-    const Steps steps = steps_after(before, in);
+    const StepsAfter steps = steps_after(before, in);
     return {{&Seguir_post_1, after.inicial == before.inicial},
             {&Seguir_post_2, after.escena == pliegue(after.hechas, after.inicial)},
             {labels.done, same_steps(after.hechas, steps.hechas, before.inicial)},

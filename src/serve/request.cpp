@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "durero/io/json/json.hpp"
+#include "durero/model/tipos.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::serve {

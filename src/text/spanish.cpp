@@ -625,7 +625,6 @@ constexpr SpanishName names[] = {
     {"transiciones", "transitions", "the pairs of scenes of which one operation leads from the first to the second"},
     {"Operacion", "Operation", "what one operation or several make of a scene: a step of a history"},
     {"pliegue", "fold", "what steps make of a scene, one after the other"},
-    {"op", "step", "a step of a history"},
     {"ops", "steps", "steps of a history, in their order"},
     {"Historia", "History", "a scene, the steps that led to it, and those that were undone"},
     {"inicial", "initial", "the scene that a history begins with"},

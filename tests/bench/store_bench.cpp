@@ -1,6 +1,6 @@
 // Stores: durable edits, each beside a sync of the same disk in turn; histories carried out again; scenes opened from
-// their snapshots, beside their scene files. Times are of the clock. DURERO_STORE_EVENTS and DURERO_STORE_ELEMENTS say how
-// long the history and how large the scene is: without them 10⁵ and 10⁶.
+// their snapshots, beside their scene files. Times are of the clock. DURERO_STORE_EVENTS and DURERO_STORE_ELEMENTS say
+// how long the history and how large the scene is: without them 10⁵ and 10⁶.
 
 #include <benchmark/benchmark.h>
 #include <fcntl.h>

@@ -91,8 +91,8 @@ class Scene {
   model::Respuesta apply(const model::Operation& operation);
   /// The total operation: where a precondition does not hold it changes nothing and answers the error.
   model::Answer apply_total(const model::Operation& operation);
-  /// @{ The partial and the total change of an attribute: the element keeps its name, its place, its material and its group. A face
-  /// of a mesh is changed with its mesh alone (es_de_malla).
+  /// @{ The partial and the total change of an attribute: the element keeps its name, its place, its material and its
+  /// group. A face of a mesh is changed with its mesh alone (es_de_malla).
   model::Respuesta change(const model::AttributeChange& change);
   model::Answer change_total(const model::AttributeChange& change);
   /// @}

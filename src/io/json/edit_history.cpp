@@ -54,8 +54,12 @@ void undo_all(EditedScene& scene, const HistoryStep& step) {
 }  // namespace
 
 EditAnswer EditHistory::apply_total(EditedScene& scene, const ScriptStep& edit) {
+  return apply_by(scene, edit, [](EditedScene& of, const ScriptStep& step) { return of.apply_total(step); });
+}
+
+EditAnswer EditHistory::apply_by(EditedScene& scene, const ScriptStep& edit, const CarryOutEdit& carry_out) {
   EditRecord record = record_before(scene, edit);
-  EditAnswer answer = scene.apply_total(edit);
+  EditAnswer answer = carry_out(scene, edit);
   if (!answer.ok()) return answer;
   HistoryStep one;
   HistoryStep& step = open_ ? *open_ : one;

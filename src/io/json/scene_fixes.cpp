@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/io/json/file_patch.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/json.hpp"
-#include "durero/io/json/file_patch.hpp"
 #include "durero/io/json/json_pointer.hpp"
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/json/scene_file.hpp"

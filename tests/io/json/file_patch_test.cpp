@@ -40,7 +40,7 @@ TEST_CASE("a patch is written as it is read") {
       "[\n{\"op\":\"replace\",\"path\":\"/a\",\"reason\":\"its length\",\"value\":[0,1]},\n"
       "{\"op\":\"remove\",\"path\":\"/b/\\\"c\"}\n]\n";
   const std::vector<PatchProposal> patch{{PatchProposal::Kind::replace, "/a", "[0,1]", "its length"},
-                                          {PatchProposal::Kind::remove, "/b/\"c"}};
+                                         {PatchProposal::Kind::remove, "/b/\"c"}};
   CHECK(patch_text(patch) == text);
   const std::vector<PatchProposal> read = read_patch(Source("p", text));
   REQUIRE(read.size() == 2);

@@ -284,6 +284,7 @@ TEST_CASE("Every operation and each of its inputs has a word, and the reader kno
   const std::vector<io::WrittenType> types{{"toro", {{"mayor", io::WrittenKind::number}}}};
   const std::vector<io::OperationWords> all = io::operation_words(types);
   std::string listed;  // by the reader, where a word is none of them
+  std::ptrdiff_t named = 0;
   try {
     io::read_script(io::Source("f", "xyz a=b"), {}, types);
   } catch (const io::InputError& error) {
@@ -299,9 +300,12 @@ TEST_CASE("Every operation and each of its inputs has a word, and the reader kno
     } catch (const io::InputError& error) {
       CHECK(std::string(error.what()).find("unknown") == std::string::npos);
     }
-    CHECK(listed.find(" " + words.name + ",") != std::string::npos);
+    // The change of an attribute stands for those that name a type, too.
+    const bool names_type = words.name.starts_with("Cambiar_") && std::ranges::count(words.name, '_') == 2;
+    named += names_type ? 0 : 1;
+    CHECK((listed.find(" " + words.name + ",") != std::string::npos) == !names_type);
   }
-  CHECK(std::ranges::count(listed, ',') == static_cast<std::ptrdiff_t>(all.size()));
+  CHECK(std::ranges::count(listed, ',') == named);
   CHECK(all.front().name == "Agregar_Esfera");
   CHECK(all.front().inputs == std::vector<std::string>{"e", "centro", "radio", "material"});
   CHECK(all[all.size() - 2].inputs == std::vector<std::string>{"e", "mayor", "material"});

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "durero/io/json/edited_scene.hpp"
-#include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/file_patch.hpp"
+#include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/scene_check.hpp"
 #include "durero/model/judgement.hpp"
 #include "io/json/edited_script.hpp"

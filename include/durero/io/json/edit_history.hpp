@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -43,6 +44,9 @@ class EditHistory {
   /// Applies an edit. One that is done is a step, or where a transaction is open a part of it; steps that were undone
   /// are forgotten then. One that is refused leaves history and scene as they are. Throws what the scene throws.
   EditAnswer apply_total(EditedScene& scene, const ScriptStep& edit);
+  /// The same where another function carries the edit out, as one that asks the text, too.
+  using CarryOutEdit = std::function<EditAnswer(EditedScene& scene, const ScriptStep& edit)>;
+  EditAnswer apply_by(EditedScene& scene, const ScriptStep& edit, const CarryOutEdit& carry_out);
 
   /// Opens a transaction (Transaccion): the edits until its end are one step. Precondition: none is open.
   void begin();
