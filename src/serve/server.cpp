@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <httplib.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <charconv>
@@ -119,6 +120,13 @@ struct Server::Parts {
     http.new_task_queue = [] { return new httplib::ThreadPool(most_connections); };
     http.set_payload_max_length(most_bytes);
     http.set_tcp_nodelay(true);
+    http.set_keep_alive_timeout(60);
+    // The library's own options let a second server listen at the same port.
+    http.set_socket_options([this](socket_t made) {
+      const int yes = 1;
+      ::setsockopt(made, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+      listening = made;
+    });
     http.set_keep_alive_max_count(std::numeric_limits<std::size_t>::max());
     http.set_pre_routing_handler([this](const Request& in, Response& out) { return admit(in, out); });
     http.set_exception_handler([](const Request&, Response& out, std::exception_ptr error) { tell(out, error); });
@@ -131,6 +139,7 @@ struct Server::Parts {
     if (!listens)
       throw std::runtime_error(fmt::format(
           "cannot listen at {}:{}; expected an address of this machine, and a free port", options.host, options.port));
+    ::listen(listening, SOMAXCONN);  // the library lets five connections wait, and turns others away
   }
 
   /// Tells what the request has done wrong.
@@ -310,6 +319,7 @@ struct Server::Parts {
   StoreWorker worker;
   httplib::Server http{};
   int bound = 0;
+  socket_t listening = 0;
 };
 
 Server::Server(const std::string& store, ServerOptions options)

@@ -239,6 +239,15 @@ TEST_CASE("pages of other origins, and names that a stranger gives this machine,
   CHECK(open.client().Options("/edits")->get_header_value("Access-Control-Allow-Origin") == "null");
 }
 
+TEST_CASE("two servers do not listen at one port") {
+  const Served served;
+  const test::Folder folder;
+  store::Store::create(folder.file("other"), {}, "", {});
+  ServerOptions same;
+  same.port = served.port();
+  CHECK_THROWS_AS(Server(folder.file("other"), same), std::runtime_error);
+}
+
 TEST_CASE("the schemas are published") {
   const Served served;
   httplib::Client client = served.client();
