@@ -8,6 +8,7 @@
 #include "body_steps.hpp"
 #include "change_steps.hpp"
 #include "durero/io/json/edited_scene.hpp"
+#include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/operation_text.hpp"
 #include "durero/io/json/scene_changes.hpp"
 #include "durero/io/json/scene_parts.hpp"
@@ -43,13 +44,6 @@ bool is_mapped_by_binary64(const scene::Body& body) {
 }
 /// @}
 
-/// Whether an operation adds the element as it is.
-bool can_be_added(const scene::Scene& scene, ElementRef element) {
-  if (scene.motion(element) != nullptr || scene.wrap(element) || scene.vertex_normals(element)) return false;
-  const scene::Body* const body = scene.body(element);
-  return body == nullptr || is_mapped_by_binary64(*body);
-}
-
 /// The only point that two meshes do not share; nothing where they differ in more.
 std::optional<model::Ordinal> moved_point(const scene::Mesh& a, const scene::Mesh& b) {
   if (a.puntos.size() != b.puntos.size() || a.caras != b.caras || a.material != b.material) return std::nullopt;
@@ -71,12 +65,13 @@ class ScriptMaker {
   SceneScript script() {
     compare();
     if (script_.beyond.empty()) make_steps();
+    if (script_.beyond.empty()) note_what_is_left();
     if (!script_.beyond.empty()) script_.steps.clear();
     return std::move(script_);
   }
 
  private:
-  /// Lists the elements and the meshes that differ, and what no operation makes so.
+  /// Lists the elements and the meshes that differ, and the parts that no line of a script says.
   void compare() {
     for (const PartChange& change : part_changes(from_, to_)) {
       if (is_of_stage(change.part.kind)) script_.beyond.push_back(change.part.pointer());
@@ -95,8 +90,15 @@ class ScriptMaker {
     if (change.from) removed_.push_back(name);
     if (!change.to) return;
     const ElementRef element = to_.scene.find(name).value();
-    if (!can_be_added(to_.scene, element)) script_.beyond.push_back(change.part.pointer());
-    (to_.scene.body(element) == nullptr ? added_ : added_bodies_).push_back(name);
+    const scene::Body* const body = to_.scene.body(element);
+    if (body != nullptr && !is_mapped_by_binary64(*body)) script_.beyond.push_back(change.part.pointer());
+    (body == nullptr ? added_ : added_bodies_).push_back(name);
+  }
+
+  /// What still differs is beyond operations: an element moves, or a triangle has normals of its own.
+  void note_what_is_left() {
+    if (working_.scene_text() == scene_text(to_.scene, to_.groups)) return;
+    for (const PartChange& change : part_changes(working_.of(), to_)) script_.beyond.push_back(change.part.pointer());
   }
 
   /// Whether changes make an element what it is to be, in no more steps than to remove it, to add it, and to put it
@@ -104,7 +106,7 @@ class ScriptMaker {
   bool can_be_changed(const std::string& name) const {
     const ElementRef old = from_.scene.find(name).value(), made = to_.scene.find(name).value();
     if (old.tipo != made.tipo || !has_same_rest(from_.scene, to_.scene, name)) return false;
-    if (!can_be_added(to_.scene, made)) return true;
+    if (to_.scene.motion(made) != nullptr || to_.scene.wrap(made) || to_.scene.vertex_normals(made)) return true;
     const std::size_t anew = from_.groups.of_element(name).empty() ? 2 : 3;
     return changes_between(from_.scene, to_.scene, name).size() <= anew;
   }

@@ -73,6 +73,8 @@ TEST_CASE("A mesh that differs in a vertex is moved there, and else replaced") {
   CHECK(script_of(mesh("[0,1,0]", "[0,1,2]", uv), mesh("[0,2,0]", "[0,1,2]", uv)) ==
         "Mover_Vertice m?=m n?=2 punto?=(0,2,0)\n");
   CHECK(script_of(mesh("[0,1,0]", "[0,1,2]"), mesh("[0,1,0]", "[0,1,2]", uv)) == "beyond /mallas/m");
+  CHECK(script_of(mesh("[0,1,0]", "[0,1,2]", uv), mesh("[0,2,0]", "[0,1,2]", R"(,"uv":[[0,0],[1,0],[-0.0,1]])")) ==
+        "beyond /mallas/m");
   CHECK(script_of(mesh("[0,1,0]", "[0,1,2]", uv), mesh("[0,2,0]", "[1,2,0]", uv)) == "beyond /mallas/m");
 }
 
