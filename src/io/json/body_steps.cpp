@@ -26,11 +26,11 @@ BodySteps::BodySteps(const scene::Scene& now, const scene::Scene& from, const sc
 
 void BodySteps::add_body(const std::string& name, const scene::Body& body, std::optional<std::uint32_t> material) {
   make(name, body, material);
-  for (; !made_.empty(); made_.pop_back()) {
-    add_(removal_step(now_, made_.back()->second));
-    by_geometry_.erase(made_.back());
-  }
   by_geometry_.emplace(part_text(body), name);
+}
+
+void BodySteps::remove_parts() {
+  for (; !made_.empty(); made_.pop_back()) add_(removal_step(now_, made_.back()));
 }
 
 void BodySteps::make(const std::string& name, const scene::Body& body, std::optional<std::uint32_t> material) {
@@ -57,7 +57,8 @@ std::string BodySteps::part_element(const scene::Body& part, const std::vector<s
     std::visit([&](const auto& shape) { add_(addition_step(name, shape, {})); }, copy->shape);
   else
     make(name, part, {});
-  made_.push_back(by_geometry_.emplace(std::move(geometry), name));
+  by_geometry_.emplace(std::move(geometry), name);
+  made_.push_back(name);
   return name;
 }
 

@@ -13,8 +13,8 @@
 
 namespace durero::io {
 
-/// Adds one body after another. What a body is made of is an element that is there, or one that is made for it and
-/// removed behind it.
+/// Adds one body after another. What a body is made of is an element that is there, or one that is made for it, serves
+/// the bodies behind it too, and is removed at the end.
 class BodySteps {
  public:
   /// `now` is the scene that add() edits, whose other elements stay, on the way between two scenes; no part has the
@@ -24,6 +24,8 @@ class BodySteps {
 
   /// Adds an element with a body, whose maps have entries that are binary64.
   void add_body(const std::string& name, const scene::Body& body, std::optional<std::uint32_t> material);
+  /// Removes what was made for them; the last call.
+  void remove_parts();
 
  private:
   using Geometry = std::multimap<std::string, std::string>;  // from the text of a body to the names of elements
@@ -37,7 +39,7 @@ class BodySteps {
   const scene::Scene& to_;
   std::function<void(AnyStep)> add_;
   Geometry by_geometry_{};
-  std::vector<Geometry::iterator> made_{};  // the parts that are to be removed
+  std::vector<std::string> made_{};  // the parts that are to be removed
   std::size_t last_part_ = 0;
 };
 

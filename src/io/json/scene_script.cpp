@@ -151,6 +151,7 @@ class ScriptMaker {
       const ElementRef element = to_.scene.find(name).value();
       steps.add_body(name, *to_.scene.body(element), to_.scene.material(element));
     }
+    steps.remove_parts();
   }
 
   void change_mesh(const std::string& m) {
