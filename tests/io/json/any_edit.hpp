@@ -178,7 +178,7 @@ inline AnyEdit any_change(const scene::Stage& stage) {
 inline AnyEdit any_group_edit() {
   if (below(3) == 0) return scene::GroupEdit(scene::Ungrouping{any_group_name()});
   scene::Grouping made{any_group_name(), {}};
-  for (const std::string& name : distinct_names(3)) made.of.elementos.insert(name);
+  for (const std::string& name : distinct_names(below(3))) made.of.elementos.insert(name);
   for (int n = below(3); n > 0; --n) made.of.groups.insert(any_group_name());
   return scene::GroupEdit(made);
 }
