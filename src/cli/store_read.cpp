@@ -26,6 +26,9 @@ struct StoreQuestion {
   bool json = false, all = false;
 };
 
+/// A long log is printed by parts of so many bytes.
+constexpr std::size_t printed_at_once = std::size_t{1} << 20U;
+
 /// The names of events: HEAD, branches, then tags.
 using EventNames = std::map<store::EventNumber, std::vector<std::string>>;
 
@@ -68,12 +71,18 @@ std::string event_line(const store::HistoryEvent& event, const std::vector<std::
 int print_log(const StoreQuestion& question) {
   store::Store of(question.store, store::StoreAccess::read);
   EventNames names = event_names_of(of);
+  std::string text;
   store::EventNumber number = question.all ? of.last() : of.find(question.revision);
   for (std::uint64_t told = 0; number != store::no_event && (question.limit == 0 || told < question.limit); ++told) {
     const store::HistoryEvent event = of.event(number);
-    io::print(question.json ? event_json(event, names[number]) : event_line(event, names[number]));
+    text += question.json ? event_json(event, names[number]) : event_line(event, names[number]);
+    if (text.size() >= printed_at_once) {
+      io::print(text);
+      text.clear();
+    }
     number = question.all ? number - 1 : event.parent;
   }
+  io::print(text);
   return 0;
 }
 

@@ -37,6 +37,25 @@ CREATE TABLE name (
 ) STRICT, WITHOUT ROWID;
 )";
 
+/// The statements that have made the tables of a database, but for those of SQLite itself.
+std::string schema_of(Database& database) {
+  PreparedQuery query =
+      database.prepare("SELECT sql FROM sqlite_schema WHERE name NOT LIKE 'sqlite!_%' ESCAPE '!' ORDER BY type, name");
+  std::string all;
+  while (query.step()) all.append(query.bytes(0)).append("\n");
+  return all;
+}
+
+const std::string& schema_of_stores() {
+  static const std::string schema = [] {
+    Database empty("");
+    Records::make_tables(empty);
+    return schema_of(empty);
+  }();
+  return schema;
+}
+
+/// Another table may have a trigger, which would be carried out.
 Database& checked(Database& database) {
   if (database.integer("PRAGMA application_id") != application)
     database.refuse("is a database, and no store", "expected one that `durero store init` made");
@@ -46,6 +65,7 @@ Database& checked(Database& database) {
                     fmt::format("expected version {}: a later program reads it", Records::version));
   if (version != Records::version)
     database.refuse(fmt::format("is a store of version {}", version), fmt::format("expected {}", Records::version));
+  if (schema_of(database) != schema_of_stores()) database.refuse("has other tables than a store", expected_whole);
   return database;
 }
 

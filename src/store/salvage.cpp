@@ -55,7 +55,7 @@ class Salvager {
     const bool has_snapshot =
         records_.has_snapshot(number) && std::ranges::find(report_.spoiled, number) == report_.spoiled.end();
     const std::string snapshot = has_snapshot ? records_.snapshot(number) : "";
-    event.begins = event.begins || is_rebased(number) || is_rebased(event.parent);
+    event.begins = event.begins || is_rebased(number);
     event.parent = place_of_left(event.parent);
     if (is_rebased(number)) {
       event.kind = EventKind::import;

@@ -1,11 +1,13 @@
 """Stores that are killed, shared, full and read-only: `FILE DURERO [TEST...]`. What was answered is kept, and nothing that
 was refused. Events are read by Python's own SQLite, which knows nothing of the program."""
+import hashlib
 import json
 import os
 import random
 import shutil
 import signal
 import sqlite3
+import struct
 import subprocess
 import sys
 import time
@@ -96,7 +98,7 @@ class Killed:
                     accepted(self.killed("edit", "s.store", "--group", str(group), text="\n".join(script) + "\n"))]
         new = kept(behind=self.behind)
         assert answered == good[:len(answered)], "an operation was answered that is none of the accepted"
-        assert new == good[:len(new)], "what is kept is not what was accepted"
+        assert new == good[:len(new)], f"kept {new} of {good}, answered {answered}, group {group}"
         assert len(new) >= len(answered), f"lost: {good[len(new):len(answered)]}"
         self.behind += len(new)
         self.way += new
@@ -299,6 +301,96 @@ def test_a_journal_that_is_spoiled_leaves_an_earlier_transaction():
         assert len(told) % 4 == 0 and told == [operation(f"n{number}") for number in range(len(told))]
         lengths.add(len(told))
     assert len(lengths) > 3
+
+
+def digest(*fields):
+    """A digest of fields, as docs/formats/store.md has it."""
+    fields = [field if isinstance(field, bytes) else str(field).encode() for field in fields]
+    return hashlib.sha256(b"".join(b"%d:%s," % (len(field), field) for field in fields)).digest()
+
+
+ATTRIBUTES = [("esfera", "centro radio"), ("cilindro", "centro radio vector altura"), ("cono", "centro proporcion vector altura"),
+              ("tronco", "centro radio proporcion vector altura"), ("plano", "centro vector"), ("disco", "centro radio vector"),
+              ("triangulo", "vertices")]
+LENGTHS = {"centro": 3, "vector": 3, "vertices": 9}
+
+
+def elements_of(snapshot):
+    """The elements of a snapshot by their names, with their numbers in a list, and how many are plain."""
+    def take(form):
+        nonlocal at
+        at += struct.calcsize(form)
+        return struct.unpack_from(form, snapshot, at - struct.calcsize(form))
+    at = 0
+    (size,) = take("<Q")
+    scene, at = json.loads(snapshot[at:at + size]), at + size
+    materials = sorted(scene.get("materials", {}))
+    elements, plain = {element["id"]: element for element in scene["elementos"]}, 0
+    for tipo, attributes in ATTRIBUTES:
+        (count,) = take("<Q")
+        plain += count
+        for _ in range(count):
+            (length,) = take("<B")
+            name = take(f"<{length}s")[0].decode()
+            (material,) = take("<I")
+            element = {"id": name, "tipo": tipo}
+            for word in attributes.split():
+                numbers = list(take(f"<{LENGTHS.get(word, 1)}d"))
+                element[word] = numbers if len(numbers) == 3 else numbers[0] if len(numbers) == 1 else \
+                    [numbers[0:3], numbers[3:6], numbers[6:9]]
+            if material != 2**32 - 1:
+                element["material"] = materials[material]
+            elements[name] = element
+    assert at == len(snapshot)
+    return elements, plain
+
+
+def test_hashes_seals_and_snapshots_are_as_documented():
+    scene = {"format": "durero-scene", "version": 1, "materials": {"blue": {"color": [0, 0, 1]}, "red": {"color": [1, 0, 0]}},
+             "groups": {"g": {"elementos": ["in_a_group"]}}, "elementos": [
+                 {"id": "s", "tipo": "esfera", "centro": [0.1, -2, 3e300], "radio": 5e-324, "material": "red"},
+                 {"id": "a", "tipo": "esfera", "centro": [0, 0, 0], "radio": 1, "material": "blue"},
+                 {"id": "in_a_group", "tipo": "esfera", "centro": [0, 0, 0], "radio": 1},
+                 {"id": "moves", "tipo": "esfera", "centro": [0, 0, 0], "radio": 1, "motion": [1, 0, 0]},
+                 {"id": "c", "tipo": "cilindro", "centro": [1, 2, 3], "radio": 1, "vector": [0, 0, 1], "altura": 2},
+                 {"id": "k", "tipo": "cono", "centro": [1, 2, 3], "proporcion": 0.5, "vector": [0, 1, 0], "altura": 2},
+                 {"id": "t", "tipo": "tronco", "centro": [1, 2, 3], "radio": 1, "proporcion": 0.5, "vector": [0, 0.6, 0.8],
+                  "altura": 2},
+                 {"id": "p", "tipo": "plano", "centro": [1, 2, 3], "vector": [1, 0, 0]},
+                 {"id": "d", "tipo": "disco", "centro": [1, 2, 3], "radio": 4, "vector": [1, 0, 0]},
+                 {"id": "v", "tipo": "triangulo", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}]}
+    with open("scene.json", "w") as file:
+        json.dump(scene, file)
+    run("init", "s.store", "--from", "scene.json")
+    run("edit", "s.store", "--group", "100", input="".join(operation(f"n{number}") + "\n" for number in range(1200)))
+    run("undo", "s.store")
+    run("tag", "s.store", "v1", "7")
+    run("goto", "s.store", "v1")
+    with sqlite3.connect("s.store") as database:
+        database.row_factory = sqlite3.Row
+        assert database.execute("PRAGMA application_id").fetchone()[0] == int.from_bytes(b"Dure", "big")
+        assert database.execute("PRAGMA user_version").fetchone()[0] == 1
+        snapshots = {row["event"]: row for row in database.execute("SELECT * FROM snapshot")}
+        hashes = {0: bytes(32)}
+        for row in database.execute("SELECT * FROM event ORDER BY number"):
+            content = hashlib.sha256(snapshots[row["number"]]["content"]).digest() if row["kind"] == 0 else b""
+            assert row["content"] == content
+            hashes[row["number"]] = digest(
+                hashes[row["parent"]], ["import", "edit"][row["kind"]], "begins" if row["begins"] else "goes on", row["line"],
+                row["operation"], row["answer"], row["author"], row["time"], row["comment"], content)
+            assert row["hash"] == hashes[row["number"]]
+        assert len(hashes) == 1202 and sorted(snapshots) == [1, 1001]
+        for number, row in snapshots.items():
+            assert row["seal"] == digest("snapshot", hashes[number], hashlib.sha256(row["content"]).digest())
+            elements, plain = elements_of(row["content"])
+            exported = json.loads(run("export", "s.store", str(number)).stdout)
+            assert elements == {element["id"]: element for element in exported["elementos"]}
+            assert plain == 8 + (number - 1)
+        kinds = set()
+        for row in database.execute("SELECT * FROM name"):
+            kinds.add(row["kind"])
+            assert row["seal"] == digest("name", row["kind"], row["name"], hashes[row["event"]])
+        assert kinds == {0, 1, 2, 3}
 
 
 sys.exit(run_tests(globals()))

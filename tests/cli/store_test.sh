@@ -194,8 +194,12 @@ import shutil, sqlite3
 sqlite3.connect("foreign.store").executescript("CREATE TABLE event (number INTEGER PRIMARY KEY)")
 shutil.copy("room.store", "later.store")
 sqlite3.connect("later.store").executescript("PRAGMA user_version = 2")
+shutil.copy("room.store", "tricky.store")
+sqlite3.connect("tricky.store").executescript(
+    "CREATE TRIGGER t AFTER INSERT ON event BEGIN DELETE FROM name; END")
 PYTHON
 refused 'foreign.store: is a database, and no store; expected' store log foreign.store
+refused 'tricky.store: has other tables than a store; expected' store edit tricky.store --op "$sphere"
 for command in log 'edit --op x' verify undo 'export -o x.json' blame; do
   # shellcheck disable=SC2086  # words
   set -- $command

@@ -222,6 +222,13 @@ TEST_CASE("Where what is before a snapshot is lost, its scene is told by it alon
   const Left left(kept);
   store::Store is = left.open();
   CHECK(text_at(is) == last);
+  // The import is a step of undo by itself: before it is what was left of the past, or nothing.
+  store::Store writer(left.path, store::StoreAccess::write);
+  writer.undo();
+  const store::EventNumber import = writer.undo().value();
+  CHECK(writer.event(import).kind == store::EventKind::import);
+  CHECK(writer.state(import).scene.size() == 1000);
+  CHECK(writer.before_transaction(import) == writer.event(import).parent);
 }
 
 TEST_CASE("A snapshot that is another scene's is found, and events around it are whole") {
@@ -229,16 +236,18 @@ TEST_CASE("A snapshot that is another scene's is found, and events around it are
   {
     store::Store of = kept.open();
     for (int i = 0; i < 1200; i += 100) edit(of, balls(i, i + 100));
+    of.undo();
+    edit(of, ball(2000));  // from event 1101 on, whose nearest snapshot is the one that is changed
   }
   change(kept, "UPDATE snapshot SET content = (SELECT content FROM snapshot WHERE event = 1) WHERE event = 1001");
   const store::StoreReport report = verified(kept.path);
   CHECK(report.defects == std::vector<std::string>{"the snapshot of event 1001 is not as it was written"});
-  CHECK(std::ranges::count(report.standings, EventStanding::whole) == 1201);
+  CHECK(std::ranges::count(report.standings, EventStanding::whole) == 1202);
   CHECK(report.spoiled == std::vector<store::EventNumber>{1001});
   store::Store of = kept.open(store::StoreAccess::read);
   CHECK_THROWS_AS(text_at(of), io::FileError);
   const Left left(kept);
   store::Store is = left.open();
-  CHECK(is.last() == 1201);
-  CHECK(test::text_of(is.state(1201)).size() > 1000);
+  CHECK(is.last() == 1202);
+  CHECK(is.state(1202).scene.size() == 1101);
 }
