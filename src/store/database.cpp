@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -97,9 +98,9 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
     run(mode == Mode::write ? "PRAGMA synchronous = FULL" : "PRAGMA query_only = ON");
     integer("SELECT count(*) FROM sqlite_schema");
   } catch (const io::FileError&) {
-    // A reader needs a file beside the store, unless nobody writes it. Where there can be none, nobody does.
-    if (mode == Mode::write || !is_beside_no_journal(file) || sqlite3_errcode(connection_.get()) != SQLITE_CANTOPEN)
-      throw;
+    // A reader makes a file beside the store, by which it and writers see each other. Where it can make none, and there
+    // is no journal, the store is read as one that nobody writes; what is torn all the same does not keep its hashes.
+    if (mode == Mode::write || !stands_alone(file)) throw;
     open(uri_of(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
   }
 }
@@ -124,9 +125,11 @@ void Database::require_file() const {
   if (found.st_size == 0) refuse("is empty", "expected a store, which `durero store init` makes");
 }
 
-bool Database::is_beside_no_journal(const std::string& file) const {
+/// Whether a file has no journal beside it, and can get none.
+bool Database::stands_alone(const std::string& file) const {
   struct stat journal {};
-  return ::stat((file + "-wal").c_str(), &journal) != 0 || journal.st_size == 0;
+  const bool has_journal = ::stat((file + "-wal").c_str(), &journal) == 0 && journal.st_size > 0;
+  return !has_journal && ::access(file.substr(0, file.rfind('/') + 1).c_str(), W_OK) != 0;
 }
 
 void Database::run(const std::string& sql) {

@@ -83,7 +83,7 @@ class Database {
   };
   void open(const std::string& name, int flags);
   void require_file() const;
-  bool is_beside_no_journal(const std::string& file) const;
+  bool stands_alone(const std::string& file) const;
   [[noreturn]] void fail(int code) const;
 
   std::string path_;  // as messages name it
