@@ -1,5 +1,6 @@
 """Stores that are killed, shared, full and read-only: `FILE DURERO [TEST...]`. What was answered is kept, and nothing that
 was refused. Events are read by Python's own SQLite, which knows nothing of the program."""
+import contextlib
 import hashlib
 import json
 import os
@@ -31,9 +32,15 @@ def operation(name):
     return f"Agregar_Esfera e?={name} centro?=(0,0,0) radio?=1"
 
 
+def opened(store="s.store"):
+    """A database that is closed at the end of its block. One that stays open keeps the next program from looking for what
+    a killed one has written and not answered, which may come to light later."""
+    return contextlib.closing(sqlite3.connect(store))
+
+
 def kept(store="s.store", behind=1):
     """The operations of the events behind one, in order."""
-    with sqlite3.connect(store) as database:
+    with opened(store) as database:
         return [row[0] for row in database.execute("SELECT operation FROM event WHERE number > ? ORDER BY number", (behind,))]
 
 
@@ -277,7 +284,7 @@ def test_a_journal_that_is_spoiled_leaves_an_earlier_transaction():
     """What a killed program has left beside the store: a part of it that is not whole is as if it had not come."""
     run("init", "s.store")
     script = "".join(operation(f"n{number}") + "\n" for number in range(40))
-    with sqlite3.connect("s.store") as holding:  # another program has it open, so that its journal stays
+    with opened() as holding:  # another program has it open, so that its journal stays
         holding.execute("SELECT count(*) FROM event").fetchall()
         run("edit", "s.store", "--group", "4", input=script)
         shutil.copy("s.store", "base"), shutil.copy("s.store-wal", "journal")
@@ -366,7 +373,7 @@ def test_hashes_seals_and_snapshots_are_as_documented():
     run("undo", "s.store")
     run("tag", "s.store", "v1", "7")
     run("goto", "s.store", "v1")
-    with sqlite3.connect("s.store") as database:
+    with opened() as database:
         database.row_factory = sqlite3.Row
         assert database.execute("PRAGMA application_id").fetchone()[0] == int.from_bytes(b"Dure", "big")
         assert database.execute("PRAGMA user_version").fetchone()[0] == 1
