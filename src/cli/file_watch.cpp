@@ -41,6 +41,7 @@ FileWatch::FileWatch(std::string path)
     : path_(std::move(path)), descriptor_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
   if (descriptor_ < 0) throw io::FileError(path_, "cannot be watched", "expected inotify of Linux");
   try {
+    if (path_ == "-") throw io::FileError(path_, "is the standard input, which cannot be watched", "expected a file");
     watch(path_);
     std::error_code error;
     const fs::path led_to = fs::canonical(path_, error);

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 #include <gmp.h>
+#include <histedit.h>
 #include <hwy/highway.h>
 #include <jconfig.h>
 #include <openssl/opensslv.h>
@@ -82,6 +83,7 @@ Pairs libraries() {
           {"CLI11", CLI11_VERSION},
           {"FLINT", FLINT_VERSION},
           {"pugixml", of_parts(PUGIXML_VERSION / 10, 100, 1)},
+          {"libedit", fmt::format("{}.{}", LIBEDIT_MAJOR, LIBEDIT_MINOR)},
           {"SQLite", sqlite3_libversion()},
           {"OpenSSL", OPENSSL_VERSION_STR}};
 }
