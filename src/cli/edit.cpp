@@ -118,7 +118,8 @@ int begin_session(const EditOptions& options) {
   if (!options.out.empty()) io::require_ending(options.out, io::json_endings, "a scene");
   io::Source source = io::read_source(options.scene);
   std::unique_ptr<io::EditedScene> scene = read(options, source);
-  return edit_interactively({std::move(source), std::move(scene), options.out, editor_of(options), finder_of(options)});
+  return edit_interactively(
+      {std::move(source), std::move(scene), options.with, options.out, editor_of(options), finder_of(options)});
 }
 
 /// Tells of each operation every clause that does not hold; nothing is carried out.

@@ -113,6 +113,7 @@ const std::vector<SessionCommand>& session_commands() {
       {"help", "", "this"},
       {"list", "", "the elements, by name"},
       {"show", "NAME", "an element as a scene file has it"},
+      {"view", "", "the scene in the terminal, to be turned and picked from; q ends it"},
       {"why-not", "OPERATION", "every clause that does not hold; nothing is carried out"},
       {"undo", "", "takes the last operation back"},
       {"redo", "", "does it again"},

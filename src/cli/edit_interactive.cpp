@@ -23,6 +23,7 @@
 #include "edit_completion.hpp"
 #include "edit_session.hpp"
 #include "line_reader.hpp"
+#include "terminal_view.hpp"
 
 namespace durero::cli {
 namespace {
@@ -85,6 +86,7 @@ class Session {
  public:
   explicit Session(SessionCall call)
       : source_(std::move(call.source)),
+        with_(std::move(call.with)),
         out_(call.out.empty() ? source_.name() : std::move(call.out)),
         file_text_(source_.text()),
         find_(std::move(call.find)),
@@ -126,6 +128,7 @@ class Session {
     if (word == "help") return help();
     if (word == "list") return list();
     if (word == "show") return show(rest);
+    if (word == "view") return view();
     if (word == "why-not") return why_not(line);
     if (word == "undo") return io::print(told_of("taken back", edits_.undo()));
     if (word == "redo") return io::print(told_of("done again", edits_.redo()));
@@ -184,6 +187,14 @@ class Session {
     io::print(line + (group.empty() ? "\n" : fmt::format("  in the group {}\n", group)));
   }
 
+  /// Shows the scene as it stands, until the person ends the view.
+  void view() {
+    ViewOptions options{.scene = source_.name(), .with = with_};
+    options.text.emplace(source_.name(), edits_.scene().scene_text());
+    options.text->set_root(source_.root());
+    show_in_terminal(options);
+  }
+
   /// Writes the scene. Its own file is not replaced where another program has written it since.
   void write(const std::string& file) {
     io::require_ending(file, io::json_endings, "a scene");
@@ -211,7 +222,7 @@ class Session {
   }
 
   io::Source source_;
-  std::string out_, file_text_;
+  std::string with_, out_, file_text_;
   ClauseFinder find_;
   EditSession edits_;
   LineReader lines_;

@@ -15,6 +15,7 @@ namespace durero::cli {
 struct SessionCall {
   io::Source source;                       ///< the scene's file, as it was read
   std::unique_ptr<io::EditedScene> scene;  ///< the scene that it holds
+  std::string with;                        ///< the file of the Z text that says what its elements are, or empty
   std::string out;                         ///< where it is written where no file is named; empty for its own file
   Editor editor;                           ///< carries out each operation
   ClauseFinder find;                       ///< finds why one would be refused

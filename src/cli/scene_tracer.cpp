@@ -19,8 +19,11 @@ namespace durero::cli {
 
 SceneTracer::SceneTracer(const std::string& file, std::string_view engine, std::string_view hierarchy,
                          const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures)
-    : file_(file) {
-  const io::Source source = io::read_source(file);
+    : SceneTracer(io::read_source(file), engine, hierarchy, with, resolution, pictures) {}
+
+SceneTracer::SceneTracer(const io::Source& source, std::string_view engine, std::string_view hierarchy,
+                         const std::string& with, std::optional<scene::Resolution> resolution, Pictures pictures)
+    : file_(source.name()) {
   if (io::begins_as_rays(source))
     source.fail(0, "rays stand here", "expected a scene (JSON), which is named before the rays");
   const auto read_pictures = [&](scene::Scene& scene) {

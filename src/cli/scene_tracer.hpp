@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "durero/engine/engine.hpp"
+#include "durero/io/source.hpp"
 #include "durero/scene/grouped_scene.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/written/engine.hpp"
@@ -25,6 +26,10 @@ class SceneTracer {
   /// Reads the scene of that file and makes the engine ready for it, or the Z text `with`, where one is named. The
   /// resolution is the scene's where one is given: engines know pixels by it.
   SceneTracer(const std::string& file, std::string_view engine, std::string_view hierarchy, const std::string& with,
+              std::optional<scene::Resolution> resolution = {}, Pictures pictures = Pictures::left);
+
+  /// The same of the text of a scene file.
+  SceneTracer(const io::Source& source, std::string_view engine, std::string_view hierarchy, const std::string& with,
               std::optional<scene::Resolution> resolution = {}, Pictures pictures = Pictures::left);
 
   /// The scene, which the engine is ready for.

@@ -59,8 +59,9 @@ class TerminalView {
  private:
   /// Reads the file, and takes nothing of it where it is wrong.
   void read() {
-    auto tracer = std::make_unique<SceneTracer>(options_.scene, options_.engine, options_.hierarchy, options_.with,
-                                                std::nullopt, Pictures::read);
+    auto tracer =
+        std::make_unique<SceneTracer>(options_.text ? *options_.text : io::read_source(options_.scene), options_.engine,
+                                      options_.hierarchy, options_.with, std::nullopt, Pictures::read);
     tracer->require_origins("shadow rays start on elements");
     scene::Scene shown = tracer->scene();
     scene::Stage& stage = shown.stage();

@@ -2,9 +2,12 @@
 /// A scene in a terminal, to be turned and picked from.
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "durero/engine/engine.hpp"
+#include "durero/io/source.hpp"
 #include "durero/scene/stage.hpp"
 #include "file_watch.hpp"
 
@@ -15,6 +18,7 @@ struct ViewOptions {
   std::string scene;
   std::string engine{engine::default_engine}, hierarchy{"automatic"}, with;
   std::size_t threads = 0;
+  std::optional<io::Source> text{};  ///< the scene, where it is not that of the file as it is
 };
 
 /// The keys of a view, and what they do.

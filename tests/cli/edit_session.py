@@ -28,7 +28,7 @@ class Typist:
 
     def read(self):
         if select.select([self.terminal], [], [], 0.05)[0]:
-            self.said += os.read(self.terminal, 65536).decode()
+            self.said += os.read(self.terminal, 65536).decode(errors="replace")
 
     def until(self, text):
         """What is said up to that text, and with it."""
@@ -116,6 +116,27 @@ def test_colours_history_and_interrupts(durero):
     typist.type(CTRL_D)
     typist.until("what was not written is lost")
     expect(typist.end() == 1, "status 1")
+
+
+def test_the_scene_as_it_stands_is_shown(durero):
+    typist = Typist(durero, "scene.json")
+    typist.answer(b"Agregar_Esfera e?=big centro?=(0,0,0) radio?=3")
+    typist.type(b"view\n")
+    typist.until("click picks")
+    typist.type(b"\r")  # the middle
+    typist.until("big  t = ")
+    typist.type(b"q")
+    typist.until("durero> ")
+    typist.answer(b"undo")
+    typist.type(b"view\n")
+    typist.until("click picks")
+    typist.type(b"\r")
+    typist.until("s1  t = ")
+    typist.type(b"q")
+    typist.until("durero> ")
+    expect("3 elementos" in typist.answer(b"list"), "lines as before")
+    typist.type(b"quit\n")
+    expect(typist.end() == 0, "status 0")
 
 
 def main(durero):

@@ -110,6 +110,10 @@ write out.pov" scene.json
 has out 'error: out.pov: '
 absent out.pov
 
+# No terminal, no view.
+session 0 view scene.json
+has out 'error: standard input or output is no terminal; '
+
 # Other types, of a text.
 surfaces=$(cd "$home/../../demo/surfaces" && pwd)
 session 0 "Agregar_Toro e?=small centro?=(0,2,0) mayor?=1 menor?=0.25
