@@ -29,14 +29,26 @@ void require_samples(const io::Source& scene, const written::Text& text, const i
                        "expected one that the program has samples of: no text says where points of a surface are");
 }
 
-const model::Operation& of_text(const scene::Edit& edit) { return edit.operation; }
-const model::AttributeChange& of_text(const model::AttributeChange& change) { return change; }
+const auto& of_text(const scene::Edit& edit) { return edit.operation; }
+const auto& of_text(const model::AttributeChange& change) { return change; }
 
-/// The text on what the contracts answered: of a face alone, which they refuse, whether it is one.
-std::optional<std::string> difference(const spec::Judge& judge, const model::Escena& before, const auto& operation,
+/// @{ The text on what the contracts answered.
+auto difference_by(const spec::Judge& judge, const model::Escena& before, const model::Operation& operation,
+                   const model::Answer& answer, const model::Escena& after) {
+  return judge.difference(before, operation, answer, after);
+}
+auto difference_by(const spec::Judge& judge, const model::Escena& before, const model::AttributeChange& change,
+                   const model::Answer& answer, const model::Escena& after) {
+  return judge.change_difference(before, change, answer, after);
+}
+/// @}
+
+/// The same, but of a face alone, which the contracts refuse, whether it is one.
+std::optional<std::string> difference(const spec::Judge& judge, const model::Escena& before, const auto& edit,
                                       const model::Answer& answer, const scene::Scene& after) {
-  if (answer.r != model::Respuesta::es_de_malla) return judge.difference(before, operation, answer, retrieve(after));
-  const model::Elemento e = std::visit([](const auto& in) { return in.e; }, operation);
+  if (answer.r != model::Respuesta::es_de_malla)
+    return difference_by(judge, before, of_text(edit), answer, retrieve(after));
+  const model::Elemento e = std::visit([](const auto& in) { return in.e; }, of_text(edit));
   if (spec::in_de_malla(e, scene::retrieve_mallas(after))) return std::nullopt;
   return "the contracts refuse " + e.name() + " as a face, and the text knows it as none";
 }
@@ -45,7 +57,7 @@ io::EditAnswer carry_out(io::EditedScene& edited, const io::ScriptStep& step, co
   const auto judged = [&](const auto& edit) {
     const model::Escena before = scene::retrieve(edited.of().scene);
     const auto [answer, told] = edited.apply_own(edit);
-    if (const auto found = difference(judge, before, of_text(edit), answer, edited.of().scene))
+    if (const auto found = difference(judge, before, edit, answer, edited.of().scene))
       throw std::logic_error(fmt::format(
           "a defect of the program: at line {}, {}; expected that contracts and text agree", step.line, *found));
     return told;

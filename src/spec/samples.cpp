@@ -4,6 +4,7 @@
 
 #include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/scene/tablas.hpp"

@@ -5,9 +5,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "durero/model/cambio.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/model/vista.hpp"
 
 namespace durero::embedded {
 const std::map<std::string, std::string>& z_text();
@@ -128,11 +128,11 @@ std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& before, con
   return schema.findings(in_order(schema.components(), all));
 }
 
-std::vector<zed::ConjunctTruth> Judge::findings(const model::Escena& before,
-                                                const model::AttributeChange& change) const {
+std::vector<zed::ConjunctTruth> Judge::change_findings(const model::Escena& before,
+                                                       const model::AttributeChange& change) const {
   const zed::SchemaCheck& schema = (*schemas_)[model::schema_name(change)];
   Named all = components(before);
-  append(all, inputs(change));
+  append(all, change_inputs(change));
   return schema.findings(in_order(schema.components(), all));
 }
 
@@ -244,11 +244,11 @@ std::optional<std::string> Judge::difference(const model::Escena& before, const 
                                spec::inputs(partial), spec::inputs(answer.ok() ? done : operation)});
 }
 
-std::optional<std::string> Judge::difference(const model::Escena& before, const model::AttributeChange& change,
-                                             const model::Answer& answer, const model::Escena& after) const {
+std::optional<std::string> Judge::change_difference(const model::Escena& before, const model::AttributeChange& change,
+                                                    const model::Answer& answer, const model::Escena& after) const {
   const std::string partial = model::schema_name(change);
-  return difference(Transition{before, after, answer, partial, partial, model::total_name(change), spec::inputs(change),
-                               spec::inputs(change)});
+  return difference(Transition{before, after, answer, partial, partial, model::total_name(change),
+                               change_inputs(change), change_inputs(change)});
 }
 
 std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,
@@ -261,9 +261,9 @@ std::optional<std::string> Judge::difference(const model::Escena& before, const 
   return found.unseen;
 }
 
-std::optional<std::string> Judge::difference(const model::Escena& before, const model::AttributeChange& change,
-                                             const model::Judgements& judged) const {
-  const auto found = difference_of(findings(before, change), judged);
+std::optional<std::string> Judge::change_difference(const model::Escena& before, const model::AttributeChange& change,
+                                                    const model::Judgements& judged) const {
+  const auto found = difference_of(change_findings(before, change), judged);
   return found.otherwise ? found.otherwise : found.unseen;
 }
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
-#include "durero/model/cambio.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operaciones.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/scene/tablas.hpp"
 #include "durero/spec/spec.hpp"
 
@@ -264,7 +264,7 @@ Named inputs(const model::MeshOperation& operation) {
   return std::visit([](const auto& in) { return inputs_of_mesh(in); }, operation);
 }
 
-Named inputs(const model::AttributeChange& change) {
+Named change_inputs(const model::AttributeChange& change) {
   return std::visit(
       []<class Change>(const Change& in) {
         const auto& attribute = model::attribute_of<Change::component>();
@@ -273,7 +273,7 @@ Named inputs(const model::AttributeChange& change) {
       change);
 }
 
-Named inputs(const model::LookChange& change) {
+Named change_inputs(const model::LookChange& change) {
   return std::visit(
       [](const auto& in) {
         Named named{{input("e"), value(in.e)}};

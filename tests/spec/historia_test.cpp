@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "durero/model/vista.hpp"
 #include "durero/spec/spec.hpp"
 #include "support/catch.hpp"
 #include "support/model_gen.hpp"
@@ -82,21 +83,21 @@ TEST_CASE("the contracts of changes and the text agree, and the text refuses wha
     const AttributeChange change = any_change();
     const model::Answer answer = model::apply_total(after, change);
     RC_CLASSIFY(answer.ok(), "done");
-    RC_ASSERT(judge.difference(before, change, answer, after) == std::nullopt);
+    RC_ASSERT(judge.change_difference(before, change, answer, after) == std::nullopt);
     // Faults: another answer, another after-state, a clause that holds.
     const model::Answer other{answer.ok() ? Respuesta::hecho : Respuesta::elemento_cambiado, answer.violated};
-    RC_ASSERT(judge.difference(before, change, other, after).has_value());
+    RC_ASSERT(judge.change_difference(before, change, other, after).has_value());
     Escena spoiled = after;
     spoiled.elementos.insert(Elemento("spoiled"));
-    RC_ASSERT(judge.difference(before, change, answer, spoiled).has_value());
+    RC_ASSERT(judge.change_difference(before, change, answer, spoiled).has_value());
     if (answer.ok()) {
       const model::Answer refusal{Respuesta::elemento_no_existe, &model::Cambiar_Elemento_pre_1};
-      RC_ASSERT(judge.difference(before, change, refusal, before).has_value());
+      RC_ASSERT(judge.change_difference(before, change, refusal, before).has_value());
       // What undoes it leads back by the text, too.
       const auto back = std::get<AttributeChange>(model::inverse(before, change));
-      RC_ASSERT(judge.difference(after, back, answer, before) == std::nullopt);
+      RC_ASSERT(judge.change_difference(after, back, answer, before) == std::nullopt);
     } else {
-      for (const auto& finding : judge.findings(before, change))
+      for (const auto& finding : judge.change_findings(before, change))
         if (finding.label == answer.violated->label) RC_ASSERT(finding.truth == Truth::no);
     }
   });
@@ -113,12 +114,12 @@ TEST_CASE("the contracts of looks and the text agree") {
     RC_CLASSIFY(answer.ok(), "done");
     const auto [partial, total] =
         std::visit([](const auto& in) { return std::pair(std::string(in.schema), std::string(in.total)); }, change);
-    RC_ASSERT(holds(judge, total, step(before, inputs(change), answer.r, after)));
-    RC_ASSERT(holds(judge, partial, step(before, inputs(change), answer.r, after)) == answer.ok());
-    RC_ASSERT(!holds(judge, total, step(before, inputs(change), Respuesta::hecho, after)));
+    RC_ASSERT(holds(judge, total, step(before, change_inputs(change), answer.r, after)));
+    RC_ASSERT(holds(judge, partial, step(before, change_inputs(change), answer.r, after)) == answer.ok());
+    RC_ASSERT(!holds(judge, total, step(before, change_inputs(change), Respuesta::hecho, after)));
     Vista spoiled = after;
     spoiled.grupos.insert("spoiled");
-    RC_ASSERT(!holds(judge, total, step(before, inputs(change), answer.r, spoiled)));
+    RC_ASSERT(!holds(judge, total, step(before, change_inputs(change), answer.r, spoiled)));
   });
 
   test::property("an operation on elements leaves the looks of those that stay", [&] {
@@ -126,7 +127,7 @@ TEST_CASE("the contracts of looks and the text agree") {
     Vista after = before;
     const AttributeChange change = any_change();
     const model::Answer answer = model::apply_total(after, change);
-    Named all = step(before, inputs(change), answer.r, after);
+    Named all = step(before, change_inputs(change), answer.r, after);
     RC_ASSERT(holds(judge, "Mismo_Aspecto", all));
     Vista spoiled = after;
     spoiled.mi_grupo.clear();

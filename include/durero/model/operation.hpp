@@ -10,6 +10,7 @@
 namespace durero::model {
 
 struct Escena;
+struct Vista;
 
 /// @{ The additions, a type each, and the general one.
 struct Agregar_Esfera;

@@ -10,13 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "durero/model/cambio.hpp"
 #include "durero/model/exact_point.hpp"
 #include "durero/model/judgement.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operation.hpp"
 #include "durero/model/tipos.hpp"
-#include "durero/model/vista.hpp"
 #include "durero/scene/element_ref.hpp"
 #include "durero/zed/evaluate/evaluate.hpp"
 
@@ -61,8 +59,8 @@ zed::Value binding(Named parts);
 /// @{ The inputs of an operation, `e?` or `m?` and the others.
 Named inputs(const model::Operation& operation);
 Named inputs(const model::MeshOperation& operation);
-Named inputs(const model::AttributeChange& change);
-Named inputs(const model::LookChange& change);
+Named change_inputs(const model::AttributeChange& change);
+Named change_inputs(const model::LookChange& change);
 /// @}
 /// The part of nombre_cara that names the faces below `count` of these meshes: a value for that constant of the text,
 /// which leaves it open.
@@ -105,7 +103,8 @@ class Judge {
   std::vector<zed::ConjunctTruth> findings(const OperationStep& step) const;
   /// @{ Every conjunct, where the after-state and r! are not known: what depends on them is open.
   std::vector<zed::ConjunctTruth> findings(const model::Escena& before, const model::Operation& operation) const;
-  std::vector<zed::ConjunctTruth> findings(const model::Escena& before, const model::AttributeChange& change) const;
+  std::vector<zed::ConjunctTruth> change_findings(const model::Escena& before,
+                                                  const model::AttributeChange& change) const;
   /// @}
   /// Every conjunct of Escena.
   std::vector<zed::ConjunctTruth> findings(const model::Escena& escena) const;
@@ -114,16 +113,16 @@ class Judge {
   /// answered `answer`, and the scene was `before` and is `after`. A difference is a defect of the program.
   std::optional<std::string> difference(const model::Escena& before, const model::Operation& operation,
                                         const model::Answer& answer, const model::Escena& after) const;
-  std::optional<std::string> difference(const model::Escena& before, const model::AttributeChange& change,
-                                        const model::Answer& answer, const model::Escena& after) const;
+  std::optional<std::string> change_difference(const model::Escena& before, const model::AttributeChange& change,
+                                               const model::Answer& answer, const model::Escena& after) const;
   /// @}
 
   /// @{ What the text says otherwise than these judgements of the preconditions, which name all that do not hold: the
   /// predicate; nothing where both agree.
   std::optional<std::string> difference(const model::Escena& before, const model::Operation& operation,
                                         const model::Judgements& judged) const;
-  std::optional<std::string> difference(const model::Escena& before, const model::AttributeChange& change,
-                                        const model::Judgements& judged) const;
+  std::optional<std::string> change_difference(const model::Escena& before, const model::AttributeChange& change,
+                                               const model::Judgements& judged) const;
   /// @}
 
   // Points. Precondition: the coordinates lie in one field.

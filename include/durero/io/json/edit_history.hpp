@@ -46,6 +46,7 @@ class EditHistory {
   EditAnswer apply_total(EditedScene& scene, const ScriptStep& edit);
   /// The same where another function carries the edit out, as one that asks the text, too.
   using CarryOutEdit = std::function<EditAnswer(EditedScene& scene, const ScriptStep& edit)>;
+  /// @copydoc apply_total
   EditAnswer apply_by(EditedScene& scene, const ScriptStep& edit, const CarryOutEdit& carry_out);
 
   /// Opens a transaction (Transaccion): the edits until its end are one step. Precondition: none is open.
