@@ -117,19 +117,20 @@ def test_what_a_link_leads_to_is_watched(durero):
 
 def test_a_save_is_drawn_by_the_camera_as_it_stands(durero):
     camera = '"camera":{"eye":[0,0,-5],"look_at":[0,0,0],"up":[0,1,0],"fov_y":40},'
-    in_place("v.json", scene(1, camera=camera))
+    in_place("v.json", scene(1, 0.5, camera=camera))
     viewer = view.Viewer(durero, "v.json", "--view", command="watch")
     first = viewer.frame()
-    turned = viewer.after(view.RIGHT)
-    by_renaming("v.json", scene(1.5, camera=camera))
+    turned = viewer.after(view.RIGHT * 6)  # the ball behind comes out
+    expect(view.pixels(turned) != view.pixels(first), "another side")
+    by_renaming("v.json", scene(1.5, 0.5, camera=camera))
     larger = viewer.frame()
     expect(view.pixels(larger) != view.pixels(turned), "another picture")
-    expect(view.status(larger)[0] == "v.json: 1 elementos", f"the save below it, not {view.status(larger)}")
+    expect(view.status(larger)[0] == "v.json: 2 elementos", f"the save below it, not {view.status(larger)}")
     by_renaming("v.json", scene(-1, camera=camera))
     wrong = viewer.frame()
     expect(view.pixels(wrong) == view.pixels(larger), "the last picture")
     expect(view.status(wrong)[0].startswith("v.json:2:"), f"the error below it, not {view.status(wrong)}")
-    by_renaming("v.json", scene(1, camera=camera))
+    by_renaming("v.json", scene(1, 0.5, camera=camera))
     expect(view.pixels(viewer.frame()) == view.pixels(turned), "the first radius, from where one looked")
     expect(view.pixels(viewer.after(b"0")) == view.pixels(first), "the first camera")
     expect(view.status(viewer.after(b"\r"))[0].startswith("s0  t = "), "the element in the middle")
