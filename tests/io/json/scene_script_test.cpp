@@ -178,6 +178,8 @@ TEST_CASE("Groups change by the fewest edits") {
   // The group above stays, and what it held goes to it and is made anew beside it.
   CHECK(script(R"("h":{"groups":["c"]},"c":{"elementos":["ball","disc"]})",
                R"("h":{"elementos":["ball","disc"]},"c":{})") == "ungroup g?=c\ngroup g?=c\n");
+  CHECK(script(R"("h":{"elementos":["ball"],"groups":["x"]},"x":{})", R"("h":{"elementos":["ball"]},"x":{})") ==
+        "ungroup g?=x\ngroup g?=x\n");
   // Two that would be made anew cost as much as the group that they were in.
   CHECK(script(R"("h":{"elementos":["ball"],"groups":["x","y"]},"x":{},"y":{})",
                R"("h":{"elementos":["ball"]},"x":{},"y":{})") == "ungroup g?=h\ngroup g?=h elementos?=ball\n");
