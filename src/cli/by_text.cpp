@@ -3,14 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <variant>
 
 #include "durero/io/json/scene_file.hpp"
 #include "durero/io/pov/algebraic.hpp"
-#include "durero/model/cambio.hpp"
 #include "durero/model/malla.hpp"
 #include "durero/model/operaciones_clauses.hpp"
+#include "durero/model/vista.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/spec/calculator.hpp"
 #include "durero/spec/spec.hpp"
@@ -30,40 +32,40 @@ void require_samples(const io::Source& scene, const written::Text& text, const i
 }
 
 const auto& of_text(const scene::Edit& edit) { return edit.operation; }
-const auto& of_text(const model::AttributeChange& change) { return change; }
+const auto& of_text(const auto& change) { return change; }
 
-/// @{ The text on what the contracts answered.
-auto difference_by(const spec::Judge& judge, const model::Escena& before, const model::Operation& operation,
-                   const model::Answer& answer, const model::Escena& after) {
-  return judge.difference(before, operation, answer, after);
-}
-auto difference_by(const spec::Judge& judge, const model::Escena& before, const model::AttributeChange& change,
-                   const model::Answer& answer, const model::Escena& after) {
-  return judge.change_difference(before, change, answer, after);
-}
+/// @{ The state that an edit speaks of.
+model::Escena state_of(const scene::GroupedScene& of, const auto&) { return scene::retrieve(of.scene); }
+model::Vista state_of(const scene::GroupedScene& of, const model::LookChange&) { return retrieve_looks(of); }
 /// @}
 
-/// The same, but of a face alone, which the contracts refuse, whether it is one.
-std::optional<std::string> difference(const spec::Judge& judge, const model::Escena& before, const auto& edit,
-                                      const model::Answer& answer, const scene::Scene& after) {
-  if (answer.r != model::Respuesta::es_de_malla)
-    return difference_by(judge, before, of_text(edit), answer, retrieve(after));
-  const model::Elemento e = std::visit([](const auto& in) { return in.e; }, of_text(edit));
-  if (spec::in_de_malla(e, scene::retrieve_mallas(after))) return std::nullopt;
-  return "the contracts refuse " + e.name() + " as a face, and the text knows it as none";
+/// The text on what the contracts answered: of a face alone, which they refuse, whether it is one.
+template <class State, class OfText>
+std::optional<std::string> difference(const spec::Judge& judge, const State& before, const OfText& edit,
+                                      const model::Answer& answer, const scene::GroupedScene& after) {
+  if (answer.r == model::Respuesta::es_de_malla) {
+    const model::Elemento e = std::visit([](const auto& in) { return in.e; }, edit);
+    if (spec::in_de_malla(e, scene::retrieve_mallas(after.scene))) return std::nullopt;
+    return "the contracts refuse " + e.name() + " as a face, and the text knows it as none";
+  }
+  if constexpr (std::is_same_v<OfText, model::Operation>)
+    return judge.difference(before, edit, answer, state_of(after, edit));
+  else
+    return judge.change_difference(before, edit, answer, state_of(after, edit));
 }
 
 io::EditAnswer carry_out(io::EditedScene& edited, const io::ScriptStep& step, const spec::Judge& judge) {
   const auto judged = [&](const auto& edit) {
-    const model::Escena before = scene::retrieve(edited.of().scene);
+    const auto before = state_of(edited.of(), edit);
     const auto [answer, told] = edited.apply_own(edit);
-    if (const auto found = difference(judge, before, edit, answer, edited.of().scene))
+    if (const auto found = difference(judge, before, of_text(edit), answer, edited.of()))
       throw std::logic_error(fmt::format(
           "a defect of the program: at line {}, {}; expected that contracts and text agree", step.line, *found));
     return told;
   };
   if (const auto* const edit = std::get_if<scene::Edit>(&step.edit)) return judged(*edit);
   if (const auto* const change = std::get_if<model::AttributeChange>(&step.edit)) return judged(*change);
+  if (const auto* const change = std::get_if<model::LookChange>(&step.edit)) return judged(*change);
   return edited.apply_total(step);
 }
 
@@ -118,10 +120,12 @@ Editor editor_by_spec() {
 ClauseFinder clauses_by_spec() {
   return [judge = std::make_shared<const spec::Judge>()](const io::EditedScene& edited, const io::ScriptStep& step) {
     io::WhyNot told = io::why_not(edited, step);
-    const auto* const edit = std::get_if<scene::Edit>(&step.edit);
-    if (edit == nullptr) return told;
     const model::Escena before = scene::retrieve(edited.of().scene);
-    const auto difference = judge->difference(before, edit->operation, model::pre(before, edit->operation));
+    std::optional<std::string> difference;
+    if (const auto* const edit = std::get_if<scene::Edit>(&step.edit))
+      difference = judge->difference(before, edit->operation, model::pre(before, edit->operation));
+    else if (const auto* const change = std::get_if<model::AttributeChange>(&step.edit))
+      difference = judge->change_difference(before, *change, model::pre(before, *change));
     if (!difference) return told;
     throw std::logic_error(
         fmt::format("a defect of the program: {}; expected that contracts and text agree", *difference));

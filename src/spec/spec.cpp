@@ -195,7 +195,7 @@ JudgedDifference difference_of(const std::vector<zed::ConjunctTruth>& all, const
 
 /// A transition that contracts made or declined, as the text asks of it.
 struct Judge::Transition {
-  const model::Escena &before, &after;
+  Named before, after;  ///< the components of the states
   const model::Answer& answer;
   std::string partial;  ///< the schema of the partial operation, whose preconditions are named
   std::string done;     ///< the schema that holds where the operation is done
@@ -204,8 +204,8 @@ struct Judge::Transition {
 };
 
 std::optional<std::string> Judge::difference(const Transition& step) const {
-  Named whole = components(step.before), known = whole;
-  append(whole, primed(components(step.after)));
+  Named whole = step.before, known = step.before;
+  append(whole, primed(step.after));
   append(whole, step.inputs);
   whole.emplace_back(Name{"r", "!"}, value(step.answer.r));
   append(known, step.partial_inputs);
@@ -240,15 +240,25 @@ std::optional<std::string> Judge::difference(const model::Escena& before, const 
   const Operation partial = std::visit([](const auto& in) { return partial_of(in); }, operation);
   // The general addition differs from that of its type by its answer alone.
   const Operation& done = std::holds_alternative<model::Agregar_Elemento>(operation) ? operation : partial;
-  return difference(Transition{before, after, answer, schema_name(partial), schema_name(done), total_name(operation),
-                               spec::inputs(partial), spec::inputs(answer.ok() ? done : operation)});
+  return difference(Transition{components(before), components(after), answer, schema_name(partial), schema_name(done),
+                               total_name(operation), spec::inputs(partial),
+                               spec::inputs(answer.ok() ? done : operation)});
 }
 
 std::optional<std::string> Judge::change_difference(const model::Escena& before, const model::AttributeChange& change,
                                                     const model::Answer& answer, const model::Escena& after) const {
   const std::string partial = model::schema_name(change);
-  return difference(Transition{before, after, answer, partial, partial, model::total_name(change),
-                               change_inputs(change), change_inputs(change)});
+  const Named given = change_inputs(change);
+  return difference(Transition{components(before), components(after), answer, partial, partial,
+                               model::total_name(change), given, given});
+}
+
+std::optional<std::string> Judge::change_difference(const model::Vista& before, const model::LookChange& change,
+                                                    const model::Answer& answer, const model::Vista& after) const {
+  const std::string partial(std::visit([](const auto& in) { return in.schema; }, change));
+  const std::string total(std::visit([](const auto& in) { return in.total; }, change));
+  const Named given = change_inputs(change);
+  return difference(Transition{components(before), components(after), answer, partial, partial, total, given, given});
 }
 
 std::optional<std::string> Judge::difference(const model::Escena& before, const Operation& operation,

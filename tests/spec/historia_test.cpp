@@ -120,6 +120,12 @@ TEST_CASE("the contracts of looks and the text agree") {
     Vista spoiled = after;
     spoiled.grupos.insert("spoiled");
     RC_ASSERT(!holds(judge, total, step(before, change_inputs(change), answer.r, spoiled)));
+    RC_ASSERT(judge.change_difference(before, change, answer, after) == std::nullopt);
+    RC_ASSERT(judge.change_difference(before, change, answer, spoiled).has_value());
+    if (answer.ok()) {
+      const model::Answer refusal{Respuesta::elemento_no_existe, pre(before, change).front().what};
+      RC_ASSERT(judge.change_difference(before, change, refusal, before).has_value());
+    }
   });
 
   test::property("an operation on elements leaves the looks of those that stay", [&] {

@@ -115,6 +115,8 @@ class Judge {
                                         const model::Answer& answer, const model::Escena& after) const;
   std::optional<std::string> change_difference(const model::Escena& before, const model::AttributeChange& change,
                                                const model::Answer& answer, const model::Escena& after) const;
+  std::optional<std::string> change_difference(const model::Vista& before, const model::LookChange& change,
+                                               const model::Answer& answer, const model::Vista& after) const;
   /// @}
 
   /// @{ What the text says otherwise than these judgements of the preconditions, which name all that do not hold: the

@@ -72,10 +72,7 @@ EditAnswer EditedScene::apply_total(const model::AttributeChange& change) {
   return edit_answer(of_.change_total(change));
 }
 
-EditAnswer EditedScene::apply_total(const model::LookChange& change) {
-  if (const auto* const in = std::get_if<model::Cambiar_Material>(&change)) require_coordinates(*in);
-  return edit_answer(of_.change_looks(change));
-}
+EditAnswer EditedScene::apply_total(const model::LookChange& change) { return apply_own(change).second; }
 
 void EditedScene::require_coordinates(const model::Cambiar_Material& in) const {
   const auto& materials = of_.scene.stage().materials;
@@ -114,6 +111,12 @@ std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const scene::Edit& e
 
 std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const model::AttributeChange& change) {
   const model::Answer answer = of_.change_total(change);
+  return {answer, edit_answer(answer)};
+}
+
+std::pair<model::Answer, EditAnswer> EditedScene::apply_own(const model::LookChange& change) {
+  if (const auto* const in = std::get_if<model::Cambiar_Material>(&change)) require_coordinates(*in);
+  const model::Answer answer = of_.change_looks(change);
   return {answer, edit_answer(answer)};
 }
 

@@ -56,6 +56,7 @@ class EditedScene {
   /// of apply_total(ScriptStep). Precondition: there is no text.
   std::pair<model::Answer, EditAnswer> apply_own(const scene::Edit& edit);
   std::pair<model::Answer, EditAnswer> apply_own(const model::AttributeChange& change);
+  std::pair<model::Answer, EditAnswer> apply_own(const model::LookChange& change);
   /// @}
 
   /// What the scene has of an element of a type of a Z text; nothing where the name is none of such.
