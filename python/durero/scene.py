@@ -21,6 +21,8 @@ from .hits import Resultado
 
 _Path = Union[str, os.PathLike[str]]
 _Numbers = Union[npt.NDArray[np.int32], npt.NDArray[np.int64]]
+_Number = Union[float, np.float64]
+_Vector = Union[Sequence[float], npt.NDArray[np.float64]]
 Origins = Union[_Numbers, Tuple[_Numbers, _Numbers]]
 """The elements that rays start on: for each ray the number of one in scene.names, -1 for none; or offsets and numbers,
 of which ray i has numbers[offsets[i]:offsets[i + 1]]."""
@@ -206,7 +208,7 @@ class Scene(Mapping[str, Element]):
         >>> Scene().apply("Agregar_Esfera e?=s1 centro?=(0,0,5) radio?=1")
         'esfera_agregada'
         """
-        answers = self._scene.apply(_single(operation), "operation")
+        answers = self._scene.apply(single_line(operation), "operation")
         if not answers:
             raise ValueError("the operation is blank; expected one operation")
         self._tell("done")
@@ -220,7 +222,7 @@ class Scene(Mapping[str, Element]):
         >>> scene.apply_all(["Agregar_Esfera e?=a centro?=(0,0,5) radio?=1", "Eliminar_Esfera e?=a"])
         ['esfera_agregada', 'esfera_eliminada']
         """
-        text = operations if isinstance(operations, str) else "\n".join(map(_single, operations))
+        text = operations if isinstance(operations, str) else "\n".join(map(single_line, operations))
         answers = [Answer(*answer) for answer in self._scene.apply(text, "operations")]
         if answers:
             self._tell("done")
@@ -248,12 +250,12 @@ class Scene(Mapping[str, Element]):
         self,
         e: str,
         *,
-        centro: Optional[Sequence[float]] = None,
-        radio: Optional[float] = None,
-        vector: Optional[Sequence[float]] = None,
-        altura: Optional[float] = None,
-        proporcion: Optional[float] = None,
-        vertices: Optional[Sequence[Sequence[float]]] = None,
+        centro: Optional[_Vector] = None,
+        radio: Optional[_Number] = None,
+        vector: Optional[_Vector] = None,
+        altura: Optional[_Number] = None,
+        proporcion: Optional[_Number] = None,
+        vertices: Optional[Sequence[_Vector]] = None,
     ) -> Answer:
         """Gives an element other values of attributes, in one step, and answers r!. Raises Refused, and then nothing is
         changed. The element keeps its name, its type, its material and its group.
@@ -650,7 +652,8 @@ def _plain(value: object) -> object:
     return float(value) if np.ndim(value) == 0 else [float(x) for x in value]  # type: ignore[arg-type, attr-defined]
 
 
-def _single(line: str) -> str:
+def single_line(line: str) -> str:
+    """The line, of which a script is made. Raises ValueError where it is several."""
     if "\n" in line or "\r" in line:
         raise ValueError(f"the operation {line!r} has more than one line; expected one")
     return line

@@ -1,11 +1,12 @@
 # Made of scene.py by tests/python/stubs.py --write: the same, with the English names beside the Spanish ones.
 from typing import overload
+import contextlib
 import copy
 import dataclasses
 import json
 import os
 import pathlib
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Literal, NamedTuple, Optional, Tuple, Union, overload
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +16,8 @@ from .exact import ExactHit, surd
 from .hits import Resultado
 _Path = Union[str, os.PathLike[str]]
 _Numbers = Union[npt.NDArray[np.int32], npt.NDArray[np.int64]]
+_Number = Union[float, np.float64]
+_Vector = Union[Sequence[float], npt.NDArray[np.float64]]
 Origins = Union[_Numbers, Tuple[_Numbers, _Numbers]]
 
 class HitsWithElements(NamedTuple):
@@ -33,6 +36,10 @@ class Answer(str):
     left_group: Optional[str]
 
     def __new__(cls, r: str, left_group: str=...) -> Answer: ...
+
+class Step(NamedTuple):
+    kind: Literal['done', 'undone', 'redone']
+    operations: Tuple[str, ...]
 
 class Mesh(NamedTuple):
     vertices: npt.NDArray[np.float64]
@@ -79,6 +86,30 @@ class Scene(Mapping[str, Element]):
     def add(self, e: str, element: Element) -> Answer: ...
 
     def remove(self, e: str) -> Answer: ...
+
+    @overload
+    def change(self, e: str, *, centro: Optional[_Vector]=..., radio: Optional[_Number]=..., vector: Optional[_Vector]=..., altura: Optional[_Number]=..., proporcion: Optional[_Number]=..., vertices: Optional[Sequence[_Vector]]=...) -> Answer: ...
+
+    @overload
+    def change(self, e: str, *, center: Optional[_Vector]=..., radius: Optional[_Number]=..., vector: Optional[_Vector]=..., height: Optional[_Number]=..., proportion: Optional[_Number]=..., vertices: Optional[Sequence[_Vector]]=...) -> Answer: ...
+
+    def set_material(self, e: str, material: Optional[str]) -> Answer: ...
+
+    def set_group(self, e: str, g: Optional[str]) -> Answer: ...
+
+    def undo(self) -> Answer: ...
+
+    def redo(self) -> Answer: ...
+
+    @contextlib.contextmanager
+    def transaction(self) -> Iterator[Scene]: ...
+
+    def on_edit(self, callback: Callable[[Step], object]) -> None: ...
+
+    def _tell(self, kind: Literal['done', 'undone', 'redone']) -> None: ...
+
+    @property
+    def history(self) -> Tuple[Tuple[str, ...], ...]: ...
 
     @overload
     def group(self, g: str, elementos: Iterable[str]=..., groups: Iterable[str]=...) -> Answer: ...
@@ -172,3 +203,5 @@ class Scene(Mapping[str, Element]):
     def exact(self, ray: Union[Sequence[float], npt.NDArray[np.float64]], *, on: Iterable[str]=...) -> ExactHit: ...
 
     def render(self, size: Optional[Tuple[int, int]]=..., engine: str=..., *, hierarchy: str=...) -> npt.NDArray[np.uint8]: ...
+
+def single_line(line: str) -> str: ...

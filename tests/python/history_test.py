@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import copy
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -24,7 +25,7 @@ def test_a_change_keeps_the_element_in_its_group() -> None:
     assert scene.change("a", radio=np.float64(2), centro=np.array([1, 2, 3])) == "elemento_cambiado"
     assert scene["a"] == durero.Esfera(centro=(1, 2, 3), radio=2)
     assert scene.groups["pair"].elementos == ("a",)
-    assert scene.change("a", radius=3, center=(0, 0, 0)) == "elemento_cambiado"  # type: ignore[call-arg]
+    assert scene.change("a", radius=3, center=(0, 0, 0)) == "elemento_cambiado"
     assert scene["a"] == durero.Esfera(centro=(0, 0, 0), radio=3)
     assert scene.set_material("a", "red") == scene.set_group("b", "pair") == "elemento_cambiado"
     assert scene["a"].material == "red"
@@ -53,7 +54,7 @@ def test_a_change_is_whole_or_refused() -> None:
     with pytest.raises(ValueError, match="names no attribute"):
         scene.change("a")
     with pytest.raises(TypeError):
-        scene.change(3, radio=1)  # type: ignore[arg-type]
+        scene.change(3, radio=1)  # type: ignore[call-overload]
     assert scene.dumps() == before
     assert scene.history == ()
 
@@ -63,7 +64,7 @@ def test_each_step_is_undone_and_done_again() -> None:
     texts = [scene.dumps()]
     square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
     faces = np.array([[0, 1, 2], [0, 2, 3]])
-    for edit in (
+    edits: list[Callable[[], object]] = [
         lambda: scene.change("a", radio=4, centro=(1, 1, 1)),
         lambda: scene.remove("a"),
         lambda: scene.add("c", durero.Esfera(centro=(0, 0, 5), radio=1)),
@@ -74,7 +75,8 @@ def test_each_step_is_undone_and_done_again() -> None:
         lambda: scene.group("all", ["c", "square:0"]),
         lambda: scene.remove_mesh("square"),
         lambda: scene.ungroup("pair"),
-    ):
+    ]
+    for edit in edits:
         edit()
         texts.append(scene.dumps())
     assert len(scene.history) == len(texts) - 1
