@@ -11,6 +11,7 @@
 #include "durero/io/source.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/scene/addition.hpp"
+#include "durero/scene/body.hpp"
 #include "durero/scene/by_name.hpp"
 #include "durero/scene/stage.hpp"
 
