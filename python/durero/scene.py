@@ -513,6 +513,7 @@ class Scene(Mapping[str, Element]):
     def __setstate__(self, state: Tuple[str, Optional[str]]) -> None:
         text, surfaces = state
         self._scene = _durero.read_scene(text.encode(), "pickle", surfaces)
+        self._callbacks = []
 
     @overload
     def trace(
