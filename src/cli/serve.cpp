@@ -12,8 +12,8 @@
 #include "durero/io/source.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/serve/server.hpp"
+#include "durero/store/provenance.hpp"
 #include "interrupted.hpp"
-#include "store.hpp"
 
 namespace durero::cli {
 namespace {
@@ -34,7 +34,7 @@ std::string token_in(const std::string& file) {
 
 int serve_store(ServeOptions options) {
   if (!options.token_file.empty()) options.server.token = token_in(options.token_file);
-  if (options.server.author.empty()) options.server.author = author_of_environment();
+  if (options.server.author.empty()) options.server.author = store::author_of_environment();
   const std::atomic<bool>& is_interrupted = interrupted();
   serve::Server server(options.store, options.server);
   io::print(fmt::format("http://{}:{}\n", options.server.host, server.port()));

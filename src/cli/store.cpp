@@ -1,14 +1,11 @@
 // durero store …: scenes kept with their whole history.
 #include "store.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-
-#include <chrono>
-#include <cstdlib>
 
 #include "commands.hpp"
 #include "description.hpp"
+#include "durero/store/provenance.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::cli {
@@ -26,13 +23,6 @@ std::string check_time(const std::string& said) {
 }
 
 }  // namespace
-
-std::string author_of_environment() {
-  for (const char* const name : {"DURERO_AUTHOR", "LOGNAME", "USER"})
-    if (const char* const author = std::getenv(name); author != nullptr && *author != '\0')
-      return text::escaped(author);
-  return "";
-}
 
 void add_store_path(CLI::App& command, std::string& path) {
   command.add_option("STORE", path, "A file that store init has made")->required();
@@ -54,9 +44,8 @@ void add_provenance(CLI::App& command, store::Provenance& by) {
 }
 
 store::Provenance provenance_of(store::Provenance by) {
-  if (by.author.empty()) by.author = author_of_environment();
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  if (by.time.empty()) by.time = fmt::format("{:%FT%TZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(now)));
+  if (by.author.empty()) by.author = store::author_of_environment();
+  if (by.time.empty()) by.time = store::time_now();
   return by;
 }
 

@@ -28,9 +28,6 @@ void add_provenance(CLI::App& command, store::Provenance& by);
 /// no time, it is now.
 store::Provenance provenance_of(store::Provenance by);
 
-/// The author that the environment names; empty where it names none.
-std::string author_of_environment();
-
 /// `event 4, branch main`
 std::string where_text(store::Store& of);
 

@@ -1,7 +1,6 @@
 // durero store log, show, export and blame: what a store holds.
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/store/blame.hpp"
+#include "durero/store/event_log.hpp"
 #include "numbers.hpp"
 #include "store.hpp"
 
@@ -29,34 +29,8 @@ struct StoreQuestion {
 /// A long log is printed by parts of so many bytes.
 constexpr std::size_t printed_at_once = std::size_t{1} << 20U;
 
-/// The names of events: HEAD, branches, then tags.
-using EventNames = std::map<store::EventNumber, std::vector<std::string>>;
-
-EventNames event_names_of(store::Store& of) {
-  EventNames names;
-  names[of.head().event].push_back("HEAD");
-  for (const store::StoredName& branch : of.branches()) names[branch.event].push_back(branch.name);
-  for (const store::StoredName& tag : of.tags()) names[tag.event].push_back(tag.name);
-  return names;
-}
-
 std::string event_operation(const store::HistoryEvent& event) {
   return event.kind == store::EventKind::import ? "import " + event.operation : event.operation;
-}
-
-std::string event_json(const store::HistoryEvent& event, const std::vector<std::string>& names) {
-  std::string text;
-  io::json::Writer out(text);
-  out.begin_object().member("event", static_cast<std::uint64_t>(event.number));
-  if (event.parent != store::no_event) out.member("parent", static_cast<std::uint64_t>(event.parent));
-  out.member("begins", event.begins).member("author", event.by.author).member("time", event.by.time);
-  out.member("comment", event.by.comment);
-  out.member(event.kind == store::EventKind::import ? "import" : "operation", event.operation);
-  out.member("answer", event.answer).member("hash", store::hexadecimal(event.hash));
-  out.key("names").begin_array();
-  for (const std::string& name : names) out.value(name);
-  out.end_array().end_object();
-  return text + "\n";
 }
 
 /// `3  2026-01-31T12:00:00Z  ann  Eliminar_Cono e?=hat  # the reason  [HEAD main]`
@@ -70,18 +44,14 @@ std::string event_line(const store::HistoryEvent& event, const std::vector<std::
 
 int print_log(const StoreQuestion& question) {
   store::Store of(question.store, store::StoreAccess::read);
-  EventNames names = event_names_of(of);
   std::string text;
-  store::EventNumber number = question.all ? of.last() : of.find(question.revision);
-  for (std::uint64_t told = 0; number != store::no_event && (question.limit == 0 || told < question.limit); ++told) {
-    const store::HistoryEvent event = of.event(number);
-    text += question.json ? event_json(event, names[number]) : event_line(event, names[number]);
-    if (text.size() >= printed_at_once) {
-      io::print(text);
-      text.clear();
-    }
-    number = question.all ? number - 1 : event.parent;
-  }
+  const auto tell = [&](const store::HistoryEvent& event, const std::vector<std::string>& names) {
+    text += question.json ? store::event_json(event, names) : event_line(event, names);
+    if (text.size() < printed_at_once) return;
+    io::print(text);
+    text.clear();
+  };
+  store::tell_log(of, {question.revision, question.limit, question.all}, tell);
   io::print(text);
   return 0;
 }
@@ -89,11 +59,11 @@ int print_log(const StoreQuestion& question) {
 int print_event(const StoreQuestion& question) {
   store::Store of(question.store, store::StoreAccess::read);
   const store::HistoryEvent event = of.event(of.find(question.revision));
-  const EventNames names = event_names_of(of);
+  const store::EventNames names = store::event_names_of(of);
   const auto found = names.find(event.number);
   const std::vector<std::string> own = found == names.end() ? std::vector<std::string>() : found->second;
   if (question.json) {
-    io::print(event_json(event, own));
+    io::print(store::event_json(event, own));
     return 0;
   }
   std::string text = fmt::format("event      {}\n", event.number);

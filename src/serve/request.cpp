@@ -1,15 +1,13 @@
 #include "request.hpp"
 
-#include <fmt/chrono.h>
-
 #include <algorithm>
 #include <array>
-#include <ctime>
 #include <optional>
 #include <utility>
 
 #include "durero/io/json/json.hpp"
 #include "durero/model/tipos.hpp"
+#include "durero/store/provenance.hpp"
 #include "durero/text/shown.hpp"
 
 namespace durero::serve {
@@ -18,8 +16,6 @@ namespace {
 constexpr std::array<std::string_view, 4> edit_keys{"operations", "all_or_nothing", "comment", "author"};
 constexpr std::array<std::string_view, 1> rays_keys{"rays"};
 constexpr std::array<std::string_view, 2> ray_keys{"ray", "on"};
-
-std::string now() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
 
 /// The text of the object that stands here, on one line: a line end is no part of a string of JSON.
 std::string object_line(io::json::Reader& in, const io::Source& source) {
@@ -81,7 +77,7 @@ AskedEdit read_edit(std::string_view body, const std::string& author) {
   const io::json::Document document(source);
   io::json::Reader in(document);
   AskedEdit asked;
-  asked.by = {author, now(), ""};
+  asked.by = {author, store::time_now(), ""};
   in.object("an edit", edit_keys, 1, [&](std::size_t key) {
     switch (key) {
       case 0:

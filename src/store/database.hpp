@@ -68,6 +68,8 @@ class Database {
   PreparedQuery prepare(const char* sql) { return {*this, sql}; }
   void run(const std::string& sql);
   std::int64_t integer(const std::string& sql);
+  /// Whether a transaction is open.
+  bool is_in_transaction() const noexcept { return sqlite3_get_autocommit(connection_.get()) == 0; }
 
   /// The file that the database would be, in the mode of journals that lets a reader go on beside a writer (WAL).
   std::string bytes() const;

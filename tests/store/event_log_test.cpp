@@ -1,0 +1,56 @@
+// The log of a store: its events, the last one first, with their names.
+#include "durero/store/event_log.hpp"
+
+#include "kept.hpp"
+#include "support/catch.hpp"
+
+using namespace durero;
+using test::ball;
+using test::edit;
+using test::KeptStore;
+
+namespace {
+
+/// `5 HEAD main,4,…`: the numbers of a log's events, each with its names.
+std::string log_of(store::Store& of, const store::LogCall& call) {
+  std::string text;
+  store::tell_log(of, call, [&](const store::HistoryEvent& event, const std::vector<std::string>& names) {
+    text += std::to_string(event.number);
+    for (const std::string& name : names) text += " " + name;
+    text += ",";
+  });
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a log goes from a revision to the first event, or through all") {
+  const KeptStore kept;
+  store::Store of = kept.open();
+  edit(of, ball(1) + ball(2));
+  of.undo();
+  edit(of, ball(3));
+  of.add_tag("left", "3");
+  CHECK(log_of(of, {}) == "4 HEAD main,1,");
+  CHECK(log_of(of, {"left"}) == "3 left,2,1,");
+  CHECK(log_of(of, {"HEAD", 0, true}) == "4 HEAD main,3 left,2,1,");
+  CHECK(log_of(of, {"left", 2}) == "3 left,2,");
+  CHECK(log_of(of, {"HEAD", 1, true}) == "4 HEAD main,");
+  CHECK_THROWS_AS(log_of(of, {"nowhere"}), io::FileError);
+}
+
+TEST_CASE("an event is a line of JSON, which says what it is") {
+  const KeptStore kept;
+  store::Store of = kept.open();
+  edit(of, ball(1));
+  const store::HistoryEvent first = of.event(1), second = of.event(2);
+  CHECK(store::event_json(first, {}) ==
+        R"({"event":1,"begins":true,"author":"ann","time":"2026-01-31T12:00:00Z","comment":"a reason",)"
+        R"("import":"scene.json","answer":"{\"line\":1,\"ok\":true,\"r\":\"imported\"}","hash":")" +
+            store::hexadecimal(first.hash) + "\",\"names\":[]}\n");
+  CHECK(store::event_json(second, {"HEAD", "main"}) ==
+        R"({"event":2,"parent":1,"begins":true,"author":"ann","time":"2026-01-31T12:00:00Z","comment":"a reason",)"
+        R"("operation":"Agregar_Esfera e?=s1 centro?=(1,0,0) radio?=1",)"
+        R"("answer":"{\"line\":1,\"ok\":true,\"r\":\"esfera_agregada\"}","hash":")" +
+            store::hexadecimal(second.hash) + "\",\"names\":[\"HEAD\",\"main\"]}\n");
+}
