@@ -34,10 +34,11 @@ Scene           help(durero.Scene): load, save, import_file, export_file, apply,
 Esfera …        the elements: Esfera, Cilindro, Cono, Tronco, Plano, Disco, Triangulo; Written, of a type of a Z text
 Sphere …        the same classes in English: Sphere, Cylinder, Cone, TruncatedCone, Plane, Disc, Triangle; arguments and
                 properties have English names too, as center is centro
+Store           help(durero.Store): a scene that is kept with its whole history, in one file
 spec            help(durero.spec): the Z text evaluates and checks
 check_mesh      help(durero.check_mesh): what is wrong with a mesh, and on which side of it a point is
 conform         help(durero.conform): judges the hits of other programs
-Refused …       what goes wrong: Refused, InputError, Undecided
+Refused …       what goes wrong: Refused, InputError, StaleHead, Undecided
 """
 import difflib
 from typing import TYPE_CHECKING, NamedTuple
@@ -45,11 +46,12 @@ from typing import TYPE_CHECKING, NamedTuple
 from . import _durero, conform, spec
 from .elements import Cilindro, Cone, Cono, Cylinder, Disc, Disco, Element, Esfera, Plane, Plano, Sphere, Triangle
 from .elements import Triangulo, Tronco, TruncatedCone, Written
-from .errors import InputError, Refused, Undecided
+from .errors import InputError, Refused, StaleHead, Undecided
 from .exact import ExactHit, Surd
 from .hits import HIT, PROXIMITY, Count, Outcome, Resultado
 from .mesh import MeshCheck, MeshFinding, MeshPiece, check_mesh
 from .scene import Answer, Group, HitsWithElements, Imported, Mesh, Scene, Step
+from .store import Store, StoreAnswer, StoreHead
 
 __version__ = _durero.version
 
@@ -112,7 +114,11 @@ __all__ = [
     "Resultado",
     "Scene",
     "Sphere",
+    "StaleHead",
     "Step",
+    "Store",
+    "StoreAnswer",
+    "StoreHead",
     "Surd",
     "Triangle",
     "Triangulo",

@@ -55,3 +55,26 @@ class InputError(ValueError):
 class Undecided(Exception):
     """An expression that the Z text has a value for, but that cannot be worked out: it quantifies over a set that is
     not finite, without an equation that gives the value."""
+
+
+class StaleHead(Exception):
+    """An edit of a store that was to go elsewhere than HEAD is: another has edited since. Nothing was done.
+
+    >>> import durero, pathlib, tempfile
+    >>> store = durero.Store.create(pathlib.Path(tempfile.mkdtemp(), "room.store"))
+    >>> _ = store.edit("Agregar_Esfera e?=a centro?=(0,0,5) radio?=1")
+    >>> store.edit("Eliminar_Esfera e?=a", expected_head=1)
+    Traceback (most recent call last):
+        ...
+    durero.errors.StaleHead: HEAD is at event 2; expected event 1
+    """
+
+    def __init__(self, head: int, expected: int) -> None:
+        super().__init__(head, expected)
+        self.head = head
+        """The event where HEAD is."""
+        self.expected = expected
+        """The event where it was expected."""
+
+    def __str__(self) -> str:
+        return f"HEAD is at event {self.head}; expected event {self.expected}"

@@ -9,6 +9,7 @@ namespace py = pybind11;
 
 void add_errors(py::module_& module);
 void add_scene(py::module_& module);
+void add_store(py::module_& module);
 void add_trace(py::module_& module);
 void add_distance(py::module_& module);
 void add_mesh_check(py::module_& module);

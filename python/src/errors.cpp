@@ -37,6 +37,11 @@ void raise_input_error(const std::string& file, std::size_t line, std::size_t co
   raise("InputError", fmt::format("{}:{}:{}: {}", file, line, column, what), file, line, column);
 }
 
+void raise_refused(const contract::clause& precondition, model::Respuesta r, const char* operation) {
+  raise("Refused", std::string(precondition.label), std::string(precondition.predicate), std::string(model::name(r)),
+        operation, py::dict(), 1);
+}
+
 void add_errors(py::module_&) { py::register_exception_translator(translate); }
 
 }  // namespace durero::python

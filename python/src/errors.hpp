@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <string>
 
+#include "durero/contract/contract.hpp"
+#include "durero/model/tipos.hpp"
+
 namespace durero::python {
 
 /// Raises durero.errors.NAME(arguments...).
@@ -19,5 +22,8 @@ template <class... Arguments>
 /// Raises durero.InputError, at a place of a text that is called so in messages.
 [[noreturn]] void raise_input_error(const std::string& file, std::size_t line, std::size_t column,
                                     const std::string& what);
+
+/// Raises durero.Refused, of an operation without inputs.
+[[noreturn]] void raise_refused(const contract::clause& precondition, model::Respuesta r, const char* operation);
 
 }  // namespace durero::python

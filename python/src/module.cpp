@@ -6,6 +6,7 @@ PYBIND11_MODULE(_durero, module) {
   module.attr("version") = DURERO_VERSION;
   add_errors(module);
   add_scene(module);
+  add_store(module);
   add_trace(module);
   add_distance(module);
   add_mesh_check(module);

@@ -237,22 +237,17 @@ void require_transaction(const Scene& scene, bool is_open) {
   throw std::runtime_error(is_open ? "no transaction is open" : "a transaction is open; expected its end before");
 }
 
-[[noreturn]] void refuse(const contract::clause& precondition, model::Respuesta r, const char* operation) {
-  raise("Refused", std::string(precondition.label), std::string(precondition.predicate), std::string(model::name(r)),
-        operation, py::dict(), 1);
-}
-
 std::string undo(Scene& scene) {
   require_transaction(scene, false);
   if (!scene.history().undo(scene.edited()))
-    refuse(model::Deshacer_pre_1, model::Respuesta::nada_que_deshacer, "Deshacer");
+    raise_refused(model::Deshacer_pre_1, model::Respuesta::nada_que_deshacer, "Deshacer");
   return std::string(model::name(model::Respuesta::deshecho));
 }
 
 std::string redo(Scene& scene) {
   require_transaction(scene, false);
   if (!scene.history().redo(scene.edited()))
-    refuse(model::Rehacer_pre_1, model::Respuesta::nada_que_rehacer, "Rehacer");
+    raise_refused(model::Rehacer_pre_1, model::Respuesta::nada_que_rehacer, "Rehacer");
   return std::string(model::name(model::Respuesta::rehecho));
 }
 
