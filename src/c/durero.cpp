@@ -24,6 +24,7 @@
 #include "durero/scene/stage.hpp"
 
 using namespace durero;
+using c::from_root;
 using c::guarded;
 using c::last_error;
 
@@ -45,8 +46,6 @@ durero_engine* ready(const durero_scene& scene, std::string_view name, std::stri
   if (row == nullptr) throw std::invalid_argument("no engine " + std::string(name));
   return new durero_engine{&scene.value.of().scene, composed::prepared(*row, hierarchy, scene.value.of())};
 }
-
-std::string from_root(const char* path) { return std::filesystem::absolute(path).string(); }
 
 /// The text of a scene file of that name: pictures are named from its folder.
 std::string text_for(const durero_scene& scene, const char* path) {

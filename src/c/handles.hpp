@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -53,6 +54,9 @@ Result guarded(Result failed, Call call) noexcept {
   }
   return failed;
 }
+
+/// The path of a file from the root.
+inline std::string from_root(const char* path) { return std::filesystem::absolute(path).string(); }
 
 /// As C has it.
 inline durero_outcome outcome(model::Resultado resultado) {

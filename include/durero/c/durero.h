@@ -181,6 +181,53 @@ typedef struct durero_proximity {
  * nothing written, where a number is not finite, and of a scene that was read by a Z text. */
 durero_answer durero_distances(const durero_scene *scene, const double *xyz, size_t count, durero_proximity *answers);
 
+/** A scene that is kept with its whole history in one file, open: the file that `durero store` uses. A handle is used by one
+ * thread at a time. Programs and threads that edit one file by handles of their own wait for each other, 120 s at most; a
+ * process that is forked opens the file anew. */
+typedef struct durero_store durero_store;
+
+/** Who does something, when and why: UTF-8 on one line each. */
+typedef struct durero_provenance {
+  const char *author; /**< a name; NULL is the first of DURERO_AUTHOR, LOGNAME and USER that the environment has */
+  const char *time; /**< of UTC, as 2026-01-31T12:00:00Z; NULL is now */
+  const char *comment; /**< the reason; NULL is none */
+} durero_provenance;
+
+/** How a script is carried out. {0} is the usual way. */
+typedef struct durero_store_call {
+  durero_provenance by; /**< of what is kept */
+  int all_or_nothing; /**< whether the first refusal ends it, and nothing of it is kept; 0 is no */
+  int64_t expected_head; /**< the event where HEAD must be; 0 is any */
+} durero_store_call;
+
+/** Makes a new store with a scene, or of NULL with the empty one. It appears whole or not at all. Pictures that the scene
+ * names are named from the store's folder then. by may be NULL. DURERO_FAILED where there is a file of that path, and of a
+ * scene that was read by a Z text. */
+durero_answer durero_store_create(const char *path, const durero_scene *scene, const durero_provenance *by);
+/** Opens a store that is there; NULL where the file is none, is missing or cannot be written. */
+durero_store *durero_store_open(const char *path);
+/** NULL is permitted. Scenes that the store gave stay. */
+void durero_store_close(durero_store *store);
+
+/** Carries the operations of a script, one a line, out where HEAD is, as one transaction and one step of undo, and returns
+ * when those that were accepted are on disk; durero_store_answers() has an answer for each. call may be NULL.
+ * DURERO_REFUSED where some were refused: these change nothing, and durero_error() is that of durero_apply() for the first.
+ * DURERO_FAILED, and nothing kept, where a line is no operation, HEAD is not at expected_head, or the file cannot be used. */
+durero_answer durero_store_edit(durero_store *store, const char *script, const durero_store_call *call);
+/** What `durero store edit` would have printed of the last durero_store_edit(): a line of JSON for each operation. It is
+ * empty where that failed, and valid until the next. */
+const char *durero_store_answers(const durero_store *store);
+/** Goes back before the last transaction; nothing is deleted. DURERO_REFUSED, "Deshacer.pre.1: …", where there is none. */
+durero_answer durero_store_undo(durero_store *store);
+/** Goes on to where the last undo left from. DURERO_REFUSED, "Rehacer.pre.1: …", where there is no such. */
+durero_answer durero_store_redo(durero_store *store);
+/** The scene of a revision, a branch, a tag, the number of an event or HEAD, perhaps with ~N behind it for the N-th
+ * transaction before; NULL is HEAD. It is a copy of the caller's. NULL where there is no such revision, or the file is
+ * spoiled. */
+durero_scene *durero_store_scene(durero_store *store, const char *revision);
+/** The number of the event where HEAD is, from 1; -1 where the file cannot be used. */
+int64_t durero_store_head(durero_store *store);
+
 #ifdef __cplusplus
 }
 #endif
