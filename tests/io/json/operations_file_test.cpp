@@ -198,8 +198,10 @@ TEST_CASE("A malformed operation is an error with its place") {
   const std::string operations =
       "one of Agregar_Esfera, Agregar_Cilindro, Agregar_Cono, Agregar_Tronco, Agregar_Plano, Agregar_Disco, "
       "Agregar_Triangulo, Agregar_Elemento, Eliminar_Esfera, Eliminar_Cilindro, Eliminar_Cono, Eliminar_Tronco, "
-      "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, Agregar_Instancia, Eliminar_Instancia, "
-      "Agregar_Union, Agregar_Interseccion, Agregar_Diferencia, Eliminar_Solido, "
+      "Eliminar_Plano, Eliminar_Disco, Eliminar_Triangulo, Eliminar_Elemento, Cambiar_Centro, Cambiar_Radio, "
+      "Cambiar_Vector, Cambiar_Altura, Cambiar_Proporcion, Cambiar_Vertices, Cambiar_Material, Quitar_Material, "
+      "Cambiar_Grupo, Quitar_Grupo, Agregar_Instancia, Eliminar_Instancia, Agregar_Union, Agregar_Interseccion, "
+      "Agregar_Diferencia, Eliminar_Solido, "
       "Agregar_Malla, Eliminar_Malla, Reemplazar_Malla, Mover_Vertice, group, ungroup, close";
   const Case cases[] = {
       {"\n ^Agregar e?=a", "unknown operation \"Agregar\"; expected " + operations},
