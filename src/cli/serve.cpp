@@ -14,6 +14,7 @@
 #include "durero/serve/server.hpp"
 #include "durero/store/provenance.hpp"
 #include "interrupted.hpp"
+#include "numbers.hpp"
 
 namespace durero::cli {
 namespace {
@@ -60,7 +61,7 @@ void add_serve(CLI::App& app, int& status) {
                    "Address that it listens at; other than of this machine with --token")
       ->capture_default_str();
   command->add_option("--port", options->server.port, "Port; 0 is one that is free")
-      ->check(CLI::Range(0, 65535))
+      ->check(whole_number(0, 65535))
       ->capture_default_str();
   command->add_option("--token", options->token_file, "File whose first line whoever asks must know");
   command->add_option("--origin", options->server.origin, "Origin of the pages that may ask from a browser");
