@@ -218,8 +218,10 @@ TEST_CASE("a scene that is read by a Z text is answered by the text, edited unde
   const Engine edited = engine_of(scene);
   REQUIRE(durero_first_hits(edited.get(), &ray, 1, &hit) == DURERO_DONE);
   CHECK(hit.t == 0.625);  // before the ball, which the ray leaves beyond 0.7
-  REQUIRE(durero_scene_write(scene.get(), "torus_again.json") == DURERO_DONE);
-  const Scene again(durero_scene_read_with("torus_again.json", (surfaces + "torus.tex").c_str()), durero_scene_free);
+  const std::string path = std::filesystem::temp_directory_path() / fmt::format("durero_torus_{}.json", getpid());
+  REQUIRE(durero_scene_write(scene.get(), path.c_str()) == DURERO_DONE);
+  const Scene again(durero_scene_read_with(path.c_str(), (surfaces + "torus.tex").c_str()), durero_scene_free);
+  std::filesystem::remove(path);
   REQUIRE(again);
   CHECK(durero_scene_size(again.get()) == durero_scene_size(scene.get()));
   CHECK_FALSE(engine_of(scene, "exact"));
