@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <utility>
@@ -31,6 +32,7 @@ struct LineReader::Typed {
   Completer completer;
   EditLine* line = nullptr;
   ::History* history = nullptr;
+  void (*on_interrupt)(int) = SIG_DFL;  // what it was
 
   Typed(std::string asked, Completer goes_on) : prompt(std::move(asked)), completer(std::move(goes_on)) {
     std::setlocale(LC_CTYPE, "C.UTF-8");
@@ -44,12 +46,15 @@ struct LineReader::Typed {
     ::el_set(line, EL_HIST, ::history, history);
     ::el_set(line, EL_ADDFN, "complete", "completes the word", &Typed::complete);
     ::el_set(line, EL_BIND, "^I", "complete", nullptr);
-    ::el_set(line, EL_SETTY, "-d", "-isig", nullptr);  // an interrupt empties the line, and no more
+    // An interrupt empties the line, and no more: where it comes while no line is read, it does nothing.
+    ::el_set(line, EL_SETTY, "-d", "-isig", nullptr);
+    on_interrupt = std::signal(SIGINT, SIG_IGN);
     ::el_set(line, EL_BIND, "^C", "em-kill-line", nullptr);
   }
   ~Typed() {
     ::el_end(line);
     ::history_end(history);
+    std::signal(SIGINT, on_interrupt);
   }
   Typed(const Typed&) = delete;
   Typed& operator=(const Typed&) = delete;
@@ -91,6 +96,7 @@ std::optional<std::string> LineReader::next() {
     return std::getline(std::cin, line) ? std::optional(std::move(line)) : std::nullopt;
   }
   int count = 0;
+  ::el_set(typed_->line, EL_PREP_TERM, 1);  // before the prompt, so that whoever sees it types into the line
   const char* const read = ::el_gets(typed_->line, &count);
   if (read == nullptr || count <= 0) return std::nullopt;
   std::string line(read, static_cast<std::size_t>(count));

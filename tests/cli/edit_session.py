@@ -2,6 +2,7 @@
 import os
 import pty
 import select
+import signal
 import sys
 import time
 
@@ -107,12 +108,16 @@ def test_colours_history_and_interrupts(durero):
     typist.type(b"no such thing" + CTRL_C)
     said = typist.answer(b"list")
     expect("4 elementos" in said and "error" not in said, f"an empty line after an interrupt, not {said!r}")
+    os.kill(typist.child, signal.SIGINT)  # as an interrupt while no line is read
+    said = typist.answer(b"list")
+    expect("4 elementos" in said, f"the session to go on, not {said!r}")
     typist.type(CTRL_D)
     typist.until("quit again and lose it")
     typist.until("durero> ")
     typist.answer(b"list")  # not asked again at once
     typist.type(CTRL_D)
     typist.until("quit again and lose it")
+    typist.until("durero> ")
     typist.type(CTRL_D)
     typist.until("what was not written is lost")
     expect(typist.end() == 1, "status 1")
