@@ -71,7 +71,7 @@ refused 'conform run: --timeuot: no such option; expected --timeout' conform run
 refused 'check: --frobnicate: no such option; expected one of -h, --help' check scene.json --frobnicate
 refused 'check: -x: no such option; expected ' check -x scene.json
 refused 'check: --fineness: no option of this command; expected it with durero agree' check scene.json --fineness 1
-refused 'render: --audit: no option of this command; expected it with durero edit' render scene.json --audit
+refused 'render: --audit: no option of this command; expected it with one of durero edit, durero store edit, durero store verify' render scene.json --audit
 refused 'check: SCENE: it is missing; expected durero check [OPTION]... SCENE' check
 refused 'trace: RAYS: it is missing; expected durero trace [OPTION]... SCENE RAYS' trace scene.json
 refused 'export: --output: it is missing; expected durero export [OPTION]... --output FILE SCENE' export scene.json

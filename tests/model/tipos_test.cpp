@@ -147,7 +147,7 @@ TEST_CASE("each type and each answer has its name") {
   CHECK(name(Tipo::soy_disco) == "soy_disco");
   CHECK(name(Tipo::soy_triangulo) == "soy_triangulo");
   std::set<std::string_view> names;
-  for (int i = 0; i <= static_cast<int>(Respuesta::es_de_malla); ++i) names.insert(name(static_cast<Respuesta>(i)));
+  for (std::size_t i = 0; i < respuesta_names.size(); ++i) names.insert(name(static_cast<Respuesta>(i)));
   CHECK(names.size() == respuesta_names.size());
   CHECK(name(Respuesta::tronco_agregado) == "tronco_agregado");
   CHECK(name(Respuesta::elemento_agregado) == "elemento_agregado");
@@ -157,4 +157,6 @@ TEST_CASE("each type and each answer has its name") {
   CHECK(name(Respuesta::vertices_alineados) == "vertices_alineados");
   CHECK(name(Respuesta::malla_agregada) == "malla_agregada");
   CHECK(name(Respuesta::es_de_malla) == "es_de_malla");
+  CHECK(name(Respuesta::elemento_cambiado) == "elemento_cambiado");
+  CHECK(name(Respuesta::nada_que_rehacer) == "nada_que_rehacer");
 }
