@@ -91,16 +91,18 @@ TEST_CASE("A transaction is one step, or nothing") {
   CHECK(of.history.is_open());
   CHECK(of("Cambiar_Radio e?=s radio?=3"));
   CHECK(!of("Cambiar_Radio e?=nobody radio?=3"));
+  CHECK(of("Cambiar_Radio e?=s radio?=4"));  // undone first
   CHECK(of("Eliminar_Elemento e?=can"));
   of.history.commit();
   CHECK(!of.history.is_open());
   REQUIRE(of.history.done().size() == 1);
-  CHECK(of.history.done().front().edits.size() == 2);
+  CHECK(of.history.done().front().edits.size() == 3);
   CHECK(of.history.undo(of.scene));
   CHECK(of.scene.scene_text() == before);
 
   of.history.begin();
-  CHECK(of("Eliminar_Elemento e?=t"));
+  CHECK(of("Quitar_Material e?=s"));
+  CHECK(of("Eliminar_Elemento e?=s"));
   CHECK(of("ungroup g?=pair"));
   of.history.roll_back(of.scene);
   CHECK(of.scene.scene_text() == before);
