@@ -55,6 +55,17 @@ TEST_CASE("An element that is the same is in no line") {
         "Cambiar_Centro_Esfera e?=ball centro?=(0,-0,0)\n");
 }
 
+TEST_CASE("An element gets another material, the first, or none") {
+  const std::string materials = R"("materials":{"blue":{"color":[0,0,1]},"red":{"color":[1,0,0]}},)";
+  const auto of = [&](const std::string& material) {
+    return materials + elements(R"({"id":"ball","tipo":"esfera","centro":[0,1,0],"radio":1)" + material + "}");
+  };
+  const std::string red = R"(,"material":"red")", blue = R"(,"material":"blue")";
+  CHECK(script_of(of(red), of(blue)) == "Cambiar_Material e?=ball material?=blue\n");
+  CHECK(script_of(of(""), of(red)) == "Cambiar_Material e?=ball material?=red\n");
+  CHECK(script_of(of(red), of("")) == "Quitar_Material e?=ball\n");
+}
+
 TEST_CASE("A mesh that differs in a vertex is moved there, and else replaced") {
   const auto mesh = [](const std::string& last, const std::string& faces, const std::string& rest = "") {
     return R"("elementos":[],"mallas":[{"id":"m","puntos":[[0,0,0],[1,0,0],)" + last + R"(],"caras":[)" + faces + "]" +
