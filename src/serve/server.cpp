@@ -62,6 +62,11 @@ void refuse(Response& out, int status, std::string_view wrong) {
   answer(out, std::move(body), status);
 }
 
+/// Tells that HEAD is not where the request asks it to be.
+void refuse_stale(Response& out) {
+  refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
+}
+
 /// An entity tag: the event of a scene, in quotes.
 std::string tag_of(store::EventNumber event) { return fmt::format("\"{}\"", event); }
 
@@ -258,8 +263,7 @@ struct Server::Parts {
     const bool all_or_nothing = asked.all_or_nothing;
     const EditOutcome outcome = worker.edit(std::move(asked));
     out.set_header("ETag", tag_of(outcome.head));
-    if (outcome.is_stale)
-      return refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
+    if (outcome.is_stale) return refuse_stale(out);
     const bool is_refused = all_or_nothing && outcome.result.is_refused;
     answer(out, fmt::format(R"({{"event":{},"answers":{}}})", outcome.head, as_array(outcome.result.answers)),
            is_refused ? conflict : done);
@@ -277,8 +281,7 @@ struct Server::Parts {
       return std::tuple(after.value_or(before), false, after.has_value());
     });
     out.set_header("ETag", tag_of(head));
-    if (is_stale)
-      return refuse(out, precondition_failed, "the scene is another by now; expected the ETag of this answer");
+    if (is_stale) return refuse_stale(out);
     if (!is_moved) return refuse(out, conflict, fmt::format("nothing can be {}", what));
     answer(out, fmt::format(R"({{"event":{}}})", head));
   }
