@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace durero::io::json {
 namespace {
 
@@ -45,6 +47,14 @@ std::vector<std::string> pointers(const Document& document, std::span<const std:
   }
   all.resize(offsets.size());
   return all;
+}
+
+std::vector<std::string> pointers_in_order(const Source& text, std::vector<InputError>& errors) {
+  std::ranges::stable_sort(errors, {}, &InputError::offset);
+  std::vector<std::size_t> offsets;
+  offsets.reserve(errors.size());
+  for (const InputError& error : errors) offsets.push_back(error.offset());
+  return pointers(Document(text), offsets);
 }
 
 }  // namespace durero::io::json

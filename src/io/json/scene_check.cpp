@@ -19,20 +19,16 @@ namespace {
 constexpr std::string_view malformed = "malformed";
 constexpr std::string_view sends_on_too_much = "conserva.def.1";
 
-/// Of errors in the order of the file; none of a text that is no JSON.
-std::vector<std::string> pointers_of(const Source& file, const std::vector<InputError>& errors) {
-  std::vector<std::size_t> offsets;
-  offsets.reserve(errors.size());
-  for (const InputError& error : errors) offsets.push_back(error.offset());
+/// Puts the errors into the order of the file. Their pointers; none of a text that is no JSON.
+std::vector<std::string> pointers_of(const Source& file, std::vector<InputError>& errors) {
   try {
-    return json::pointers(json::Document(file), offsets);
+    return json::pointers_in_order(file, errors);
   } catch (const InputError&) {
     return {};
   }
 }
 
 std::vector<SceneDefect> findings_of(const Source& file, std::vector<InputError> errors) {
-  std::ranges::stable_sort(errors, {}, &InputError::offset);
   const std::vector<std::string> pointers = pointers_of(file, errors);
   std::vector<SceneDefect> findings;
   for (std::size_t i = 0; i < errors.size(); ++i) {

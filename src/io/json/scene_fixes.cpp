@@ -148,10 +148,7 @@ struct PlacedErrors {
 PlacedErrors errors_of(const Source& source) {
   PlacedErrors found;
   read_scene(source, found.errors, Bodies::read);
-  std::ranges::stable_sort(found.errors, {}, &InputError::offset);
-  std::vector<std::size_t> offsets;
-  for (const InputError& error : found.errors) offsets.push_back(error.offset());
-  found.pointers = json::pointers(json::Document(source), offsets);
+  found.pointers = json::pointers_in_order(source, found.errors);
   return found;
 }
 

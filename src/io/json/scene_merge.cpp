@@ -64,10 +64,7 @@ class PartsMerge {
       merged_ = read_grouped_scene(text, Bodies::read);
       return;
     }
-    std::ranges::stable_sort(errors, {}, &InputError::offset);
-    std::vector<std::size_t> offsets;
-    for (const InputError& error : errors) offsets.push_back(error.offset());
-    const std::vector<std::string> pointers = json::pointers(json::Document(text), offsets);
+    const std::vector<std::string> pointers = json::pointers_in_order(text, errors);
     const auto known = places();
     for (std::size_t i = 0; i < errors.size(); ++i) {
       const auto part = known.find(part_of(pointers[i]));

@@ -37,3 +37,24 @@ TEST_CASE("A byte between two values belongs to the one before; one may be asked
   CHECK(at_marks(R"({"a": 1^2 ^^, "b":[3^ ]})") == Pointers{"/a", "/a", "/a", "/b/0"});
   CHECK(at_marks(R"({"a":1})").empty());
 }
+
+TEST_CASE("Errors are put into the order of the text, those of one place as they were") {
+  const io::Source text("f", R"({"a":[1,2],"b":3})");
+  std::vector<io::InputError> errors;
+  const auto note = [&](std::size_t offset, const char* wrong) {
+    try {
+      text.fail(offset, wrong, "expected another");
+    } catch (const io::InputError& error) {
+      errors.push_back(error);
+    }
+  };
+  note(15, "third");
+  note(8, "first");
+  note(8, "second");
+  CHECK(pointers_in_order(text, errors) == Pointers{"/a/1", "/a/1", "/b"});
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    CHECK(std::string(errors[i].message()).starts_with(std::vector{"first", "second", "third"}[i]));
+
+  const io::Source broken("f", "[1,");
+  CHECK_THROWS_AS(pointers_in_order(broken, errors), io::InputError);
+}

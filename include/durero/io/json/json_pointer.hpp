@@ -18,4 +18,8 @@ std::string pointer_token(std::string_view key);
 /// to what it opens or closes. Precondition: the offsets ascend. One walk over the document answers them all.
 std::vector<std::string> pointers(const Document& document, std::span<const std::size_t> offsets);
 
+/// Puts the errors of a text into its order, and tells the pointer of each. Throws InputError where the text is no
+/// JSON; the errors are in order then, too.
+std::vector<std::string> pointers_in_order(const Source& text, std::vector<InputError>& errors);
+
 }  // namespace durero::io::json
