@@ -12,7 +12,7 @@ namespace {
 
 using contract::cost;
 
-// What undoes an operation.
+// Inverses: the operations that undo others.
 
 /// @{ A value of a component, as an operation takes it.
 double as_input(const Rmas& x) { return x.value(); }

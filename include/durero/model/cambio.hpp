@@ -281,7 +281,7 @@ inline constexpr Respuesta change_answer = Respuesta::elemento_cambiado;
 /// Any error of a change.
 using ChangeError = std::variant<Error, Sin_Centro, Sin_Radio, Sin_Vector, Sin_Altura, Sin_Proporcion, Sin_Vertices>;
 
-/// What is said of an error when it answers r.
+/// The clauses of an error that answers r, judged.
 Judgements judgements(const Escena& escena, const ChangeError& error, Respuesta r);
 
 /// Es_Esfera and its like: that e? is of the type.

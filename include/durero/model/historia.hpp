@@ -1,6 +1,6 @@
 #pragma once
-/// What spec/historia.tex says beside the changes of model/cambio.hpp: the operation that undoes
-/// each operation, and histories of a scene with transactions.
+/// Inverses and histories (spec/historia.tex; model/cambio.hpp has its changes): the operation that undoes each
+/// operation, and histories of a scene with transactions.
 
 #include <optional>
 #include <variant>
@@ -41,7 +41,7 @@ inline constexpr clause Nada_Que_Rehacer_post_1{"Nada_Que_Rehacer.post.1", "r! =
 /// (Cambio_Mallas.def.1).
 Answer apply_total(Mallas& s, const AttributeChange& change);
 
-// What undoes an operation.
+// Inverses: the operations that undo others.
 
 /// The operation that undoes this one, whose preconditions hold of the scene before it.
 ElementOperation inverse(const Escena& before, const ElementOperation& operation);

@@ -39,7 +39,7 @@ void clauses(const Denial& in, const Escena& s, Respuesta r, Visit&& visit) {
   visit(*Denial::answers, [&] { return r == Respuesta::tipo_incorrecto; });
 }
 
-/// What is said of an error when it answers r.
+/// The clauses of an error that answers r, judged.
 Judgements judgements(const Escena& escena, const Error& error, Respuesta r);
 
 /// The error, as an operation that changes nothing: checks its clauses and answers.

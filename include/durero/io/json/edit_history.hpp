@@ -18,7 +18,7 @@
 
 namespace durero::io {
 
-/// What a scene was where one edit changed it.
+/// The state of a scene before one edit, where the edit changes it.
 struct EditRecord {
   std::vector<scene::ElementRecord> elements{};                                  ///< of each element that it concerns
   std::vector<std::pair<std::string, std::optional<WrittenElement>>> written{};  ///< of these, what a Z text declares
@@ -44,9 +44,9 @@ class EditHistory {
   /// Applies an edit. One that is done is a step, or where a transaction is open a part of it; steps that were undone
   /// are forgotten then. One that is refused leaves history and scene as they are. Throws what the scene throws.
   EditAnswer apply_total(EditedScene& scene, const ScriptStep& edit);
-  /// The same where another function carries the edit out, as one that asks the text, too.
+  /// A function that carries an edit out, as one that asks the text, too.
   using CarryOutEdit = std::function<EditAnswer(EditedScene& scene, const ScriptStep& edit)>;
-  /// @copydoc apply_total
+  /// Applies an edit as apply_total() does, by another function.
   EditAnswer apply_by(EditedScene& scene, const ScriptStep& edit, const CarryOutEdit& carry_out);
 
   /// Opens a transaction (Transaccion): the edits until its end are one step. Precondition: none is open.

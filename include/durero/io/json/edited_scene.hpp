@@ -59,7 +59,7 @@ class EditedScene {
   std::pair<model::Answer, EditAnswer> apply_own(const model::LookChange& change);
   /// @}
 
-  /// What the scene has of an element of a type of a Z text; nothing where the name is none of such.
+  /// The element of a type of a Z text that has the name; nothing where none has.
   virtual std::optional<WrittenElement> written_record(const std::string&) const { return std::nullopt; }
   /// Puts back what an edit found (EditHistory).
   void restore(const EditRecord& record);

@@ -13,7 +13,7 @@ namespace durero::io::json {
 
 /// An operation of a patch.
 struct PatchProposal {
-  /// What is done at the path.
+  /// The change of the value at the path.
   enum class Kind : std::uint8_t { replace, remove };
 
   Kind kind;               ///< what is done

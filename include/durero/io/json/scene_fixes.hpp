@@ -1,5 +1,5 @@
 #pragma once
-/// What may mend a scene file, as a script that `durero edit --script` carries out. Nothing is mended here.
+/// Proposals that mend a scene file, as a script that `durero edit --script` carries out. Nothing is mended here.
 ///
 /// A file that holds a scene gets operations: those that drop an element which is the same as another in all but its
 /// name. A file that holds none, as an axis is no unit vector, gets a JSON Patch (file_patch.hpp): operations edit a

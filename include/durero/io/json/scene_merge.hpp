@@ -29,7 +29,7 @@ struct MergeConflict {
   std::optional<std::string> ours{}, theirs{};  ///< the value on each side; nothing where there is none
 };
 
-/// What merged_scene() gives.
+/// A merged scene, or the conflicts in its place.
 struct SceneMerge {
   std::optional<scene::GroupedScene> scene;  ///< nothing where there is a conflict
   std::vector<MergeConflict> conflicts;      ///< in the order of the canonical text

@@ -12,8 +12,8 @@
 
 namespace durero::io {
 
-/// What a part is, in the order of the canonical text. Cameras have a part for each key; what stands by name, or with
-/// an id, is a part each; the others are wholes.
+/// The kinds of parts, in the order of the canonical text. Cameras have a part for each key; a value that stands by
+/// name, or with an id, is a part of its own; the others are wholes.
 enum class PartKind : std::uint8_t {
   camera,              ///< a key of the camera
   resolution,          ///< the whole

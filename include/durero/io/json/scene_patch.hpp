@@ -17,9 +17,9 @@ inline constexpr std::string_view empty_patch = "[]\n";
 /// id.
 std::string scene_patch(const scene::GroupedScene& from, const scene::GroupedScene& to);
 
-/// What a patch makes of a scene; all of its operations are carried out, or it throws. Throws InputError, at a place in
-/// the patch, where it is none, where a pointer leads nowhere, where a test fails, or where the document that it makes
-/// is no scene: then at its beginning, with the pointer to what is wrong.
+/// The scene that a patch makes of another; all of its operations are carried out, or it throws InputError: at a place
+/// in the patch, where it is none, where a pointer leads nowhere, where a test fails, or where the document that it
+/// makes is no scene: then at its beginning, with the pointer to what is wrong.
 scene::GroupedScene patched_scene(const scene::GroupedScene& scene, const Source& patch);
 
 }  // namespace durero::io

@@ -9,7 +9,7 @@
 
 namespace durero::io {
 
-/// What script_between() gives.
+/// A script that makes one scene of another, and the parts that it leaves.
 struct SceneScript {
   std::vector<ScriptStep> steps;    ///< line after line
   std::vector<std::string> beyond;  ///< the parts that no operation makes as they are to be, by their pointers
