@@ -71,13 +71,13 @@ std::vector<NamedStep> read_repeated(const EditOptions& options, const io::Edite
 /// The script, where there is one: operations, or a JSON Patch of the scene's file.
 struct Script {
   std::optional<io::Source> text{};
-  std::vector<io::json::PatchProposal> patch{};
+  bool is_patch = false;
 };
 
 Script read_script_text(const EditOptions& options) {
   if (options.script.empty() && !options.operations.empty()) return {};
   Script script{io::read_lines(options.script.empty() ? "-" : options.script)};
-  if (io::json::is_patch(*script.text)) script.patch = io::json::read_patch(*script.text);
+  script.is_patch = io::json::is_patch(*script.text);
   return script;
 }
 
@@ -85,18 +85,23 @@ Script read_script_text(const EditOptions& options) {
 std::vector<NamedStep> read_steps(const EditOptions& options, const io::EditedScene& edited, const Script& script) {
   if (!options.for_each.empty()) return read_repeated(options, edited);
   std::vector<NamedStep> steps;
-  if (script.text && script.patch.empty()) append_steps(steps, *script.text, edited, 0);
+  if (script.text && !script.is_patch) append_steps(steps, *script.text, edited, 0);
   append_steps(steps, joined("--op", options.operations), edited,
                script.text ? io::count_lines(script.text->text()) : 0);
   return steps;
 }
 
-io::Source scene_source(const EditOptions& options, const Script& script) {
+/// The text of the scene. A patch is carried out before there is a scene: the answers get a line for each of its
+/// operations.
+io::Source scene_source(const EditOptions& options, const Script& script, std::string& answers) {
   io::Source source = io::read_source(options.scene);
-  if (script.patch.empty()) return source;
-  io::Source patched(source.name() + " as patched", io::json::patched(source, *script.text, script.patch));
-  patched.set_root(source.root());
-  return patched;
+  if (!script.is_patch) return source;
+  io::json::PatchedFile patched = io::json::patched_file(source, *script.text);
+  for (const std::size_t operation : patched.operations)
+    answers.append(io::answer_text(script.text->place(operation).line, {"patched"})).append("\n");
+  io::Source scene(source.name() + " as patched", std::move(patched.text));
+  scene.set_root(source.root());
+  return scene;
 }
 
 std::unique_ptr<io::EditedScene> read(const EditOptions& options, const io::Source& source) {
@@ -159,14 +164,6 @@ void carry_out(const EditOptions& options, io::EditedScene& edited, const std::v
   }
 }
 
-/// A patch is carried out before there is a scene: an answer for each of its operations, at its line.
-std::string patch_answers(const Script& script) {
-  std::string text;
-  for (const io::json::PatchProposal& operation : script.patch)
-    text.append(io::answer_text(script.text->place(operation.offset).line, {"patched"})).append("\n");
-  return text;
-}
-
 int edit(EditOptions options) {
   if (options.audit) contract::set_semantic(contract::cost::audit, contract::evaluation_semantic::enforce);
   if (options.interactive) return begin_session(options);
@@ -179,8 +176,8 @@ int edit(EditOptions options) {
   std::optional<io::OutputFile> out;
   if (writes) out.emplace(options.out);
   const Script script = read_script_text(options);
-  const std::unique_ptr<io::EditedScene> edited = read(options, scene_source(options, script));
-  Answers answers{patch_answers(script)};
+  Answers answers;
+  const std::unique_ptr<io::EditedScene> edited = read(options, scene_source(options, script, answers.text));
   carry_out(options, *edited, read_steps(options, *edited, script), answers);
   if (out && (answers.all_done || !options.all_or_nothing)) {
     io::rename_pictures(edited->stage(), options.scene, options.out);

@@ -46,10 +46,21 @@ refused 'worse.json as patched:' edit worse.json --script fix -o none.json
 absent none.json
 # A patch of another file.
 echo '[{"op":"remove","path":"/elementos/9"}]' >other
-refused 'other:1:2: "/elementos/9" names nothing; expected a pointer to a value of scene.json' \
+refused 'other:1:24: "/elementos/9" is not there; expected a pointer to what the document has' \
   edit scene.json --script other -o none.json
-echo '[{"op":"move","path":"/elementos/0","from":"/elementos/1"}]' >other
-refused 'other:1:8: op is "move"; expected replace or remove' edit scene.json --script other
+echo '[{"op":"drop","path":"/elementos/0"}]' >other
+refused 'other:1:8: op is "drop"; expected one of add, remove, replace, move, copy, test' edit scene.json --script other
+# The other operations of RFC 6902, and a patch of none.
+echo '[{"op":"move","path":"/elementos/0","from":"/elementos/2"},
+{"op":"move","path":"/elementos/-","from":"/elementos/0"}]' >other
+run 0 edit scene.json --script other -o moved.json
+is out '{"line":1,"ok":true,"r":"patched"}
+{"line":2,"ok":true,"r":"patched"}'
+same moved.json scene.json
+echo '[]' >other
+run 0 edit scene.json --script other -o moved.json
+empty out
+same moved.json scene.json
 refused 'check: --mesh excludes --fix; ' check scene.json --fix --mesh
 refused 'check: --format excludes --fix; ' check scene.json --fix --format json
 finish

@@ -25,7 +25,23 @@ struct PatchPointer {
   std::span<const rapidjson::Pointer::Token> tokens() const { return {parsed.GetTokens(), parsed.GetTokenCount()}; }
 };
 
+using Tokens = std::span<const rapidjson::Pointer::Token>;
+
+/// What the tokens lead to; null where there is nothing.
+JsonValue* find(JsonValue& root, Tokens tokens) {
+  JsonValue* value = &root;
+  for (const rapidjson::Pointer::Token& token : tokens) {
+    if (auto* const items = std::get_if<JsonItems>(&value->of))
+      value = token.index < items->size() ? &(*items)[token.index] : nullptr;
+    else
+      value = value->member({token.name, token.length});
+    if (value == nullptr) return nullptr;
+  }
+  return value;
+}
+
 struct PatchOperation {
+  std::size_t offset;  // of its opening bracket
   PatchWord word;
   std::optional<PatchPointer> path{}, from{};
   std::optional<JsonValue> value{};
@@ -52,7 +68,7 @@ class PatchReader {
   /// Other members are passed over, as the RFC asks.
   PatchOperation read_operation(Reader& in) {
     const std::size_t at = in.offset();
-    PatchOperation read{};
+    PatchOperation read{.offset = at, .word = {}};
     std::optional<PatchWord> word;
     in.members("an operation of a patch", [&](const Key& key) {
       const auto once = [&](const auto& member) {
@@ -125,7 +141,7 @@ class PatchRun {
         return;
       case PatchWord::replace:
         require_depth(path, *operation.value);
-        existing(path) = std::move(*operation.value);
+        existing(path).of = std::move(operation.value->of);
         return;
       case PatchWord::move:
         if (path.text.starts_with(operation.from->text + "/"))
@@ -141,8 +157,6 @@ class PatchRun {
   }
 
  private:
-  using Tokens = std::span<const rapidjson::Pointer::Token>;
-
   [[noreturn]] void fail(const PatchPointer& at, std::string_view wrong, const std::string& expected) const {
     patch_.fail(at.offset, fmt::format("{} {}", text::shown(at.text), wrong), expected);
   }
@@ -154,15 +168,8 @@ class PatchRun {
 
   /// The value that the first tokens of the pointer lead to.
   JsonValue& existing(const PatchPointer& at, Tokens tokens) const {
-    JsonValue* value = &root_;
-    for (const rapidjson::Pointer::Token& token : tokens) {
-      auto* const items = std::get_if<JsonItems>(&value->of);
-      if (items == nullptr)
-        value = value->member(key_of(token));
-      else
-        value = token.index < items->size() ? &(*items)[token.index] : nullptr;
-      if (value == nullptr) fail_absent(at);
-    }
+    JsonValue* const value = find(root_, tokens);
+    if (value == nullptr) fail_absent(at);
     return *value;
   }
   JsonValue& existing(const PatchPointer& at) const { return existing(at, at.tokens()); }
@@ -223,9 +230,19 @@ class PatchRun {
 
 }  // namespace
 
-void apply_patch(const Source& patch, JsonValue& value) {
+JsonValue* find(JsonValue& root, std::string_view pointer) {
+  const rapidjson::Pointer parsed(pointer.data(), pointer.size());
+  return parsed.IsValid() ? find(root, Tokens{parsed.GetTokens(), parsed.GetTokenCount()}) : nullptr;
+}
+
+std::vector<std::size_t> apply_patch(const Source& patch, JsonValue& value) {
   PatchRun run(patch, value);
-  for (PatchOperation& operation : PatchReader(patch).read()) run.apply(operation);
+  std::vector<std::size_t> offsets;
+  for (PatchOperation& operation : PatchReader(patch).read()) {
+    offsets.push_back(operation.offset);
+    run.apply(operation);
+  }
+  return offsets;
 }
 
 }  // namespace durero::io::json

@@ -18,21 +18,22 @@ class ValueReader {
   ValueReader(const Source& source, Reader& in) : source_(source), in_(in) {}
 
   JsonValue value(std::size_t depth) {
+    const std::size_t offset = in_.offset();
     switch (in_.kind()) {
       case TokenKind::object: {
         require_depth(depth);
         JsonMembers members;
         in_.members("a value", [&](const Key& key) { members.push_back({std::string(key.name), value(depth + 1)}); });
-        return {std::move(members)};
+        return {std::move(members), offset};
       }
       case TokenKind::array: {
         require_depth(depth);
         JsonItems items;
         in_.array("a value", [&] { items.push_back(value(depth + 1)); });
-        return {std::move(items)};
+        return {std::move(items), offset};
       }
       case TokenKind::string:
-        return {std::string(in_.string("a value"))};
+        return {std::string(in_.string("a value")), offset};
       case TokenKind::null:
       case TokenKind::boolean:
       case TokenKind::number:
@@ -42,9 +43,9 @@ class ValueReader {
       case TokenKind::end:
         break;  // a value stands here, so it is one of the first three
     }
-    JsonWord word{std::string(word_at(source_.text(), in_.offset()))};
+    JsonWord word{std::string(word_at(source_.text(), offset))};
     in_.skip();
-    return {std::move(word)};
+    return {std::move(word), offset};
   }
 
  private:
@@ -57,25 +58,46 @@ class ValueReader {
   Reader& in_;
 };
 
-void append(std::string& out, const JsonWord& word) { out += word.text; }
-void append(std::string& out, const std::string& text) { Writer(out).value(std::string_view(text)); }
-void append(std::string& out, const JsonItems& items) {
-  out += '[';
-  for (const JsonValue& item : items) {
-    if (&item != items.data()) out += ',';
-    append_value(out, item);
+/// Writes a value: the parts of its outer levels each on a line of its own.
+class ValueWriter {
+ public:
+  explicit ValueWriter(std::string& out) : out_(out) {}
+
+  void value(const JsonValue& of, std::size_t line_levels) {
+    std::visit([&](const auto& kind) { append(kind, line_levels); }, of.of);
   }
-  out += ']';
-}
-void append(std::string& out, const JsonMembers& members) {
-  out += '{';
-  for (const JsonMember& member : members) {
-    if (&member != members.data()) out += ',';
-    Writer(out).key(member.key);
-    append_value(out, member.value);
+
+ private:
+  void append(const JsonWord& word, std::size_t) { out_ += word.text; }
+  void append(const std::string& text, std::size_t) { Writer(out_).value(std::string_view(text)); }
+  void append(const JsonItems& items, std::size_t line_levels) {
+    out_ += '[';
+    for (const JsonValue& item : items) {
+      separate(&item == items.data(), line_levels);
+      part(item, line_levels);
+    }
+    out_ += ']';
   }
-  out += '}';
-}
+  void append(const JsonMembers& members, std::size_t line_levels) {
+    out_ += '{';
+    for (const JsonMember& member : members) {
+      separate(&member == members.data(), line_levels);
+      Writer(out_).key(member.key);
+      part(member.value, line_levels);
+    }
+    out_ += '}';
+  }
+
+  void separate(bool is_first, std::size_t line_levels) {
+    if (!is_first) out_ += ',';
+    if (line_levels > 0) out_ += '\n';
+  }
+  void part(const JsonValue& of, std::size_t line_levels) { value(of, line_levels - (line_levels > 0 ? 1 : 0)); }
+
+  std::string& out_;
+};
+
+constexpr std::size_t line_levels_of_a_file = 2;
 
 bool equal(const JsonWord& a, const JsonWord& b) {
   if (a == b) return true;
@@ -132,8 +154,17 @@ bool JsonValue::operator==(const JsonValue& other) const { return of == other.of
 
 JsonValue read_value(const Source& source, Reader& in) { return ValueReader(source, in).value(0); }
 
-void append_value(std::string& out, const JsonValue& value) {
-  std::visit([&](const auto& of) { append(out, of); }, value.of);
+JsonValue read_whole(const Source& source) {
+  const Document document(source);
+  Reader in(document);
+  return read_value(source, in);
+}
+
+void append_value(std::string& out, const JsonValue& value) { ValueWriter(out).value(value, 0); }
+
+void append_lines(std::string& out, const JsonValue& value) {
+  ValueWriter(out).value(value, line_levels_of_a_file);
+  out += '\n';
 }
 
 bool are_equal(const JsonValue& a, const JsonValue& b) {

@@ -26,6 +26,7 @@ using JsonMembers = std::vector<JsonMember>;
 /// A string stands without quotes and escapes.
 struct JsonValue {
   std::variant<JsonWord, std::string, JsonItems, JsonMembers> of;
+  std::size_t offset = 0;  ///< where it stands in the text that it was read from; of a made value 0
   /// The value of the first member of that key; null where there is none, or where it is no object.
   JsonValue* member(std::string_view key);
   const JsonValue* member(std::string_view key) const;
@@ -53,9 +54,13 @@ inline constexpr std::size_t deepest_brackets = 1024;
 
 /// Takes the value that stands here. Throws InputError where brackets are deeper than that.
 JsonValue read_value(const Source& source, Reader& in);
+/// The value that is the whole of a source. Throws InputError as read_value does, and where the source is no JSON.
+JsonValue read_whole(const Source& source);
 
 /// Appends the text of a value, without blanks.
 void append_value(std::string& out, const JsonValue& value);
+/// Appends the text of a file: each part of the value, and each part of such a part, stands on a line of its own.
+void append_lines(std::string& out, const JsonValue& value);
 
 /// Whether they are equal as RFC 6902 says it in section 4.6: numbers in their values, which are binary64 here, and
 /// members in any order.

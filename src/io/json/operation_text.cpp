@@ -204,7 +204,8 @@ class EditLines {
   std::string line(const scene::Ungrouping& in) const { return begin("ungroup").input("g", in.g).done(); }
 
   std::string mesh_line(std::string_view name, const scene::Mesh& mesh) const {
-    const Place material = mesh.material == scene::no_material ? Place() : mesh.material;
+    Place material;
+    if (mesh.material != scene::no_material) material = mesh.material;
     return begin(name, material)
         .input("m", mesh.m.name())
         .input("puntos", mesh.puntos)

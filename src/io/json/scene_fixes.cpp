@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
 #include <vector>
 
-#include "durero/io/json/file_patch.hpp"
 #include "durero/io/json/groups_file.hpp"
 #include "durero/io/json/json.hpp"
 #include "durero/io/json/json_pointer.hpp"
@@ -19,29 +19,73 @@
 #include "durero/model/tipos.hpp"
 #include "durero/scene/groups.hpp"
 #include "io/axis.hpp"
-#include "json_tree.hpp"
+#include "json_patch.hpp"
 
 namespace durero::io {
 namespace {
 
-using json::PatchProposal;
-using json::TreeNode;
+using json::JsonItems;
+using json::JsonMembers;
+using json::JsonValue;
+
+/// An operation of a patch.
+struct PatchProposal {
+  enum class Kind : std::uint8_t { replace, remove };
+
+  Kind kind;
+  std::string path;      // a JSON pointer to the value
+  std::string value{};   // of a replacement, as JSON text
+  std::string reason{};  // for whoever reads the patch; the standard lets programs pass over it
+};
 using Kind = PatchProposal::Kind;
 
 constexpr std::string_view elements_pointer = "/elementos/";
 
-/// The value of a string leaf, and nothing of any other.
-std::optional<std::string> string_of(const TreeNode* node) {
-  if (node == nullptr || !node->text.starts_with('"')) return std::nullopt;
-  const Source source("a string", node->text);
-  const json::Document document(source);
-  return std::string(json::Reader(document).string("a string"));
+/// The text of a patch, an operation a line.
+std::string patch_text(const std::vector<PatchProposal>& patch) {
+  std::string text = "[";
+  for (const PatchProposal& operation : patch) {
+    text += &operation == patch.data() ? "\n" : ",\n";
+    std::string line;
+    json::Writer out(line);
+    out.begin_object()
+        .member("op", operation.kind == Kind::replace ? "replace" : "remove")
+        .member("path", operation.path);
+    if (!operation.reason.empty()) out.member("reason", operation.reason);
+    if (operation.kind == Kind::remove) {
+      out.end_object();
+      text += line;
+    } else {
+      text += line + ",\"value\":" + operation.value + "}";
+    }
+  }
+  return text + "\n]\n";
+}
+
+/// The string that a value is, and nothing of any other.
+std::optional<std::string> string_of(const JsonValue* value) {
+  const auto* const string = value == nullptr ? nullptr : std::get_if<std::string>(&value->of);
+  return string == nullptr ? std::nullopt : std::optional(*string);
+}
+
+std::string line_of(const JsonValue& value) {
+  std::string text;
+  json::append_value(text, value);
+  return text;
 }
 
 /// The text of an element but for its name.
-std::string text_but_for_name(TreeNode element) {
-  json::remove(element, "/id");
-  return json::line_of(element);
+std::string text_but_for_name(JsonValue element) {
+  std::erase_if(std::get<JsonMembers>(element.of), [](const json::JsonMember& member) { return member.key == "id"; });
+  return line_of(element);
+}
+
+/// The elements of a file; none where it has no such array.
+const JsonItems& elements_of(const JsonValue& root) {
+  static const JsonItems none;
+  const JsonValue* const elements = root.member("elementos");
+  const auto* const items = elements == nullptr ? nullptr : std::get_if<JsonItems>(&elements->of);
+  return items == nullptr ? none : *items;
 }
 
 std::string quoted(const std::string& text) {
@@ -53,11 +97,10 @@ std::string quoted(const std::string& text) {
 /// The elements of a file by their names: where each name stands first.
 class FirstPlaces {
  public:
-  explicit FirstPlaces(const TreeNode& root) {
-    const TreeNode* const elements = root.member("elementos");
-    if (elements == nullptr) return;
-    for (std::size_t i = 0; i < elements->items.size(); ++i)
-      if (const auto id = string_of(elements->items[i].member("id"))) first_.try_emplace(*id, i);
+  explicit FirstPlaces(const JsonValue& root) {
+    const JsonItems& elements = elements_of(root);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (const auto id = string_of(elements[i].member("id"))) first_.try_emplace(*id, i);
   }
 
   std::optional<std::size_t> of(const std::string& id) const {
@@ -80,7 +123,7 @@ class FirstPlaces {
 /// Proposes operations for the errors of one reading of a file.
 class Proposals {
  public:
-  explicit Proposals(TreeNode& root) : root_(root), places_(root) {}
+  explicit Proposals(JsonValue& root) : root_(root), places_(root) {}
 
   std::optional<PatchProposal> of(const InputError& error, const std::string& pointer) {
     const contract::clause* const broken = error.broken();
@@ -98,9 +141,9 @@ class Proposals {
 
  private:
   std::optional<PatchProposal> unit_axis(const std::string& pointer) {
-    const TreeNode* const node = json::find(root_, pointer);
+    const JsonValue* const node = json::find(root_, pointer);
     if (node == nullptr) return std::nullopt;
-    const std::string text = json::line_of(*node);
+    const std::string text = line_of(*node);
     const Source source("an axis", text);
     const json::Document document(source);
     const auto axis = axis_between(glm::dvec3(0), json::Reader(document).vec3("an axis"));
@@ -112,13 +155,13 @@ class Proposals {
 
   std::optional<PatchProposal> one_name(const std::string& pointer) {
     const std::string element = pointer.substr(0, pointer.rfind('/'));
-    TreeNode* const node = json::find(root_, element);
+    const JsonValue* const node = json::find(root_, element);
     if (node == nullptr || !element.starts_with(elements_pointer)) return std::nullopt;
     const auto id = string_of(node->member("id"));
     const auto first = id ? places_.of(*id) : std::nullopt;
     if (!first) return std::nullopt;
     const std::string other = fmt::format("{}{}", elements_pointer, *first);
-    if (json::line_of(*json::find(root_, other)) == json::line_of(*node))
+    if (line_of(*json::find(root_, other)) == line_of(*node))
       return PatchProposal{Kind::remove, element, "", fmt::format("it stands at {} too", other)};
     const auto name = places_.free_name(*id);
     if (!name) return std::nullopt;
@@ -135,7 +178,7 @@ class Proposals {
     return PatchProposal{Kind::remove, pointer, "", reason};
   }
 
-  TreeNode& root_;
+  JsonValue& root_;
   FirstPlaces places_;
 };
 
@@ -160,10 +203,10 @@ void sort_for_carrying_out(std::vector<PatchProposal>& operations) {
 }
 
 /// An error of a patched text, at the place that its value has in the file.
-InputError in_file(const Source& file, TreeNode& root, const InputError& error, const std::string& pointer) {
+InputError in_file(const Source& file, JsonValue& root, const InputError& error, const std::string& pointer) {
   const std::string message(error.message());
   const std::size_t end = std::min(message.find("; "), message.size());
-  const TreeNode* const node = json::find(root, pointer);
+  const JsonValue* const node = json::find(root, pointer);
   const TextPosition place = node == nullptr ? TextPosition{1, 1} : file.place(node->offset);
   return {file.name(), place, message.substr(0, end), message.substr(std::min(end + 2, message.size())),
           error.broken()};
@@ -171,11 +214,13 @@ InputError in_file(const Source& file, TreeNode& root, const InputError& error, 
 
 /// Mends the text in memory until it can be read, or nothing more can be proposed.
 SceneFixes patch_of(const Source& file) {
-  TreeNode root = json::read_tree(file);
+  JsonValue root = json::read_whole(file);
   SceneFixes fixes;
   std::vector<PatchProposal> patch;
   while (true) {
-    const Source now(file.name(), json::tree_text(root));
+    std::string text;
+    json::append_lines(text, root);
+    const Source now(file.name(), std::move(text));
     const PlacedErrors found = errors_of(now);
     std::vector<PatchProposal> proposed;
     fixes.left.reset();
@@ -190,23 +235,19 @@ SceneFixes patch_of(const Source& file) {
     }
     if (proposed.empty()) break;
     sort_for_carrying_out(proposed);
-    for (const PatchProposal& operation : proposed) {
-      if (operation.kind == Kind::replace) json::replace(root, operation.path, operation.value);
-      if (operation.kind == Kind::remove) json::remove(root, operation.path);
-    }
+    json::apply_patch(Source("the proposals", patch_text(proposed)), root);
     std::ranges::move(proposed, std::back_inserter(patch));
   }
-  if (!patch.empty()) fixes.script = json::patch_text(patch);
+  if (!patch.empty()) fixes.script = patch_text(patch);
   return fixes;
 }
 
 /// The operations that drop what is the same as another element, whose name comes before.
 std::string operations_of(const scene::GroupedScene& scene) {
-  const Source text("a scene", scene_text(scene.scene, scene.groups));
-  const TreeNode root = json::read_tree(text);
+  const JsonValue root = json::read_whole(Source("a scene", scene_text(scene.scene, scene.groups)));
   std::map<std::string, std::string> first;  // from an element but for its name
   std::string script;
-  for (const TreeNode& element : root.member("elementos")->items) {
+  for (const JsonValue& element : elements_of(root)) {
     const std::string id = string_of(element.member("id")).value();
     const auto [at, is_first] = first.try_emplace(text_but_for_name(element), id);
     if (is_first) continue;

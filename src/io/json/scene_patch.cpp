@@ -13,10 +13,7 @@ namespace durero::io {
 namespace {
 
 json::JsonValue value_of_scene(const scene::GroupedScene& of) {
-  const Source text("a scene", scene_text(of.scene, of.groups));
-  const json::Document document(text);
-  json::Reader in(document);
-  return json::read_value(text, in);
+  return json::read_whole(Source("a scene", scene_text(of.scene, of.groups)));
 }
 
 /// Fails at the beginning of the patch with an error of what it has made.

@@ -7,12 +7,7 @@
 namespace durero::io::json {
 namespace {
 
-JsonValue value(const std::string& text) {
-  const Source source("v", text);
-  const Document document(source);
-  Reader in(document);
-  return read_value(source, in);
-}
+JsonValue value(const std::string& text) { return read_whole(Source("v", text)); }
 
 std::string text_of(const JsonValue& of) {
   std::string text;
@@ -124,6 +119,19 @@ TEST_CASE("A patch is read whole before any of it is done, and its place is that
                               JsonValue of = value("{}");
                               apply_patch(source, of);
                             }) == "\"/b\" is not there; expected a pointer to what the document has");
+}
+
+TEST_CASE("A replaced value keeps its place in the text, and a pointer finds it") {
+  JsonValue of = value(R"({"a":[1,{"b/c":2}]})");
+  const std::vector<std::size_t> operations =
+      apply_patch(Source("p", R"([{"op":"replace","path":"/a/1/b~1c","value":3}])"), of);
+  CHECK(operations == std::vector<std::size_t>{1});
+  const JsonValue* const found = find(of, "/a/1/b~1c");
+  REQUIRE(found != nullptr);
+  CHECK(found->offset == 15);
+  CHECK(text_of(*found) == "3");
+  CHECK(find(of, "") == &of);
+  for (const char* nothing : {"/b", "/a/2", "/a/01", "/a/-", "a", "/a/0/x", "/~2"}) CHECK(find(of, nothing) == nullptr);
 }
 
 TEST_CASE("Brackets and copies have bounds") {

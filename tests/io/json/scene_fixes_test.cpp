@@ -9,6 +9,7 @@
 #include "durero/io/json/scene_check.hpp"
 #include "durero/model/judgement.hpp"
 #include "io/json/edited_script.hpp"
+#include "io/json/json_value.hpp"
 #include "support/catch.hpp"
 #include "support/scenes.hpp"
 
@@ -31,15 +32,17 @@ std::string triangle(const std::string& id, const std::string& last) {
 
 /// The text of a file after its patch.
 Source mended(const Source& file, const SceneFixes& fixes) {
-  const Source patch("fix", fixes.script);
-  return {"mended", json::patched(file, patch, json::read_patch(patch))};
+  return {"mended", json::patched_file(file, Source("fix", fixes.script)).text};
 }
 
 std::vector<std::string> operations_in(const std::string& patch) {
+  const json::JsonValue operations = json::read_whole(Source("fix", patch));
   std::vector<std::string> lines;
-  for (const json::PatchProposal& operation : json::read_patch(Source("fix", patch)))
-    lines.push_back((operation.kind == json::PatchProposal::Kind::remove ? "remove " : "replace ") + operation.path +
-                    " " + operation.value);
+  for (const json::JsonValue& operation : std::get<json::JsonItems>(operations.of)) {
+    std::string& line = lines.emplace_back();
+    for (const char* key : {"op", "path"}) line += std::get<std::string>(operation.member(key)->of) + " ";
+    if (const json::JsonValue* const value = operation.member("value")) json::append_value(line, *value);
+  }
   return lines;
 }
 using Lines = std::vector<std::string>;
