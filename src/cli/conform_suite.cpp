@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "durero/conform/ask/system_file.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/whole_number.hpp"
 #include "numbers.hpp"
 
 namespace durero::cli {
@@ -48,13 +48,11 @@ const Family& family_of(const std::string& name) {
 /// The parts FAMILY and NUMBER of a case's name.
 std::pair<std::string, std::uint64_t> parts_of(const std::string& name) {
   const std::size_t slash = name.find('/');
-  std::uint64_t number = 0;
-  const char* const end = name.data() + name.size();
-  const auto parsed = std::from_chars(name.data() + std::min(slash, name.size() - 1) + 1, end, number);
-  if (slash == name.npos || parsed.ec != std::errc() || parsed.ptr != end)
+  const auto number = slash == name.npos ? std::nullopt : text::whole_number(std::string_view(name).substr(slash + 1));
+  if (!number)
     throw std::runtime_error(fmt::format("no case {}; expected FAMILY/NUMBER, such as {}/0000", text::shown(name),
                                          find_family(name.substr(0, slash)) ? name.substr(0, slash) : "rim"));
-  return {name.substr(0, slash), number};
+  return {name.substr(0, slash), *number};
 }
 
 void add_seed(CLI::App& command, SuiteCall& call) {

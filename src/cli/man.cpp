@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +13,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/text/utf8.hpp"
+#include "durero/text/whole_number.hpp"
 #include "help.hpp"
 
 namespace durero::cli {
@@ -47,7 +47,7 @@ std::string page_name(const CLI::App& command) {
 /// The day of SOURCE_DATE_EPOCH, or none: the same sources give the same pages.
 std::string day() {
   const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
-  const auto seconds = epoch == nullptr ? std::nullopt : read_whole_number(epoch);
+  const auto seconds = epoch == nullptr ? std::nullopt : text::whole_number(epoch);
   if (!seconds) return "";
   const auto day = std::chrono::floor<std::chrono::days>(std::chrono::sys_seconds(std::chrono::seconds(*seconds)));
   const std::chrono::year_month_day date(day);

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -18,16 +17,9 @@
 
 #include "durero/io/number_text.hpp"
 #include "durero/text/nearest.hpp"
+#include "durero/text/whole_number.hpp"
 
 namespace durero::cli {
-
-/// The whole number in decimal digits alone; nothing for another text, or for 2⁶⁴ or more.
-inline std::optional<std::uint64_t> read_whole_number(std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// The `count` numbers of a text with separators between them, each read by read(text); nothing for another text.
 template <std::size_t count, class Read>
@@ -46,10 +38,10 @@ auto numbers_in(std::string_view text, char separator, const Read& read) {
 
 /// A check for a whole number in decimal digits, from least to greatest.
 inline CLI::Validator whole_number(std::uint64_t least, std::uint64_t greatest) {
-  const auto check = [=](const std::string& text) -> std::string {
-    const auto value = read_whole_number(text);
+  const auto check = [=](const std::string& given) -> std::string {
+    const auto value = text::whole_number(given);
     if (value && least <= *value && *value <= greatest) return "";
-    return fmt::format("{}: no whole number from {} to {}; expected one, in decimal digits", text, least, greatest);
+    return fmt::format("{}: no whole number from {} to {}; expected one, in decimal digits", given, least, greatest);
   };
   return {check, fmt::format("{} to {}", least, greatest)};
 }

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t greatest_side = 65535;
 
 /// Pixels of a side.
 inline std::optional<std::uint32_t> read_side(std::string_view text) {
-  const auto value = read_whole_number(text);
+  const auto value = text::whole_number(text);
   if (!value || *value > greatest_side) return std::nullopt;
   return static_cast<std::uint32_t>(*value);
 }

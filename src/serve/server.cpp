@@ -5,7 +5,6 @@
 #include <sys/socket.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <exception>
 #include <limits>
@@ -18,6 +17,7 @@
 #include "durero/io/rays/hits_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/whole_number.hpp"
 #include "edit_feed.hpp"
 #include "request.hpp"
 #include "store_worker.hpp"
@@ -74,13 +74,9 @@ std::string tag_of(store::EventNumber event) { return fmt::format("\"{}\"", even
 store::EventNumber expected_head(const Request& in) {
   const std::string given = in.get_header_value("If-Match");
   if (given.empty() || given == "*") return store::no_event;
-  store::EventNumber event = store::no_event;
-  const char* const end = given.data() + given.size();
   const bool quoted = given.size() > 2 && given.front() == '"' && given.back() == '"';
-  if (quoted) {
-    const auto [stop, error] = std::from_chars(given.data() + 1, end - 1, event);
-    if (error == std::errc() && stop == end - 1 && event > store::no_event) return event;
-  }
+  const auto event = quoted ? text::whole_number(std::string_view(given).substr(1, given.size() - 2)) : std::nullopt;
+  if (event && *event > 0 && std::in_range<store::EventNumber>(*event)) return static_cast<store::EventNumber>(*event);
   throw std::invalid_argument("If-Match is " + text::shown(given) + "; expected an ETag of this server");
 }
 
@@ -240,9 +236,8 @@ struct Server::Parts {
     std::size_t count = 100;
     if (in.has_param("limit")) {
       const std::string given = in.get_param_value("limit");
-      const char* const end = given.data() + given.size();
-      const auto [stop, error] = std::from_chars(given.data(), end, count);
-      if (error != std::errc() || stop != end || count == 0 || count > most)
+      count = text::whole_number(given).value_or(0);
+      if (count == 0 || count > most)
         throw std::invalid_argument(fmt::format("limit is {}; expected 1 to {}", text::shown(given), most));
     }
     answer(out, worker.ask([count](store::Store& of) {
@@ -302,7 +297,12 @@ struct Server::Parts {
   void watch(const Request& in, Response& out) {
     std::uint64_t last = feed.last();
     const std::string given = in.get_header_value("Last-Event-ID");
-    if (!given.empty()) std::from_chars(given.data(), given.data() + given.size(), last);
+    if (!given.empty()) {
+      const auto number = text::whole_number(given);
+      if (!number)
+        throw std::invalid_argument("Last-Event-ID is " + text::shown(given) + "; expected an id of this server");
+      last = *number;
+    }
     out.set_header("Cache-Control", "no-store");
     out.set_chunked_content_provider("text/event-stream", [this, last](std::size_t, httplib::DataSink& sink) mutable {
       const auto message = feed.after(last, heartbeat);

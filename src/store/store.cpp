@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 
 #include "durero/io/lines.hpp"
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/model/tipos.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/whole_number.hpp"
 #include "journal.hpp"
 #include "snapshot.hpp"
 
@@ -26,13 +26,6 @@ constexpr std::size_t least_interval = 1000;
 /// snapshot takes less than a quarter of an edit. So snapshots take at most four elements' bytes for each edit.
 bool is_snapshot_due(Fold& fold) {
   return fold.behind_snapshot() >= std::max(least_interval, fold.edited().of().scene.size() / 4);
-}
-
-std::optional<std::int64_t> whole_number_in(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || text.front() == '-') return std::nullopt;
-  return value;
 }
 
 std::string_view trimmed(std::string_view line) {
@@ -104,7 +97,7 @@ std::vector<StoredName> stored(const std::vector<NamedEvent>& names) {
 
 /// A new name is none of a number or of HEAD, and neither a branch nor a tag has it.
 void require_new(Records& records, const std::string& name) {
-  if (!model::Elemento::is_name(name) || whole_number_in(name) || name == head_word)
+  if (!model::Elemento::is_name(name) || text::whole_number(name) || name == head_word)
     records.database().refuse(fmt::format("{} is no name", text::shown(name)),
                               "expected 1 to 128 of A-Z a-z 0-9 _ . : -, not HEAD, and no number");
   for (const auto& [kind, word] : {std::pair(NameKind::branch, "branch"), std::pair(NameKind::tag, "tag")})
@@ -172,14 +165,15 @@ EventNumber Store::find(std::string_view revision) {
   Records& records = journal_->records;
   const std::size_t tilde = revision.find('~');
   const std::string_view name = revision.substr(0, tilde);
-  std::optional<std::int64_t> back = 0;
-  if (tilde != revision.npos) back = tilde + 1 == revision.size() ? 1 : whole_number_in(revision.substr(tilde + 1));
+  std::optional<std::uint64_t> back = 0;
+  if (tilde != revision.npos) back = tilde + 1 == revision.size() ? 1 : text::whole_number(revision.substr(tilde + 1));
   if (name.empty() || !back) refuse_revision(*journal_, revision);
   EventNumber number = no_event;
   if (name == head_word) {
     number = head().event;
-  } else if (const auto given = whole_number_in(name)) {
-    if (*given > no_event && records.event(*given)) number = *given;
+  } else if (const auto given = text::whole_number(name)) {
+    if (std::in_range<EventNumber>(*given) && records.event(static_cast<EventNumber>(*given)))
+      number = static_cast<EventNumber>(*given);
   } else if (const auto branch = records.named(NameKind::branch, name)) {
     number = *branch;
   } else {

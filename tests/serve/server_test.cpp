@@ -190,7 +190,9 @@ TEST_CASE("bad input is refused in one line, and changes nothing") {
     CHECK(wrong("/hits", body) == 400);
   CHECK(status(client.Get("/nothing")) == 404);
   CHECK(status(client.Get("/schema/nothing.schema.json")) == 404);
-  CHECK(status(client.Get("/log?limit=0")) == 400);
+  for (const char* limit : {"0", "1001", "-1", "1.0", ""})
+    CHECK(status(client.Get(std::string("/log?limit=") + limit)) == 400);
+  for (const char* id : {"x", "-1", "1.0"}) CHECK(status(client.Get("/events", {{"Last-Event-ID", id}})) == 400);
   CHECK(status(client.Post("/edits", sphere("a"), "text/plain")) == 415);
   CHECK(client.Get("/")->body.find("\"event\":1") != std::string::npos);
 

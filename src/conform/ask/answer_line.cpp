@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <span>
 
 #include "conform/ask/words.hpp"
 #include "durero/io/number_text.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/whole_number.hpp"
 
 namespace durero::conform {
 namespace {
@@ -103,12 +103,9 @@ Claim read_hits(std::string_view line, std::span<const std::string_view> words, 
 
 /// Reads the number of all hits.
 Claim read_number_of_hits(std::string_view line, std::span<const std::string_view> words) {
-  std::uint64_t count = 0;
-  const std::string_view digits = words.size() == 2 ? words[1] : "";
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size())
-    return malformed(line, "a count is one whole number");
-  return {.outcome = count > 0 ? Claim::Outcome::hit : Claim::Outcome::miss, .count = count};
+  const auto count = text::whole_number(words.size() == 2 ? words[1] : "");
+  if (!count) return malformed(line, "a count is one whole number");
+  return {.outcome = *count > 0 ? Claim::Outcome::hit : Claim::Outcome::miss, .count = *count};
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 
@@ -15,6 +14,7 @@
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/attributes.hpp"
 #include "durero/text/shown.hpp"
+#include "durero/text/whole_number.hpp"
 
 namespace durero::conform {
 namespace {
@@ -185,12 +185,9 @@ scene::Query read_ray(const QuestionLine& line, QuestionKind kind, std::vector<A
 }
 
 std::size_t read_count(const QuestionLine& line) {
-  std::size_t count = 0;
-  const std::string_view digits = line.words.size() == 2 ? line.words[1] : "";
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size())
-    line.fail(1, "rays without their number", "expected rays N");
-  return count;
+  const auto count = text::whole_number(line.words.size() == 2 ? line.words[1] : "");
+  if (!count) line.fail(1, "rays without their number", "expected rays N");
+  return *count;
 }
 
 /// A ball is cast at the types of the model alone, and of a torus no nearest point is known.
