@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The critical edition is whole: erratas.py ROOT.
 
-- spec/erratas.md has each number of each source text once, in the form printed, defect, correction, proof.
+- spec/erratas.md has each number of each source text once, in the form printed, defect, correction, proof; of what is ours, printed, reason, extension, proof.
 - A proof names evidence, or says that nothing proves the entry yet. Each test that it names is a test case of the file
   beside it, each theorem stands in proofs/, and it claims a counterexample where there is one for its number.
 - A label that an entry cites is one of the Z text.
@@ -19,8 +19,9 @@ import contraejemplos_luz
 
 Source = namedtuple("Source", "count digits module")
 SOURCES = {"E": Source(35, 2, contraejemplos), "EA": Source(12, 1, contraejemplos_aceleracion),
-           "ER": Source(14, 1, contraejemplos_luz)}
+           "ER": Source(14, 1, contraejemplos_luz), "EX": Source(4, 1, None)}  # EX: what is ours, and needs none
 FORM = ["Printed", "Defect", "Correction", "Proof"]
+FORM_OF_OURS = ["Printed", "Reason", "Extension", "Proof"]
 UNPROVED = "nothing proves this yet"
 BY_READING = {"E15", "E25"}  # names that occur once, and a change of no meaning: the printed text is what shows it
 
@@ -29,7 +30,7 @@ Tree = namedtuple("Tree", "text shown cases theorems labels cited")
 
 def entries(text):
     """The entries in their order: (number, body)."""
-    parts = re.split(r"^#### (E[AR]?\d+) .*$", text, flags=re.M)
+    parts = re.split(r"^#### (E[ARX]?\d+) .*$", text, flags=re.M)
     return [(number, re.split(r"^##", body, flags=re.M)[0]) for number, body in zip(parts[1::2], parts[2::2])]
 
 
@@ -47,7 +48,8 @@ def shown_numbers():
     """The numbers that have a counterexample."""
     found = set()
     for name, source in SOURCES.items():
-        for k in re.findall(rf"\btest_{name}(\d\d)_", " ".join(dir(source.module.Errata))):
+        tests = dir(source.module.Errata) if source.module else []
+        for k in re.findall(rf"\btest_{name}(\d\d)_", " ".join(tests)):
             found.add(f"{name}{int(k):0{source.digits}}")
     return found
 
@@ -68,7 +70,7 @@ def read_tree(root):
         cases={path: test_cases((root / path).read_text(encoding="utf-8")) for path in files},
         theorems=set(re.findall(r"^\s*(?:Theorem|Lemma|Corollary)\s+(\w+)", proved, re.M)),
         labels={label for source in spec for label in re.findall(r"%\s*(\w+\.[a-z]+\.\d+)\s*$", source, re.M)},
-        cited={number for source in [*spec, *pages] for number in re.findall(r"\bE[AR]\d+\b", source)},
+        cited={number for source in [*spec, *pages] for number in re.findall(r"\bE[ARX]\d+\b", source)},
     )
 
 
@@ -84,8 +86,9 @@ def lost_numbers(tree):
 def other_forms(tree):
     for number, body in entries(tree.text):
         items = re.findall(r"^- (\w+): \S", body, re.M)
-        if items != FORM:
-            yield f"{number} has {', '.join(items) or 'nothing'}; expected {', '.join(FORM)}"
+        form = FORM_OF_OURS if number.startswith("EX") else FORM
+        if items != form:
+            yield f"{number} has {', '.join(items) or 'nothing'}; expected {', '.join(form)}"
 
 
 def lost_evidence(tree):
@@ -144,6 +147,7 @@ def unseen(tree):
         "EA3 names no file": changed("EA3", " of `tests/accel/bvh_test.cpp`", ""),
         "EA8 twice": tree._replace(text=tree.text + "\n#### EA8 Again\n" + dict(entries(tree.text))["EA8"]),
         "EA9 without a defect": changed("EA9", "- Defect: ", "- Fault: "),
+        "EX1 without a reason": changed("EX1", "- Reason: ", "- Defect: "),
         "ER13 omits its counterexample": changed("ER13", "counterexample; ", ""),
         "EA12 has no counterexample": tree._replace(shown=tree.shown - {"EA12"}),
         "EA12 without evidence": changed("EA12", "counterexample, which counts the volumes", "none")._replace(
