@@ -59,9 +59,9 @@ class ValueReader {
 };
 
 /// Writes a value: the parts of its outer levels each on a line of its own.
-class ValueWriter {
+class JsonValueWriter {
  public:
-  explicit ValueWriter(std::string& out) : out_(out) {}
+  explicit JsonValueWriter(std::string& out) : out_(out) {}
 
   void value(const JsonValue& of, std::size_t line_levels) {
     std::visit([&](const auto& kind) { append(kind, line_levels); }, of.of);
@@ -160,10 +160,10 @@ JsonValue read_whole(const Source& source) {
   return read_value(source, in);
 }
 
-void append_value(std::string& out, const JsonValue& value) { ValueWriter(out).value(value, 0); }
+void append_value(std::string& out, const JsonValue& value) { JsonValueWriter(out).value(value, 0); }
 
 void append_lines(std::string& out, const JsonValue& value) {
-  ValueWriter(out).value(value, line_levels_of_a_file);
+  JsonValueWriter(out).value(value, line_levels_of_a_file);
   out += '\n';
 }
 
