@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -30,9 +31,13 @@ std::optional<std::string> on_disk(const std::string& file) {
 
 class SpecificationReader {
  public:
+  /// The place of parents that no text has.
+  enum class Parents : std::uint8_t { beside_files, nowhere_else };
+
   /// Reads `texts`, by name of file, instead of files on disk.
-  explicit SpecificationReader(std::map<std::string, std::optional<std::string>> texts = {})
-      : texts_(std::move(texts)) {}
+  explicit SpecificationReader(std::map<std::string, std::optional<std::string>> texts = {},
+                               Parents parents = Parents::beside_files)
+      : texts_(std::move(texts)), parents_(parents) {}
 
   /// Tells where the sections of a file are, without reading them.
   void index(const std::string& path) {
@@ -149,7 +154,7 @@ class SpecificationReader {
 
   /// Reads the file that a section stands in: one of those given, or one in the folder of the file that names it.
   void find(const std::string& parent, const std::string& path) {
-    if (!where_.contains(parent)) {
+    if (!where_.contains(parent) && parents_ == Parents::beside_files) {
       std::filesystem::path folder = std::filesystem::path(path).parent_path();
       if (folder.empty()) folder = ".";
       std::error_code unreadable;
@@ -244,7 +249,8 @@ class SpecificationReader {
   }
 
   std::map<std::string, std::optional<std::string>> texts_;  // a file that cannot be read has no contents
-  std::map<std::string, Pieces> pieces_;                     // of these
+  Parents parents_;
+  std::map<std::string, Pieces> pieces_;  // of these
   Specification specification_;
   std::set<std::string> files_, started_;
   std::map<std::string, std::string> where_;  // a section leads to its file
@@ -274,10 +280,10 @@ Specification read_files(const std::vector<std::string>& files) {
 
 namespace {
 
-/// Reads texts of files, which it keeps, or whatever they name.
+/// Reads texts of files, which it keeps, and the parents that they name.
 template <class Texts>
-Specification read_each(const Texts& texts) {
-  SpecificationReader reader({texts.begin(), texts.end()});
+Specification read_each(const Texts& texts, SpecificationReader::Parents parents) {
+  SpecificationReader reader({texts.begin(), texts.end()}, parents);
   for (const auto& [file, text] : texts) reader.index(file);
   for (const auto& [file, text] : texts) reader.file(file);
   return reader.take();
@@ -286,10 +292,12 @@ Specification read_each(const Texts& texts) {
 }  // namespace
 
 Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources) {
-  return read_each(sources);
+  return read_each(sources, SpecificationReader::Parents::beside_files);
 }
 
-Specification read_texts(const std::map<std::string, std::string>& texts) { return read_each(texts); }
+Specification read_texts(const std::map<std::string, std::string>& texts) {
+  return read_each(texts, SpecificationReader::Parents::nowhere_else);
+}
 
 Specification read_text(const std::string& text, const std::string& file) {
   SpecificationReader reader;

@@ -87,6 +87,13 @@ TEST_CASE("a cycle of parents is said to be one, and what is unknown or comes to
         "");
 }
 
+TEST_CASE("texts in memory have their parents among themselves, sources of files beside them too") {
+  const std::string beside = durero::test::source_dir() + "/spec/child.tex";
+  const std::string child = "\\begin{zsection}\n\\SECTION child \\parents tipos\n\\end{zsection}\n";
+  CHECK(read_sources({{beside, child}}).ok());
+  CHECK_FALSE(read_texts({{beside, child}}).ok());
+}
+
 TEST_CASE("a file in Unicode is read as one in LaTeX is, with its places") {
   const std::string unicode =
       "Prose.\n─ section mia parents standard_toolkit\n└\n─\n[A, B]\nT ::= a | b⟪A⟫\n└\n┌ S[X]\nx : ℙ X\n├─\nx ≠ ∅  % "

@@ -43,7 +43,7 @@ Specification read_files(const std::vector<std::string>& files);
 /// Reads texts that were files, each with its name, in this order. Parents are looked for as by read_files.
 Specification read_sources(const std::vector<std::pair<std::string, std::string>>& sources);
 
-/// Reads texts in memory, by the names of the files that they stand for.
+/// Reads texts in memory, by the names of the files that they stand for. Parents are looked for among them alone.
 Specification read_texts(const std::map<std::string, std::string>& texts);
 
 /// Reads one text as a file of this name. Parents are looked for as by read_files.
