@@ -16,26 +16,31 @@ using zed::Value;
 
 namespace {
 
+std::string explained_line(const ExplainedTerm& said, unsigned depth) {
+  return std::string(2 * static_cast<std::size_t>(depth), ' ') + said.term + "  ▸  " + said.value + "\n";
+}
+
+void append_explained(std::string& to, const ExplainedTerm& said, unsigned depth) {
+  to += explained_line(said, depth);
+  for (const ExplainedTerm& part : said.parts) append_explained(to, part, depth + 1);
+}
+
 class Explainer {
  public:
   Explainer(const zed::Evaluator& evaluator, const zed::Typing& typing) : evaluator_(evaluator), typing_(typing) {}
 
-  void explain(const Term& term, const Valuation& locals, unsigned depth) {
-    if (said_.size() > most_text || depth > most_depth) return;
+  /// Adds a term, with its parts, to those of another.
+  void explain(const Term& term, const Valuation& locals, unsigned depth, std::vector<ExplainedTerm>& into) {
+    if (size_ > most_text || depth > most_depth) return;
     if (is_predicate(term)) {
       const std::string truth = truth_of(term, locals);
-      say(depth, zed::to_unicode(term), truth);
-      if (is_quantifier(term)) return explain_quantifier(term, locals, depth, truth);
-    } else {
-      say(depth, zed::to_unicode(term), value_of(term, locals));
-      if (term->text) return;  // its parts speak of variables that have no one value
+      ExplainedTerm& said = say(into, depth, {zed::to_unicode(term), truth});
+      if (is_quantifier(term)) return explain_quantifier(term, locals, depth, said);
+      return explain_parts(term, locals, depth, said);
     }
-    for (const Term& part : term->children)
-      for (const Term& each : part->kind == Kind::tuple ? part->children : std::vector{part})
-        if (is_worth_saying(each)) explain(each, locals, depth + 1);
+    ExplainedTerm& said = say(into, depth, {zed::to_unicode(term), value_of(term, locals)});
+    if (!term->text) explain_parts(term, locals, depth, said);  // they else speak of variables that have no one value
   }
-
-  std::string take() { return std::move(said_); }
 
  private:
   static constexpr std::size_t most_text = 100'000;
@@ -50,8 +55,15 @@ class Explainer {
     return part->kind != Kind::reference || part->name.word.find('_') == std::string::npos;
   }
 
-  void say(unsigned depth, const std::string& term, const std::string& value) {
-    said_ += std::string(2 * static_cast<std::size_t>(depth), ' ') + term + "  ▸  " + value + "\n";
+  ExplainedTerm& say(std::vector<ExplainedTerm>& into, unsigned depth, ExplainedTerm said) {
+    size_ += explained_line(said, depth).size();
+    return into.emplace_back(std::move(said));
+  }
+
+  void explain_parts(const Term& term, const Valuation& locals, unsigned depth, ExplainedTerm& said) {
+    for (const Term& part : term->children)
+      for (const Term& each : part->kind == Kind::tuple ? part->children : std::vector{part})
+        if (is_worth_saying(each)) explain(each, locals, depth + 1, said.parts);
   }
 
   std::string truth_of(const Term& term, const Valuation& locals) const {
@@ -73,19 +85,20 @@ class Explainer {
   }
 
   /// The values that make a ∀ false, or an ∃ true, and the body with them.
-  void explain_quantifier(const Term& term, const Valuation& locals, unsigned depth, const std::string& truth) {
+  void explain_quantifier(const Term& term, const Valuation& locals, unsigned depth, ExplainedTerm& said) {
     const bool universal = term->kind == Kind::forall;
-    if (truth != (universal ? "false" : "true")) return;
+    if (said.value != (universal ? "false" : "true")) return;
     const auto witness = first_witness(term, locals, universal);
     if (!witness) return;
     std::string values;
     for (const auto& [name, value] : *witness)
       values += (values.empty() ? "" : ", ") + name.text() + " == " + value.text();
-    say(depth + 1, universal ? "counter-example" : "witness", values);
+    ExplainedTerm& found = say(said.parts, depth + 1, {universal ? "counter-example" : "witness", values, true});
     Valuation inner = *witness;
     inner.insert(inner.begin(), locals.begin(), locals.end());
-    for (const zed::Predicate& predicate : term->text->predicates) explain(predicate.term, inner, depth + 2);
-    explain(term->children[0], inner, depth + 2);
+    for (const zed::Predicate& predicate : term->text->predicates)
+      explain(predicate.term, inner, depth + 2, found.parts);
+    explain(term->children[0], inner, depth + 2, found.parts);
   }
 
   /// The first member of { D | P ∧ Q • (x, …) }, where all of D is x : T.
@@ -113,18 +126,25 @@ class Explainer {
 
   const zed::Evaluator& evaluator_;
   const zed::Typing& typing_;
-  std::string said_;
+  std::size_t size_ = 0;  // of the text so far
 };
 
 }  // namespace
 
 std::string Calculator::explain(const std::string& typed, zed::Steps& steps) const {
+  std::string text;
+  append_explained(text, explained(typed, steps), 0);
+  return text;
+}
+
+ExplainedTerm Calculator::explained(const std::string& typed, zed::Steps& steps) const {
   Term term = parsed(typed, notation_of(specification_));
   const zed::Typing typing = check(term);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   Explainer explainer(evaluator, typing);
-  explainer.explain(term, {}, 0);
-  return explainer.take();
+  std::vector<ExplainedTerm> whole;
+  explainer.explain(term, {}, 0, whole);
+  return std::move(whole.front());
 }
 
 }  // namespace durero::spec

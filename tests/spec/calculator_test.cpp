@@ -124,6 +124,28 @@ TEST_CASE("a connective of schemas is a schema, and a predicate is true or false
   CHECK_THROWS_AS(calculator.evaluate("nadie"), zed::ZError);
 }
 
+TEST_CASE("an explanation is a tree, and its text a line for each part of it") {
+  const Calculator calculator;
+  zed::Steps steps;
+  const std::string asked = "∀ x : 1‥3 • x < 3 ∧ x > 0";
+  const ExplainedTerm whole = calculator.explained(asked, steps);
+  CHECK(whole.value == "false");
+  REQUIRE(whole.parts.size() == 1);
+  const ExplainedTerm& witness = whole.parts[0];
+  CHECK(witness.term == "counter-example");
+  CHECK(witness.value == "x == 3");
+  CHECK(witness.is_witness);
+  REQUIRE(witness.parts.size() == 1);
+  REQUIRE(witness.parts[0].parts.size() == 2);
+  CHECK_FALSE(witness.parts[0].is_witness);
+  CHECK(witness.parts[0].parts[0].term == "x < 3");
+  CHECK(witness.parts[0].parts[0].value == "false");
+  CHECK(witness.parts[0].parts[1].value == "true");
+  CHECK(calculator.explain(asked, steps) ==
+        "∀ x : 1 ‥ 3 • x < 3 ∧ x > 0  ▸  false\n  counter-example  ▸  x == 3\n    x < 3 ∧ x > 0  ▸  false\n"
+        "      x < 3  ▸  false\n        x  ▸  3\n      x > 0  ▸  true\n        x  ▸  3\n");
+}
+
 TEST_CASE("a set of elements gives their names, ascending, and nothing else is such a set") {
   const Calculator calculator(spheres({"b", "a-1", "c", "radio"}));
   zed::Steps steps;

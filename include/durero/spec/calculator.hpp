@@ -25,6 +25,14 @@ Notation notation_of(const zed::Specification& specification);
 /// The same as above with the notation of another text.
 zed::Term parsed(const std::string& typed, const Notation& notation);
 
+/// A part of a term that was evaluated, with its own parts.
+struct ExplainedTerm {
+  std::string term;   ///< in Unicode; `witness` or `counter-example` of the values that make an ∃ true or a ∀ false
+  std::string value;  ///< `true`, `false`, `not decided`, or the value; of a witness its values, `x == 1, y == 2`
+  bool is_witness = false;             ///< it stands for values, and no term of the text
+  std::vector<ExplainedTerm> parts{};  ///< in the order of the text; of a witness, what is asked of it
+};
+
 /// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
 /// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
 /// decimal, `0.25`, and / and √ are known. What is printed can be typed again, as an empty set bears its type, `∅[𝔸]`;
@@ -55,6 +63,8 @@ class Calculator {
   /// and below a ∀ that is false, or an ∃ that is true, the values that make it so, and the body with these. Throws as
   /// evaluate() does, but where a part is not decided, which it then says.
   std::string explain(const std::string& typed, zed::Steps& steps) const;
+  /// The same as a tree.
+  ExplainedTerm explained(const std::string& typed, zed::Steps& steps) const;
   /// The same with as many steps as it takes.
   Result evaluate(const std::string& typed) const {
     zed::Steps unbounded;
