@@ -12,6 +12,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/source.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/spec/animation_text.hpp"
 #include "durero/text/nearest.hpp"
 #include "spec.hpp"
 #include "spec_run_typed.hpp"
@@ -130,11 +131,11 @@ class Runner {
     const std::string word = command.substr(0, blank),
                       rest = blank == command.npos ? "" : trimmed(command.substr(blank));
     if (word == "help") return io::print(help_text);
-    if (word == "ops") return io::print(operations_list(machine_, here()));
+    if (word == "ops") return io::print(spec::operations_list(machine_, here()));
     if (word == "why") return why(rest);
     if (word == "show") return show();
     if (word == "back") return back();
-    if (word == "trace") return io::print(way_story(machine_, way_.way()));
+    if (word == "trace") return io::print(spec::way_story(machine_, way_.way()));
     if (word == "save") return io::write_file(rest, way_.saved());
     if (word == "replay") return replay(rest);
     if (word == "try") return try_here();
@@ -174,8 +175,8 @@ class Runner {
     }
     std::string said = fmt::format("{} ways:\n", listed_.size());
     for (std::size_t i = 0; i < listed_.size(); ++i)
-      said += fmt::format("{}. {}\n{}", i + 1, step_line(machine_, listed_[i]),
-                          state_table(machine_, way_.now(), listed_[i].after));
+      said += fmt::format("{}. {}\n{}", i + 1, spec::step_line(machine_, listed_[i]),
+                          spec::state_table(machine_, way_.now(), listed_[i].after));
     io::print(said + left_out + open);
   }
 
@@ -196,8 +197,8 @@ class Runner {
 
   void show() const {
     const auto& last = (here(), way_.way().back());
-    io::print(fmt::format("{}. {}\n{}{}", way_.way().size() - 1, step_line(machine_, last),
-                          state_table(machine_, way_.before(), last.after), outlook(machine_, last.after)));
+    io::print(fmt::format("{}. {}\n{}{}", way_.way().size() - 1, spec::step_line(machine_, last),
+                          spec::state_table(machine_, way_.before(), last.after), spec::outlook(machine_, last.after)));
   }
 
   void back() {
@@ -214,7 +215,7 @@ class Runner {
     const std::size_t blank = rest.find(' ');
     const MachineOperation& operation = found(rest.substr(0, blank));
     const auto given = typed_inputs(machine_, operation, blank == rest.npos ? "" : rest.substr(blank));
-    io::print(findings_list(machine_.preconditions(here(), operation, given)));
+    io::print(spec::findings_list(machine_.preconditions(here(), operation, given)));
   }
 
   void replay(const std::string& path) {
@@ -235,7 +236,7 @@ class Runner {
     for (const ConjectureResult& tried :
          machine_.conjectures(way_.before() ? *way_.before() : none, way_.way().back())) {
       refuted_ = refuted_ || tried.truth == Truth::no;
-      said += claim_line(tried);
+      said += spec::claim_line(tried);
     }
     io::print(said.empty() ? "the text has no conjecture of this state or step\n" : said);
   }
@@ -250,7 +251,7 @@ class Runner {
     for (const std::string& bound : result.bounded) said += "  bounded: " + bound + "\n";
     if (result.refuted) {
       refuted_ = true;
-      said += "false after this way:\n" + claim_line(*result.refuted) + way_story(machine_, result.way);
+      said += "false after this way:\n" + spec::claim_line(*result.refuted) + spec::way_story(machine_, result.way);
     }
     io::print(said);
   }

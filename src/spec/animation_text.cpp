@@ -1,28 +1,22 @@
-// The output of durero spec run: states, steps and predicates.
+#include "durero/spec/animation_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "spec_run.hpp"
+namespace durero::spec {
 
-namespace durero::cli {
-
-using spec::ConjectureResult;
-using spec::Machine;
-using spec::MachineOperation;
-using spec::ReachedTransitions;
-using spec::Transition;
 using zed::Truth;
 
 namespace {
 
-std::size_t width(const std::string& text) {
+std::size_t characters_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string padded(const std::string& text, std::size_t to) {
-  return text + std::string(std::max(to, width(text)) - width(text), ' ');
+  return text + std::string(std::max(to, characters_of(text)) - characters_of(text), ' ');
 }
 
 std::string word_of(Truth truth) { return truth == Truth::yes ? "true " : truth == Truth::no ? "false" : "open "; }
@@ -37,8 +31,8 @@ const zed::ConjunctTruth* first_false(const std::vector<zed::ConjunctTruth>& fin
 std::string state_table(const Machine& machine, const zed::Valuation* before, const zed::Valuation& after) {
   std::size_t names = 0, values = 0;
   for (std::size_t i = 0; i < after.size(); ++i) {
-    names = std::max(names, width(after[i].first.text()));
-    if (before) values = std::max(values, width(machine.written((*before)[i].first, (*before)[i].second)));
+    names = std::max(names, characters_of(after[i].first.text()));
+    if (before) values = std::max(values, characters_of(machine.written((*before)[i].first, (*before)[i].second)));
   }
   std::string said;
   for (std::size_t i = 0; i < after.size(); ++i) {
@@ -134,4 +128,4 @@ std::string claim_line(const ConjectureResult& tried) {
   return fmt::format("  {:<5}  {}: {}{}\n", word, tried.place, tried.claim, tried.of_states ? "  (here)" : "");
 }
 
-}  // namespace durero::cli
+}  // namespace durero::spec
