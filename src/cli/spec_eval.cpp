@@ -15,6 +15,7 @@
 #include "durero/number/memory.hpp"
 #include "durero/scene/retrieve.hpp"
 #include "durero/spec/calculator.hpp"
+#include "durero/spec/refusal.hpp"
 #include "progress.hpp"
 #include "spec.hpp"
 
@@ -95,18 +96,9 @@ int spec_eval(const EvalCall& call) {
   } catch (const zed::ZError& error) {
     throw io::InputError(file_name, {error.place.line, error.place.column}, error.what_is_wrong,
                          expected_name(error, call));
-  } catch (const zed::Undetermined& error) {
-    throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
-                         fmt::format("expected one, or --let {}=VALUE", error.constant()));
-  } catch (const zed::Unsatisfied& error) {
-    throw io::InputError(file_name, {1, 1}, std::string("the text cannot be so: ") + error.what(),
-                         "expected a text that some values satisfy, or another --let");
-  } catch (const zed::TooManyMembers& error) {
-    throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
-                         "expected a smaller set, whatever --steps and --memory are");
   } catch (const zed::EvaluationError& error) {
-    throw io::InputError(file_name, {1, 1}, std::string("this is not decided: ") + error.what(),
-                         "expected finite sets, or equations, for what is quantified");
+    const auto [wrong, expected] = spec::refusal_of(error);
+    throw io::InputError(file_name, {1, 1}, wrong, expected);
   } catch (const zed::StepsSpent&) {
     give_up("--steps", steps.most(), "", steps.most());
   } catch (const std::bad_alloc&) {
