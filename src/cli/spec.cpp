@@ -14,7 +14,8 @@
 #include "durero/io/source.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/spec/spec.hpp"
-#include "durero/zed/review/review.hpp"
+#include "durero/spec/text_check.hpp"
+#include "embedded.hpp"
 #include "progress.hpp"
 #include "spec_run.hpp"
 
@@ -29,40 +30,6 @@ struct SpecOptions {
   std::string name, scene, rays, hits;
   bool quiet = false;
 };
-
-std::string defects_text(const std::vector<zed::Defect>& defects) {
-  std::string said;
-  for (const zed::Defect& defect : defects) said += defect.text() + "\n";
-  return said;
-}
-
-bool has_error(const std::vector<zed::Defect>& defects) {
-  for (const zed::Defect& defect : defects) {
-    if (defect.severity == zed::Defect::Severity::error) return true;
-  }
-  return false;
-}
-
-std::string sections_text(const zed::Specification& specification) {
-  std::string said;
-  for (const zed::Section& section : specification.sections) {
-    said += fmt::format("{}: section {} ok, {} paragraphs\n", section.file, section.name, section.paragraphs.size());
-  }
-  return said;
-}
-
-/// The message about a file that holds no Z.
-constexpr const char *no_paragraph = "no Z paragraph",
-                     *any_paragraph = "expected \\begin{zed}, axdef, schema, gendef or zsection, or a box of Unicode";
-
-/// The files that gave no section: each was meant to hold Z.
-std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
-  std::vector<std::string> empty;
-  std::ranges::copy_if(files, std::back_inserter(empty), [&](const std::string& file) {
-    return std::ranges::none_of(read.sections, [&](const zed::Section& section) { return section.file == file; });
-  });
-  return empty;
-}
 
 // Reads the files. Throws where one cannot be read.
 std::vector<std::pair<std::string, std::string>> sources(const std::vector<std::string>& files) {
@@ -92,8 +59,8 @@ void refuse_error(const std::vector<zed::Defect>& defects) {
 
 void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read) {
   refuse_error(read.defects);
-  if (const auto empty = empty_files(files, read); !empty.empty())
-    throw io::InputError(empty.front(), {1, 1}, no_paragraph, any_paragraph);
+  if (const auto empty = spec::empty_files(files, read); !empty.empty())
+    throw io::InputError(empty.front(), {1, 1}, spec::no_paragraph, spec::any_paragraph);
 }
 
 zed::Specification specification_of(const std::vector<std::string>& files) {
@@ -107,23 +74,19 @@ int spec_check(const CheckCall& call) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const zed::Specification& read = read_texts_of(call.files);
   const zed::Typing& typing = kept(zed::check(read));
-  std::vector<zed::Defect> defects = zed::review(read, typing);
-  for (zed::Defect& defect : defects)
-    if (call.strict && defect.severity == zed::Defect::Severity::opinion)
-      defect.severity = zed::Defect::Severity::error;
-  std::string empty;
-  if (!has_error(defects))
-    for (const std::string& file : empty_files(call.files, read))
-      empty += fmt::format("{}:1:1: {}; {}\n", file, no_paragraph, any_paragraph);
-  if (has_error(defects) || !empty.empty()) {
-    progress.reset();
-    io::print(defects_text(defects) + empty);
-    return 1;
-  }
-  const TriedConjectures conjectures = with_constants([&] { return tried(read, typing, call); });
+  const bool own = call.files.empty();
+  const spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
+  const spec::TextCheck check = with_constants([&] {
+    return spec::check_text(read, typing, call.files, {call.let, call.states, call.strict, own}, index);
+  });
+  note_taken(spec::taken_lines(check.taken));
   progress.reset();
-  io::print(defects_text(defects) + sections_text(read) + conjectures.said);
-  return conjectures.refuted ? 1 : 0;
+  io::print(check.lines());
+  return check.is_read() && !check.is_refuted() ? 0 : 1;
+}
+
+void note_taken(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) io::complain("durero: note: " + line + "\n");
 }
 
 namespace {

@@ -20,14 +20,6 @@ struct CheckCall {
   bool strict = false;  ///< opinions are errors
   bool quiet = false;
 };
-/// The results of the conjectures: a line each, and whether one of them is false.
-struct TriedConjectures {
-  std::string said;
-  bool refuted = false;
-};
-/// Tries the conjectures of a text without defects; for those of the program's own it names the theorems. Throws
-/// spec::ConstantError where a constant cannot have its value from the call.
-TriedConjectures tried(const zed::Specification& text, const zed::Typing& typing, const CheckCall& call);
 
 /// The call of `durero spec eval`: an expression, and the limits of its evaluation.
 struct EvalCall {

@@ -93,7 +93,7 @@ LabelIndex::LabelIndex(const std::string& table) {
   for (std::string_view rest = table; !rest.empty();) {
     std::string_view line = taken(rest, '\n');
     const std::string_view label = taken(line, '\t'), kind = taken(line, '\t'), place = taken(line, '\t');
-    entries_.emplace(label, Entry{std::string(kind), std::string(place), std::string(taken(line, '\t'))});
+    entries_.emplace(label, LabelPlace{std::string(kind), std::string(place), std::string(taken(line, '\t'))});
   }
 }
 
@@ -116,12 +116,19 @@ std::string LabelIndex::places(const std::string& label) const {
   const auto [first, last] = entries_.equal_range(label);
   for (const char* kind : {"text", "clause", "function", "test", "theorem"}) {
     for (auto at = first; at != last; ++at) {
-      const Entry& entry = at->second;
+      const LabelPlace& entry = at->second;
       if (entry.kind != kind) continue;
       said += fmt::format("  {:<8}  {}{}\n", kind, entry.place, entry.name.empty() ? "" : "  " + entry.name);
     }
   }
   return said;
+}
+
+std::vector<LabelPlace> LabelIndex::all(const std::string& label) const {
+  std::vector<LabelPlace> places;
+  const auto [first, last] = entries_.equal_range(label);
+  for (auto at = first; at != last; ++at) places.push_back(at->second);
+  return places;
 }
 
 std::string shown(const zed::Specification& specification, const std::string& name, const LabelIndex& index) {

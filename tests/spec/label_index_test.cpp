@@ -27,6 +27,16 @@ TEST_CASE("the places of a label stand in the order text, clause, function, test
   CHECK(index.places("nothing") == "nothing\n");
 }
 
+TEST_CASE("all places of a label are those of the table") {
+  const auto places = index.all("Escena.inv.1");
+  REQUIRE(places.size() == 2);
+  CHECK(places[0].kind == "test");
+  CHECK(places[0].place == "tests/a.cpp:7");
+  CHECK(places[0].name == "name");
+  CHECK(places[1].kind == "text");
+  CHECK(index.all("nothing").empty());
+}
+
 TEST_CASE("a name is shown by what declares it, a label by its own places, ΔS by what it stands for") {
   CHECK_THAT(shown(text(), "Escena", index),
              StartsWith("spec/escena.tex:") && Contains("tests/a.cpp:7") && Contains("x.hpp:1"));

@@ -10,6 +10,13 @@
 
 namespace durero::spec {
 
+/// A place of a label of the text.
+struct LabelPlace {
+  std::string kind;   ///< `text`, `clause`, `function`, `test`, `theorem`, or of a name `type`
+  std::string place;  ///< FILE:LINE
+  std::string name;   ///< what stands there, such as the name of the theorem; empty where it has none
+};
+
 /// Where each label of the text stands: in the text, in a clause or function of the program, in its tests, in a
 /// theorem.
 class LabelIndex {
@@ -25,12 +32,11 @@ class LabelIndex {
   std::string carried_out(const std::string& label_or_name) const;
   /// The label, then a line for each place; the label alone where none is known.
   std::string places(const std::string& label) const;
+  /// Every place of the label, in the order of the table.
+  std::vector<LabelPlace> all(const std::string& label) const;
 
  private:
-  struct Entry {
-    std::string kind, place, name;
-  };
-  std::multimap<std::string, Entry> entries_;
+  std::multimap<std::string, LabelPlace> entries_;
 };
 
 /// The paragraph that declares the name or bears the label, in Unicode, and the places of its labels; else the first

@@ -1,0 +1,59 @@
+#pragma once
+/// The check of a Z text: its defects, its sections, and its conjectures as they were tried; `durero spec check` prints
+/// it.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "durero/spec/label_index.hpp"
+#include "durero/zed/trial/trial.hpp"
+
+namespace durero::spec {
+
+/// How a text is checked.
+struct TextCheckSetup {
+  std::vector<std::string> let{};  ///< values of constants, NAME=VALUE
+  std::size_t states = 8;          ///< on so many each conjecture is tried, at most
+  bool strict = false;             ///< opinions are errors
+  bool own = false;                ///< the text is the program's own, of which there are samples
+};
+
+/// A conjecture that was tried. It is true where it was, which proves nothing.
+struct TriedConjecture {
+  zed::Trial trial;     ///< on which states, and a counterexample
+  std::string theorem;  ///< the theorem that proves it; empty where none does
+  std::string text()
+      const;  ///< `FILE:LINE:COLUMN: conjecture LABEL tried on 8 states`, and the states of a counterexample
+};
+
+/// What there is to say of a text.
+struct TextCheck {
+  std::vector<zed::Defect> defects;            ///< in the order of the text
+  std::vector<std::string> empty{};            ///< the files without a Z paragraph; none where there is an error
+  const zed::Specification* text = nullptr;    ///< the text, whose sections are right where is_read() is
+  std::vector<TriedConjecture> conjectures{};  ///< none where there is an error
+  zed::Valuation taken{};                      ///< the values that were taken for constants
+
+  /// Whether there is no error, and no file without a paragraph.
+  bool is_read() const;
+  /// Whether a conjecture is false.
+  bool is_refuted() const;
+  /// The lines of `durero spec check`.
+  std::string lines() const;
+};
+
+/// @{ The message about a file that holds no Z.
+inline constexpr const char* no_paragraph = "no Z paragraph";
+inline constexpr const char* any_paragraph =
+    "expected \\begin{zed}, axdef, schema, gendef or zsection, or a box of Unicode";
+/// @}
+/// The files of these that gave no section, each of which was meant to hold Z.
+std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read);
+
+/// Checks a text that was read from these files. Precondition: `typing` is zed::check(read), and both outlive the
+/// result. Throws ConstantError where a constant cannot have its value from the setup.
+TextCheck check_text(const zed::Specification& read, const zed::Typing& typing, const std::vector<std::string>& files,
+                     const TextCheckSetup& setup, const LabelIndex& index);
+
+}  // namespace durero::spec

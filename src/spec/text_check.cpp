@@ -1,0 +1,109 @@
+#include "durero/spec/text_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "durero/spec/constants.hpp"
+#include "durero/spec/samples.hpp"
+#include "durero/text/utf8.hpp"
+#include "durero/zed/review/review.hpp"
+
+namespace durero::spec {
+namespace {
+
+/// The beginning of a reason that is long: it stands on one line.
+std::string shortened_reason(const std::string& reason) {
+  constexpr std::size_t most = 120;
+  std::size_t end = std::min(most, reason.size());
+  while (end < reason.size() && text::continues(reason[end])) --end;
+  return reason.substr(0, end) + (end < reason.size() ? "…" : "");
+}
+
+std::string trial_verdict(const zed::Trial& trial) {
+  if (!trial.counterexample.empty()) return "is false, as in this state:\n" + trial.counterexample;
+  if (trial.tried == 0) return "not tried: " + shortened_reason(trial.why_not);
+  return fmt::format("tried on {} state{}", trial.tried, trial.tried == 1 ? "" : "s");
+}
+
+bool has_error(const std::vector<zed::Defect>& defects) {
+  return std::ranges::any_of(defects,
+                             [](const zed::Defect& defect) { return defect.severity == zed::Defect::Severity::error; });
+}
+
+std::vector<zed::Defect> reviewed(const zed::Specification& read, const zed::Typing& typing, bool strict) {
+  std::vector<zed::Defect> defects = zed::review(read, typing);
+  for (zed::Defect& defect : defects)
+    if (strict && defect.severity == zed::Defect::Severity::opinion) defect.severity = zed::Defect::Severity::error;
+  return defects;
+}
+
+/// Values for the constants of the program's own text that the call gives none.
+void add_sample_constants(zed::Valuation& constants) {
+  for (auto& [name, value] : sample_constants())
+    if (std::ranges::none_of(constants, [&](const auto& given) { return given.first == name; }))
+      constants.emplace_back(name, std::move(value));
+}
+
+std::vector<zed::Trial> trials(const zed::Specification& read, const zed::Typing& typing, const TextCheckSetup& setup) {
+  zed::TrialBounds bounds;
+  bounds.states = setup.states;
+  bounds.draws = 16 * setup.states;
+  if (!setup.let.empty()) bounds.constants = given_constants(read, setup.let);
+  if (setup.own) add_sample_constants(bounds.constants);
+  return zed::try_conjectures(read, typing, setup.own && setup.states > 0 ? samples() : zed::Samples(), bounds);
+}
+
+}  // namespace
+
+std::string TriedConjecture::text() const {
+  std::string said = trial_verdict(trial);
+  if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);
+  if (!said.ends_with("\n")) said += "\n";
+  return fmt::format("{}:{}:{}: conjecture{} {}", trial.file, trial.place.line, trial.place.column,
+                     trial.label.empty() ? "" : " " + trial.label, said);
+}
+
+bool TextCheck::is_read() const { return empty.empty() && !has_error(defects); }
+
+bool TextCheck::is_refuted() const {
+  return std::ranges::any_of(conjectures,
+                             [](const TriedConjecture& tried) { return !tried.trial.counterexample.empty(); });
+}
+
+std::string TextCheck::lines() const {
+  std::string said;
+  for (const zed::Defect& defect : defects) said += defect.text() + "\n";
+  for (const std::string& file : empty) said += fmt::format("{}:1:1: {}; {}\n", file, no_paragraph, any_paragraph);
+  if (!is_read()) return said;
+  for (const zed::Section& section : text->sections)
+    said += fmt::format("{}: section {} ok, {} paragraphs\n", section.file, section.name, section.paragraphs.size());
+  for (const TriedConjecture& tried : conjectures) said += tried.text();
+  return said;
+}
+
+std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
+  std::vector<std::string> empty;
+  std::ranges::copy_if(files, std::back_inserter(empty), [&](const std::string& file) {
+    return std::ranges::none_of(read.sections, [&](const zed::Section& section) { return section.file == file; });
+  });
+  return empty;
+}
+
+TextCheck check_text(const zed::Specification& read, const zed::Typing& typing, const std::vector<std::string>& files,
+                     const TextCheckSetup& setup, const LabelIndex& index) {
+  TextCheck check{reviewed(read, typing, setup.strict)};
+  check.text = &read;
+  if (!has_error(check.defects)) check.empty = empty_files(files, read);
+  if (!check.is_read()) return check;
+  for (zed::Trial& trial : trials(read, typing, setup)) {
+    check.taken = trial.taken;
+    const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);
+    check.conjectures.push_back({std::move(trial), theorem});
+  }
+  return check;
+}
+
+}  // namespace durero::spec
