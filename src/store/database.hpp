@@ -1,45 +1,40 @@
 #pragma once
-/// An SQLite database of one file, opened and asked. Errors are io::FileError, one line that names the file.
-
-#include <sqlite3.h>
+/// The database of a store, asked by statements that name their parameters $1, $2, … in the order in which they occur
+/// first. Errors are io::FileError, one line that names the store.
 
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace durero::store {
 
-/// What is asked of a database, prepared once and asked again and again. Columns and parameters are numbered as SQLite
-/// does: columns from 0, parameters from 1.
+/// What is asked of a database, prepared once and asked again and again. Columns are numbered from 0, parameters
+/// from 1.
 class PreparedQuery {
  public:
+  virtual ~PreparedQuery() = default;
+
   /// @{ The value of a parameter, which must live until the next reset().
-  PreparedQuery& bind(int parameter, std::int64_t value);
-  PreparedQuery& bind(int parameter, std::string_view text);
-  PreparedQuery& bind_bytes(int parameter, std::string_view bytes);
+  virtual PreparedQuery& bind(int parameter, std::int64_t value) = 0;
+  virtual PreparedQuery& bind(int parameter, std::string_view text) = 0;
+  virtual PreparedQuery& bind_bytes(int parameter, std::string_view bytes) = 0;
   /// @}
   /// Steps to the next row: whether there is one.
-  bool step();
-  /// Asks to the end, and begins anew.
-  void run();
+  virtual bool step() = 0;
   /// Begins anew, with no parameters.
-  void reset() noexcept;
+  virtual void reset() noexcept = 0;
+  /// Asks to the end, and begins anew.
+  void run() {
+    while (step()) continue;
+    reset();
+  }
 
   /// @{ A column of the row. Bytes and texts are valid until the next step.
-  std::int64_t integer(int column) const noexcept;
-  std::string_view bytes(int column) const noexcept;
+  virtual std::int64_t integer(int column) const noexcept = 0;
+  virtual std::string_view bytes(int column) const noexcept = 0;
   /// @}
-
- private:
-  friend class Database;
-  PreparedQuery(class Database& of, const char* sql);
-
-  struct Finalize {
-    void operator()(sqlite3_stmt* statement) const noexcept { sqlite3_finalize(statement); }
-  };
-  class Database* of_;
-  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
 /// Resets a query at the end of its scope, so that it holds no lock.
@@ -60,37 +55,52 @@ class Database {
   /// Whether it is only read. Writers wait for each other.
   enum class Mode : bool { read, write };
 
-  /// Opens a file that is there. Where its folder cannot be written, one that is only read is read all the same.
-  Database(const std::string& path, Mode mode);
-  /// A new one in memory, which becomes a file of that name later: bytes().
-  explicit Database(const std::string& path);
+  /// `name` is that of the store in messages.
+  explicit Database(std::string name) : path_(std::move(name)) {}
+  virtual ~Database() = default;
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
 
-  PreparedQuery prepare(const char* sql) { return {*this, sql}; }
-  void run(const std::string& sql);
-  std::int64_t integer(const std::string& sql);
+  /// Throws unless the database is a store of this version, with its tables and no others' ways to change them.
+  virtual void require_store() = 0;
+  virtual std::unique_ptr<PreparedQuery> prepare(const char* sql) = 0;
+  /// Carries out a statement without answer.
+  virtual void run(const std::string& sql) = 0;
+
+  /// Begins a transaction that sees what is there at its first question, whoever writes beside.
+  virtual void begin_reading() = 0;
+  /// Begins a transaction that alone may write. Waits until no other program writes.
+  virtual void begin_writing() = 0;
+  /// Keeps the transaction, on disk.
+  virtual void commit() = 0;
   /// Whether a transaction is open.
-  bool is_in_transaction() const noexcept { return sqlite3_get_autocommit(connection_.get()) == 0; }
+  virtual bool is_in_transaction() const noexcept = 0;
+  /// What is wrong beneath the tables; empty where nothing is found.
+  virtual std::string fault() = 0;
 
-  /// The file that the database would be, in the mode of journals that lets a reader go on beside a writer (WAL).
-  std::string bytes() const;
+  /// @{ Of a new database alone: its tables, and how it appears, whole. Throws where a store is there already.
+  virtual void make_tables() = 0;
+  virtual void publish() = 0;
+  /// @}
 
+  /// As messages name the store: without a password.
   const std::string& path() const noexcept { return path_; }
-  /// Refuses what the file is, or what it holds.
+  /// Refuses what the store is, or what it holds.
   [[noreturn]] void refuse(const std::string& wrong, const std::string& expected) const;
 
  private:
-  friend class PreparedQuery;
-  struct Close {
-    void operator()(sqlite3* connection) const noexcept { sqlite3_close(connection); }
-  };
-  void open(const std::string& name, int flags);
-  void require_file() const;
-  bool stands_alone(const std::string& file) const;
-  [[noreturn]] void fail(int code) const;
-
-  std::string path_;  // as messages name it
-  std::unique_ptr<sqlite3, Close> connection_;
+  std::string path_;
 };
+
+/// How long a program waits for others that write, in milliseconds. A hundred of them, each with a transaction of a
+/// second, are done before.
+inline constexpr int patience = 120'000;
+
+/// Opens the store of a path.
+std::unique_ptr<Database> open_database(const std::string& path, Database::Mode mode);
+
+/// A new one without tables, which nobody sees before publish().
+std::unique_ptr<Database> new_database(const std::string& path);
 
 /// What is to be expected where a store is spoiled.
 inline constexpr const char* expected_whole = "expected a store that is whole: `durero store verify` says what is";

@@ -1,15 +1,8 @@
 #include "journal.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-
-#include "durero/io/file_lock.hpp"
-#include "durero/io/output_file.hpp"
+#include "durero/io/source.hpp"
 
 namespace durero::store {
 namespace {
@@ -33,7 +26,7 @@ WriteTransaction::~WriteTransaction() {
 }
 
 void WriteTransaction::commit() {
-  journal_.database.run("COMMIT");
+  journal_.database.commit();
   is_open_ = false;
 }
 
@@ -59,29 +52,6 @@ void append(Records& records, HistoryEvent& event, const Digest& parent, std::st
   event.hash = hash_of(event, parent);
   records.put(event);
   if (is_import) records.put_snapshot(event.number, snapshot);
-}
-
-void make_store(Database& database) { Records::make_tables(database); }
-
-/// An empty file takes the path, and is held, until the whole one takes its place: of two programs that make one store
-/// the second finds the first's. A program that is killed between leaves an empty file, which is no store, and which
-/// the next one takes.
-void publish(const std::string& path, const std::string& bytes) {
-  const int made = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
-  if (made < 0)
-    throw io::FileError(path, fmt::format("cannot be written: {}", std::strerror(errno)),
-                        "expected a file that can be written, in a directory that can");
-  ::close(made);
-  const io::FileLock lock(path);
-  struct stat found {};
-  if (::stat(path.c_str(), &found) != 0 || !S_ISREG(found.st_mode) || found.st_size != 0)
-    throw io::FileError(path, "is there already", "expected a path of no file, for a new store");
-  try {
-    io::write_file(path, bytes);
-  } catch (const io::FileError&) {
-    ::unlink(path.c_str());
-    throw;
-  }
 }
 
 }  // namespace durero::store

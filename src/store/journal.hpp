@@ -8,11 +8,12 @@
 namespace durero::store {
 
 struct Journal {
-  Journal(const std::string& path, Database::Mode mode) : database(path, mode), records(database), fold(records) {}
+  Journal(const std::string& path, Database::Mode mode) : opened(open_database(path, mode)) {}
 
-  Database database;
-  Records records;
-  Fold fold;
+  std::unique_ptr<Database> opened;
+  Database& database = *opened;
+  Records records{database};
+  Fold fold{records};
 };
 
 /// A transaction of the database. Without commit() nothing of it is kept, and the fold, which may have gone on, is
@@ -20,7 +21,7 @@ struct Journal {
 class WriteTransaction {
  public:
   /// Waits until no other program writes.
-  explicit WriteTransaction(Journal& journal) : journal_(journal) { journal.database.run("BEGIN IMMEDIATE"); }
+  explicit WriteTransaction(Journal& journal) : journal_(journal) { journal.database.begin_writing(); }
   ~WriteTransaction();
   WriteTransaction(const WriteTransaction&) = delete;
   WriteTransaction& operator=(const WriteTransaction&) = delete;
@@ -41,11 +42,5 @@ void move_head(Records& records, const StoreHead& head, EventNumber to);
 /// Keeps an event behind that of its parent, with its number and hash, which are made here. The snapshot of an import
 /// is its content.
 void append(Records& records, HistoryEvent& event, const Digest& parent, std::string_view snapshot = {});
-
-/// A new store in memory, without events.
-void make_store(Database& database);
-
-/// Puts the bytes of a new store in its place. Throws io::FileError where there is a file already.
-void publish(const std::string& path, const std::string& bytes);
 
 }  // namespace durero::store

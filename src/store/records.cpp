@@ -9,70 +9,16 @@
 namespace durero::store {
 namespace {
 
-/// "Dure": how programs such as file(1) tell a store from other databases.
-constexpr std::int64_t application = 0x44757265;
-
-constexpr const char* tables = R"(
-CREATE TABLE event (
-  number INTEGER PRIMARY KEY,
-  parent INTEGER NOT NULL,
-  kind INTEGER NOT NULL,
-  begins INTEGER NOT NULL,
-  line INTEGER NOT NULL,
-  operation TEXT NOT NULL,
-  answer TEXT NOT NULL,
-  author TEXT NOT NULL,
-  time TEXT NOT NULL,
-  comment TEXT NOT NULL,
-  content BLOB NOT NULL,
-  hash BLOB NOT NULL
-) STRICT;
-CREATE TABLE snapshot (event INTEGER PRIMARY KEY, seal BLOB NOT NULL, content BLOB NOT NULL) STRICT;
-CREATE TABLE name (
-  kind INTEGER NOT NULL,
-  name TEXT NOT NULL,
-  event INTEGER NOT NULL,
-  seal BLOB NOT NULL,
-  PRIMARY KEY (kind, name)
-) STRICT, WITHOUT ROWID;
-)";
-
-/// The statements that have made the tables of a database, but for those of SQLite itself.
-std::string schema_of(Database& database) {
-  PreparedQuery query =
-      database.prepare("SELECT sql FROM sqlite_schema WHERE name NOT LIKE 'sqlite!_%' ESCAPE '!' ORDER BY type, name");
-  std::string all;
-  while (query.step()) all.append(query.bytes(0)).append("\n");
-  return all;
-}
-
-const std::string& schema_of_stores() {
-  static const std::string schema = [] {
-    Database empty("");
-    Records::make_tables(empty);
-    return schema_of(empty);
-  }();
-  return schema;
-}
-
-/// Another table may have a trigger, which would be carried out.
-Database& checked(Database& database) {
-  if (database.integer("PRAGMA application_id") != application)
-    database.refuse("is a database, and no store", "expected one that `durero store init` made");
-  const std::int64_t version = database.integer("PRAGMA user_version");
-  if (version > Records::version)
-    database.refuse(fmt::format("is a store of version {}", version),
-                    fmt::format("expected version {}: a later program reads it", Records::version));
-  if (version != Records::version)
-    database.refuse(fmt::format("is a store of version {}", version), fmt::format("expected {}", Records::version));
-  if (schema_of(database) != schema_of_stores()) database.refuse("has other tables than a store", expected_whole);
-  return database;
-}
-
 bool copy_digest(std::string_view bytes, Digest& digest) {
   if (bytes.size() != digest.size()) return false;
   std::ranges::copy(bytes, digest.begin());
   return true;
+}
+
+/// Another table may have a trigger, which would be carried out: no statement is prepared before.
+Database& of_store(Database& database) {
+  database.require_store();
+  return database;
 }
 
 std::int64_t number_of(NameKind kind) { return static_cast<std::int64_t>(kind); }
@@ -98,49 +44,46 @@ std::string title_of(NameKind kind, std::string_view name) {
 }
 
 Records::Records(Database& database)
-    : database_(checked(database)),
+    : database_(of_store(database)),
       event_(database.prepare("SELECT number, parent, kind, begins, line, operation, answer, author, time, comment, "
-                              "content, hash FROM event WHERE number = ?1")),
-      origin_(database.prepare("SELECT parent, kind, EXISTS (SELECT 1 FROM snapshot WHERE event = ?1) FROM event "
-                               "WHERE number = ?1")),
-      hash_(database.prepare("SELECT hash FROM event WHERE number = ?1")),
+                              "content, hash FROM event WHERE number = $1")),
+      origin_(database.prepare("SELECT parent, kind, EXISTS (SELECT 1 FROM snapshot WHERE event = $1) FROM event "
+                               "WHERE number = $1")),
+      hash_(database.prepare("SELECT hash FROM event WHERE number = $1")),
       last_(database.prepare("SELECT coalesce(max(number), 0) FROM event")),
-      put_(database.prepare("INSERT INTO event VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)")),
-      has_snapshot_(database.prepare("SELECT 1 FROM snapshot WHERE event = ?1")),
-      snapshot_(database.prepare("SELECT seal, content FROM snapshot WHERE event = ?1")),
-      put_snapshot_(database.prepare("INSERT INTO snapshot VALUES (?1, ?2, ?3)")),
-      named_(database.prepare("SELECT event, seal FROM name WHERE kind = ?1 AND name = ?2")),
-      names_(database.prepare("SELECT name, event, seal FROM name WHERE kind = ?1 ORDER BY name")),
+      put_(database.prepare("INSERT INTO event VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12)")),
+      has_snapshot_(database.prepare("SELECT 1 FROM snapshot WHERE event = $1")),
+      snapshot_(database.prepare("SELECT seal, content FROM snapshot WHERE event = $1")),
+      put_snapshot_(database.prepare("INSERT INTO snapshot VALUES ($1, $2, $3)")),
+      named_(database.prepare("SELECT event, seal FROM name WHERE kind = $1 AND name = $2")),
+      names_(database.prepare("SELECT name, event, seal FROM name WHERE kind = $1 ORDER BY name")),
       found_names_(database.prepare("SELECT kind, name, event, seal FROM name ORDER BY kind, name")),
-      put_name_(database.prepare("INSERT OR REPLACE INTO name VALUES (?1, ?2, ?3, ?4)")),
-      remove_name_(database.prepare("DELETE FROM name WHERE kind = ?1 AND name = ?2")) {}
-
-void Records::make_tables(Database& database) {
-  database.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}; {}", application, version, tables));
-}
+      put_name_(database.prepare("INSERT INTO name VALUES ($1, $2, $3, $4) ON CONFLICT (kind, name) "
+                                 "DO UPDATE SET event = excluded.event, seal = excluded.seal")),
+      remove_name_(database.prepare("DELETE FROM name WHERE kind = $1 AND name = $2")) {}
 
 HistoryEvent Records::read_event() {
   HistoryEvent event;
-  event.number = event_.integer(0);
-  event.parent = event_.integer(1);
-  const std::int64_t kind = event_.integer(2);
+  event.number = event_->integer(0);
+  event.parent = event_->integer(1);
+  const std::int64_t kind = event_->integer(2);
   event.kind = static_cast<EventKind>(kind);
-  event.begins = event_.integer(3) != 0;
-  event.line = event_.integer(4);
-  event.operation = event_.bytes(5);
-  event.answer = event_.bytes(6);
-  event.by = {std::string(event_.bytes(7)), std::string(event_.bytes(8)), std::string(event_.bytes(9))};
-  event.content = event_.bytes(10);
+  event.begins = event_->integer(3) != 0;
+  event.line = event_->integer(4);
+  event.operation = event_->bytes(5);
+  event.answer = event_->bytes(6);
+  event.by = {std::string(event_->bytes(7)), std::string(event_->bytes(8)), std::string(event_->bytes(9))};
+  event.content = event_->bytes(10);
   const bool is_known = kind == std::int64_t{0} || kind == std::int64_t{1};  // the two of EventKind
   if (!is_known || event.parent < no_event || event.parent >= event.number ||
-      !copy_digest(event_.bytes(11), event.hash))
+      !copy_digest(event_->bytes(11), event.hash))
     database_.refuse(fmt::format("event {} is spoiled", event.number), expected_whole);
   return event;
 }
 
 std::optional<HistoryEvent> Records::event(EventNumber number) {
-  const QueryScope scope(event_);
-  if (!event_.bind(1, number).step()) return std::nullopt;
+  const QueryScope scope(*event_);
+  if (!event_->bind(1, number).step()) return std::nullopt;
   return read_event();
 }
 
@@ -157,53 +100,53 @@ HistoryEvent Records::checked_event(EventNumber number) {
 }
 
 EventOrigin Records::origin(EventNumber number) {
-  const QueryScope scope(origin_);
-  if (!origin_.bind(1, number).step()) database_.refuse(fmt::format("event {} is missing", number), expected_whole);
-  const EventNumber parent = origin_.integer(0);
+  const QueryScope scope(*origin_);
+  if (!origin_->bind(1, number).step()) database_.refuse(fmt::format("event {} is missing", number), expected_whole);
+  const EventNumber parent = origin_->integer(0);
   if (parent < no_event || parent >= number)
     database_.refuse(fmt::format("event {} is spoiled", number), expected_whole);
-  return {parent, origin_.integer(1) == 0 ? EventKind::import : EventKind::edit, origin_.integer(2) != 0};
+  return {parent, origin_->integer(1) == 0 ? EventKind::import : EventKind::edit, origin_->integer(2) != 0};
 }
 
 Digest Records::hash(EventNumber number) {
   Digest digest{};
   if (number == no_event) return digest;
-  const QueryScope scope(hash_);
-  if (!hash_.bind(1, number).step()) database_.refuse(fmt::format("event {} is missing", number), expected_whole);
-  if (!copy_digest(hash_.bytes(0), digest))
+  const QueryScope scope(*hash_);
+  if (!hash_->bind(1, number).step()) database_.refuse(fmt::format("event {} is missing", number), expected_whole);
+  if (!copy_digest(hash_->bytes(0), digest))
     database_.refuse(fmt::format("event {} is spoiled", number), expected_whole);
   return digest;
 }
 
 EventNumber Records::last() {
-  const QueryScope scope(last_);
-  return last_.step() ? last_.integer(0) : no_event;
+  const QueryScope scope(*last_);
+  return last_->step() ? last_->integer(0) : no_event;
 }
 
 void Records::put(const HistoryEvent& event) {
-  put_.bind(1, event.number).bind(2, event.parent).bind(3, static_cast<std::int64_t>(event.kind));
-  put_.bind(4, std::int64_t{event.begins}).bind(5, event.line).bind(6, event.operation).bind(7, event.answer);
-  put_.bind(8, event.by.author).bind(9, event.by.time).bind(10, event.by.comment);
-  put_.bind_bytes(11, event.content).bind_bytes(12, bytes_of(event.hash)).run();
+  put_->bind(1, event.number).bind(2, event.parent).bind(3, static_cast<std::int64_t>(event.kind));
+  put_->bind(4, std::int64_t{event.begins}).bind(5, event.line).bind(6, event.operation).bind(7, event.answer);
+  put_->bind(8, event.by.author).bind(9, event.by.time).bind(10, event.by.comment);
+  put_->bind_bytes(11, event.content).bind_bytes(12, bytes_of(event.hash)).run();
 }
 
 bool Records::has_snapshot(EventNumber event) {
-  const QueryScope scope(has_snapshot_);
-  return has_snapshot_.bind(1, event).step();
+  const QueryScope scope(*has_snapshot_);
+  return has_snapshot_->bind(1, event).step();
 }
 
 std::string Records::snapshot(EventNumber event) {
   const std::string what = fmt::format("the snapshot of event {}", event);
   const Digest of = hash(event);
-  const QueryScope scope(snapshot_);
-  if (!snapshot_.bind(1, event).step()) database_.refuse(what + " is missing", expected_whole);
-  require_seal(seal_of_snapshot(of, snapshot_.bytes(1)), snapshot_.bytes(0), what);
-  return std::string(snapshot_.bytes(1));
+  const QueryScope scope(*snapshot_);
+  if (!snapshot_->bind(1, event).step()) database_.refuse(what + " is missing", expected_whole);
+  require_seal(seal_of_snapshot(of, snapshot_->bytes(1)), snapshot_->bytes(0), what);
+  return std::string(snapshot_->bytes(1));
 }
 
 void Records::put_snapshot(EventNumber event, std::string_view content) {
   const Digest seal = seal_of_snapshot(hash(event), content);
-  put_snapshot_.bind(1, event).bind_bytes(2, bytes_of(seal)).bind_bytes(3, content).run();
+  put_snapshot_->bind(1, event).bind_bytes(2, bytes_of(seal)).bind_bytes(3, content).run();
 }
 
 /// A name is sealed with the hash of its event, so that a number that changes is seen.
@@ -221,34 +164,34 @@ void Records::require_seal(const Digest& seal, std::string_view stored, const st
 }
 
 std::optional<EventNumber> Records::named(NameKind kind, std::string_view name) {
-  const QueryScope scope(named_);
-  if (!named_.bind(1, number_of(kind)).bind(2, name).step()) return std::nullopt;
-  const NamedEvent found{std::string(name), named_.integer(0)};
-  require_seal(seal_of(kind, found), named_.bytes(1), title_of(kind, name));
+  const QueryScope scope(*named_);
+  if (!named_->bind(1, number_of(kind)).bind(2, name).step()) return std::nullopt;
+  const NamedEvent found{std::string(name), named_->integer(0)};
+  require_seal(seal_of(kind, found), named_->bytes(1), title_of(kind, name));
   return found.event;
 }
 
 std::vector<NamedEvent> Records::names(NameKind kind) {
-  const QueryScope scope(names_);
+  const QueryScope scope(*names_);
   std::vector<NamedEvent> all;
-  names_.bind(1, number_of(kind));
-  while (names_.step()) {
-    all.push_back({std::string(names_.bytes(0)), names_.integer(1)});
-    require_seal(seal_of(kind, all.back()), names_.bytes(2), title_of(kind, all.back().name));
+  names_->bind(1, number_of(kind));
+  while (names_->step()) {
+    all.push_back({std::string(names_->bytes(0)), names_->integer(1)});
+    require_seal(seal_of(kind, all.back()), names_->bytes(2), title_of(kind, all.back().name));
   }
   return all;
 }
 
 std::vector<FoundName> Records::found_names() {
-  const QueryScope scope(found_names_);
+  const QueryScope scope(*found_names_);
   std::vector<FoundName> all;
-  while (found_names_.step()) {
+  while (found_names_->step()) {
     const auto kind = static_cast<NameKind>(
-        std::clamp(found_names_.integer(0), number_of(NameKind::branch), number_of(NameKind::redo)));
-    const NamedEvent named{std::string(found_names_.bytes(1)), found_names_.integer(2)};
+        std::clamp(found_names_->integer(0), number_of(NameKind::branch), number_of(NameKind::redo)));
+    const NamedEvent named{std::string(found_names_->bytes(1)), found_names_->integer(2)};
     FoundName& found = all.emplace_back(kind, named, FoundName::Seal::unknown);
     try {
-      const bool is_right = bytes_of(seal_of(kind, named)) == found_names_.bytes(3);
+      const bool is_right = bytes_of(seal_of(kind, named)) == found_names_->bytes(3);
       found.seal = is_right ? FoundName::Seal::right : FoundName::Seal::wrong;
     } catch (const io::FileError&) {  // its event has no hash
     }
@@ -258,12 +201,12 @@ std::vector<FoundName> Records::found_names() {
 
 void Records::put_name(NameKind kind, const NamedEvent& named) {
   const Digest seal = seal_of(kind, named);
-  put_name_.bind(1, number_of(kind)).bind(2, named.name).bind(3, named.event);
-  put_name_.bind_bytes(4, bytes_of(seal)).run();
+  put_name_->bind(1, number_of(kind)).bind(2, named.name).bind(3, named.event);
+  put_name_->bind_bytes(4, bytes_of(seal)).run();
 }
 
 void Records::remove_name(NameKind kind, std::string_view name) {
-  remove_name_.bind(1, number_of(kind)).bind(2, name).run();
+  remove_name_->bind(1, number_of(kind)).bind(2, name).run();
 }
 
 }  // namespace durero::store

@@ -2,6 +2,7 @@
 /// What the tables of a store hold, row by row: events, snapshots and names. A row that is read is held against its
 /// digest: a snapshot and a name have a seal for it, and an event its hash, which its reader checks.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -51,13 +52,8 @@ struct EventOrigin {
 
 class Records {
  public:
-  /// The version that is written, and that user_version of the database says.
-  static constexpr std::int64_t version = 1;
-
   /// Of a database that is a store. Throws io::FileError where it is none, or one of a later version.
   explicit Records(Database& database);
-  /// Makes the tables in one that is empty.
-  static void make_tables(Database& database);
 
   /// The event of a number, as it is found; nothing where there is none.
   std::optional<HistoryEvent> event(EventNumber number);
@@ -96,8 +92,8 @@ class Records {
   void require_seal(const Digest& seal, std::string_view stored, const std::string& what);
 
   Database& database_;
-  PreparedQuery event_, origin_, hash_, last_, put_, has_snapshot_, snapshot_, put_snapshot_, named_, names_,
-      found_names_, put_name_, remove_name_;
+  std::unique_ptr<PreparedQuery> event_, origin_, hash_, last_, put_, has_snapshot_, snapshot_, put_snapshot_, named_,
+      names_, found_names_, put_name_, remove_name_;
 };
 
 }  // namespace durero::store

@@ -14,7 +14,7 @@ namespace {
 class Salvager {
  public:
   Salvager(Store& from, const StoreReport& report, const std::string& path)
-      : report_(report), records_(from.journal().records), out_(path), to_(with_tables(out_)) {
+      : report_(report), records_(from.journal().records), out_(new_database(path)), to_(with_tables(*out_)) {
     places_.assign(report.standings.size() + 1, no_event);
   }
 
@@ -23,7 +23,7 @@ class Salvager {
       if (standing(number) != EventStanding::lost) keep(number);
     if (to_.last() == no_event) records_.database().refuse("has no event that is left", "expected one, to be written");
     keep_names();
-    publish(out_.path(), out_.bytes());
+    out_->publish();
     return std::move(said_);
   }
 
@@ -128,13 +128,13 @@ class Salvager {
 
   /// The tables are made before what reads them.
   static Database& with_tables(Database& database) {
-    make_store(database);
+    database.make_tables();
     return database;
   }
 
   const StoreReport& report_;
   Records& records_;
-  Database out_;
+  std::unique_ptr<Database> out_;
   Records to_;
   std::vector<EventNumber> places_;  // of each event among the new ones
   std::vector<std::string> said_;

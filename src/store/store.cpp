@@ -134,21 +134,21 @@ void remove_name(Journal& journal, NameKind kind, const std::string& name, const
 }  // namespace
 
 void Store::create(const std::string& path, scene::GroupedScene scene, const std::string& from, const Provenance& by) {
-  Database database(path);
-  make_store(database);
-  Records records(database);
+  const std::unique_ptr<Database> database = new_database(path);
+  database->make_tables();
+  Records records(*database);
   if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, path);
   HistoryEvent event = import_event(no_event, from, by);
   append(records, event, {}, snapshot_of(scene));
   records.put_name(NameKind::branch, {std::string(first_branch), event.number});
   records.put_name(NameKind::head, {std::string(first_branch), no_event});
-  publish(path, database.bytes());
+  database->publish();
 }
 
 Store::Store(const std::string& path, StoreAccess access)
     : journal_(std::make_unique<Journal>(path,
                                          access == StoreAccess::write ? Database::Mode::write : Database::Mode::read)) {
-  if (access == StoreAccess::read) journal_->database.run("BEGIN");
+  if (access == StoreAccess::read) journal_->database.begin_reading();
 }
 
 Store::~Store() = default;

@@ -5,13 +5,13 @@
 namespace durero::store {
 
 StoreReading::StoreReading(Store& of) : of_(of), is_begun_(!of.journal().database.is_in_transaction()) {
-  if (is_begun_) of_.journal().database.run("BEGIN");
+  if (is_begun_) of_.journal().database.begin_reading();
 }
 
 StoreReading::~StoreReading() {
   if (!is_begun_) return;
   try {
-    of_.journal().database.run("COMMIT");
+    of_.journal().database.commit();
   } catch (const std::exception&) {  // of what was only read nothing is to be kept
   }
 }

@@ -167,11 +167,10 @@ class Verifier {
   }
 
   void check_database() {
-    PreparedQuery check = database_.prepare("PRAGMA integrity_check(1)");
-    if (check.step() && check.bytes(0) != "ok") refuse(fmt::format("the database: {}", check.bytes(0)));
-    PreparedQuery strays = database_.prepare(
+    if (const std::string fault = database_.fault(); !fault.empty()) refuse(fmt::format("the database: {}", fault));
+    const std::unique_ptr<PreparedQuery> strays = database_.prepare(
         "SELECT event FROM snapshot WHERE event NOT IN (SELECT number FROM event) ORDER BY event LIMIT 1");
-    if (strays.step()) refuse(fmt::format("the snapshot of event {} has no event", strays.integer(0)));
+    if (strays->step()) refuse(fmt::format("the snapshot of event {} has no event", strays->integer(0)));
   }
 
   void check_names() {

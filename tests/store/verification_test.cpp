@@ -19,8 +19,7 @@ using test::text_at;
 namespace {
 
 void change(const KeptStore& kept, const std::string& sql) {
-  store::Database database(kept.path, store::Database::Mode::write);
-  database.run(sql);
+  store::open_database(kept.path, store::Database::Mode::write)->run(sql);
 }
 
 store::StoreReport verified(const std::string& path, const store::CarryOut& by = store::carry_out) {
