@@ -65,7 +65,7 @@ x 2 help raido; says complaint 'there is no command "raido"'; one_line
 # Programs that write their arguments. No Debian: dpkg-query is absent. A stub takes the place of a link: written through
 # it, the program of the machine would be lost.
 stub() { rm -f "bin/$1"; printf '#!/bin/sh\n%s\n' "$2" >"bin/$1"; chmod +x "bin/$1"; }
-for program in sh wc chmod sed awk tr dirname readlink cat env grep tail head mkdir rm id nproc setsid sleep mktemp; do
+for program in sh wc chmod sed awk tr dirname readlink cat env grep tail head mkdir rm id nproc setsid sleep mktemp sha256sum uname cut mv; do
   ln -sf "$(command -v $program)" "bin/$program"
 done
 PATH=$tmp/bin
@@ -100,6 +100,36 @@ for words in radio Sphere 't!' 'truncated cone'; do
 done
 x 2 help raido; says complaint 'there is no command "raido"'; one_line
 rm -r tree/build/release
+
+# The program of a release beside the script draws the demonstration, if it is the release of these sources.
+machine=$(uname -m)
+mkdir tree/demo
+echo 'echo "demo.sh $*"' >tree/demo/demo.sh
+echo 'project(durero VERSION 1.2.3 LANGUAGES CXX' >tree/CMakeLists.txt
+program=tree/durero-1.2.3-$machine
+: >called
+x 0 demo
+says called '--target durero_demo'
+printf '#!/bin/sh\necho durero 1.2.3\n' >"$program"
+x 2 demo; says complaint "durero-1.2.3-$machine has no SHA256SUMS beside it"; one_line
+: >tree/SHA256SUMS
+x 2 demo; says complaint "SHA256SUMS has no digest of durero-1.2.3-$machine"; one_line
+(cd tree && sha256sum "durero-1.2.3-$machine" >SHA256SUMS)
+x 2 demo; says complaint "cannot be run; expected chmod +x durero-1.2.3-$machine"; one_line
+chmod +x "$program"
+: >called
+x 0 demo
+says said "demo.sh $tmp/tree/durero-1.2.3-$machine $tmp/tree/demo $tmp"
+says complaint "the program of a release, durero-1.2.3-$machine, draws; nothing is built"; one_line
+[ ! -s called ] || fail "something was built"
+echo '# changed' >>"$program"
+x 2 demo; says complaint ', as in SHA256SUMS'; one_line
+printf '#!/bin/sh\necho durero 1.2.2\n' >"$program"
+(cd tree && sha256sum "durero-1.2.3-$machine" >SHA256SUMS)
+x 2 demo; says complaint 'says that it is durero 1.2.2; expected durero 1.2.3'; one_line
+mv "$program" "tree/durero-1.2.2-$machine"
+x 2 demo; says complaint "durero-1.2.2-$machine lies beside the sources of version 1.2.3; expected durero-1.2.3-$machine"; one_line
+rm -r "tree/durero-1.2.2-$machine" tree/SHA256SUMS tree/CMakeLists.txt tree/demo
 
 # What a test asks of packages and of ctest.
 stub ctest 'echo "ctest $*" >called'
