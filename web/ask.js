@@ -1,0 +1,73 @@
+// Questions to the engine: one call, one answer. The engine is the layers as WebAssembly, in a worker; or what the one who
+// embeds the page has put into globalThis.dureroEngine, an object with call(question) → promise of the answer.
+
+let engine = null;
+
+function worker_engine(text) {
+  const worker = new Worker(URL.createObjectURL(new Blob([text, worker_end], { type: "text/javascript" })));
+  const waiting = new Map();
+  let last = 0;
+  const ready = new Promise((done, failed) => {
+    worker.onmessage = ({ data }) => {
+      if (data.ready) return done();
+      if (data.failed) return failed(new Error(data.failed));
+      waiting.get(data.id)(data.answer);
+      waiting.delete(data.id);
+    };
+    worker.onerror = event => failed(new Error(event.message || "the worker does not start"));
+  });
+  return {
+    ready,
+    call: question => new Promise(done => {
+      waiting.set(++last, done);
+      worker.postMessage({ id: last, question });
+    }),
+  };
+}
+
+const worker_end = `
+;start().then(() => {
+  self.onmessage = ({ data }) => {
+    let answer;
+    try { answer = call(data.question); } catch (trouble) { answer = { error: "call:1:1: " + trouble }; }
+    self.postMessage({ id: data.id, answer });
+  };
+  self.postMessage({ ready: true });
+}, trouble => self.postMessage({ failed: String(trouble) }));`;
+
+// start_engine finds the engine, and waits until it answers.
+export async function start_engine() {
+  if (globalThis.dureroEngine) engine = globalThis.dureroEngine;
+  else {
+    const text = document.getElementById("engine").textContent;
+    if (!text.trim()) throw new Error("this page was built without its engine");
+    engine = worker_engine(text);
+    await engine.ready;
+  }
+}
+
+export const ask = question => engine.call(question);
+
+// latest asks one question at a time: while one is on its way only the newest of the others is kept.
+export function latest(answered) {
+  let on_its_way = false, next = null;
+  async function send(question) {
+    if (on_its_way) { next = question; return; }
+    on_its_way = true;
+    const answer = await ask(question);
+    on_its_way = false;
+    const following = next;
+    next = null;
+    if (following) send(following);
+    answered(answer, question, following !== null);
+  }
+  return { send, drop: () => { next = null; } };
+}
+
+// once asks the same question one time.
+const answers = new Map();
+export function once(question) {
+  const key = JSON.stringify(question);
+  if (!answers.has(key)) answers.set(key, ask(question));
+  return answers.get(key);
+}

@@ -1,0 +1,210 @@
+import { ask, once } from "./ask.js";
+import { el, fill, find } from "./dom.js";
+import { facts, on_facts } from "./facts.js";
+import { change, on_change, state } from "./state.js";
+import { nodes_of } from "./marked.js";
+import { say } from "./words.js";
+import { indented, kind_of, marks_of, tokens } from "./ztext.js";
+
+// The Z text: its paragraphs, a line a predicate with its label, and beside each what is proved, tested and evaluated here.
+let files = [], parts = [], names = new Map(), labels = new Map(), opened = "", explained = new Map(), shown_file = "";
+
+// struck marks are in few fonts: the page strikes another through for them, and copies as the text has them.
+const struck = { "⩤": "◁", "⩥": "▷" };
+
+// z_nodes shows a text of Z: each name leads to its paragraph and marks its part of the picture.
+export function z_nodes(text, here = "") {
+  return tokens(text).map(token => {
+    const kind = kind_of(token);
+    if (kind === "blank") return token;
+    const marks = marks_of(token);
+    const leads = names.has(token) && token !== here;
+    if (leads) return el("a", { class: `z ${kind}`, href: "#", "data-name": token, "data-marks": marks || null }, token);
+    return el("span", { class: `z ${kind}`, "data-marks": marks || null, "data-struck": struck[token] }, token);
+  });
+}
+
+// z_block shows a predicate that may be longer than the panel.
+export function z_block(text, width = 58, here = "") {
+  return indented(text, width).map(({ depth, text: line }) => el("span", { class: "z-line", style: `padding-inline-start:${0.9 * depth}rem` }, z_nodes(line, here)));
+}
+
+// verdict_of says how a predicate stands in what is evaluated here: "holds", "fails", or nothing where it was not asked.
+function verdict_of(label) {
+  const at = Math.min(state.step, facts.answers.length) - 1;
+  if (explained.has(label) && explained.get(label).scene === facts.scene_text) {
+    const { value } = explained.get(label).answer;
+    if (value === "true" || value === "false") return value === "true" ? "holds" : "fails";
+  }
+  if (at < 0) return "";
+  const answer = facts.answers[at], broken = broken_of(at);
+  if (!answer.ok && broken.some(b => b.label === label)) return "fails";
+  const mine = operation_labels.get(operation_name(state.ops[at]));
+  if (mine?.includes(label)) return answer.ok || /\.pre\.\d+$/.test(label) ? "holds" : "";
+  return "";
+}
+
+export function broken_of(at) {
+  const answer = facts.answers[at];
+  if (!answer || answer.ok) return [];
+  const refusal = facts.refusals[at];
+  return refusal?.broken ?? [{ label: answer.violated, predicate: answer.predicate, values: {} }];
+}
+export const operation_name = op => /^\s*\{/.test(op) ? (() => { try { return JSON.parse(op).op; } catch { return ""; } })() : op.trim().split(/\s+/)[0];
+const operation_labels = new Map();
+
+const signs = { proved: "◆", tested: "●", stated: "○" };
+function status_node(entry) {
+  if (!entry) return null;
+  return el("span", { class: `status ${entry.status}`, title: say("status_" + entry.status) }, signs[entry.status] ?? "○", el("span", { class: "unseen" }, say("status_" + entry.status)));
+}
+function verdict_node(verdict) {
+  if (!verdict) return null;
+  return el("span", { class: `verdict ${verdict}`, title: say("here_" + verdict) }, verdict === "holds" ? "▸ ✓" : "▸ ✗", el("span", { class: "unseen" }, say("here_" + verdict)));
+}
+
+function predicate(line, here) {
+  const entry = labels.get(line.label), verdict = line.label ? verdict_of(line.label) : "";
+  if (!line.label) return el("div", { class: "decl" }, z_block(line.text, 52, here));
+  const open = opened === line.label;
+  return el("div", { class: `pred ${verdict}`, id: "p-" + line.label },
+    el("div", { class: "pred-text" }, z_block(line.text, 52, here)),
+    el("button", { class: "label", "data-key": "label " + line.label, "aria-expanded": String(open), "aria-controls": "c-" + line.label, onclick: () => choose_label(open ? "" : line.label) },
+      status_node(entry), verdict_node(verdict), el("code", {}, line.label)),
+    open ? card(line, entry) : null);
+}
+
+// card tells of a label: its clause, its tests, its theorems with what they assume, and its value in this scene.
+function card(line, entry) {
+  const place = p => el("li", {}, el("code", {}, p));
+  const group = (title, list) => list?.length ? [el("dt", {}, title), el("dd", {}, el("ul", {}, list.slice(0, 6).map(place), list.length > 6 ? el("li", {}, `… ${list.length - 6} ${say("more")}`) : null))] : null;
+  const theorem = t => el("details", { class: "theorem" }, el("summary", {}, el("code", {}, t.name), " ", el("span", { class: "quiet" }, t.place)),
+    theorems[t.place] ? el("pre", {}, theorems[t.place].trim()) : null, el("p", { class: "quiet" }, say("axioms")));
+  const known = explained.get(line.label);
+  return el("div", { class: "card", id: "c-" + line.label },
+    entry ? el("dl", {}, group(say("clause"), entry.clauses), group(say("function"), entry.functions), group(say("tests"), entry.tests),
+      entry.theorems?.length ? [el("dt", {}, say("theorems")), el("dd", {}, entry.theorems.map(theorem))] : null) : null,
+    broken_card(line.label),
+    el("button", { class: "action", "data-key": "explain", onclick: () => explain(line) }, say("evaluate_here")),
+    known ? explanation(known.answer) : null);
+}
+
+function broken_card(label) {
+  const at = Math.min(state.step, facts.answers.length) - 1, broken = at < 0 ? [] : broken_of(at).filter(b => b.label === label);
+  return broken.map(b => el("p", { class: "fault" }, say("does_not_hold"), " ",
+    Object.entries(b.values ?? {}).map(([name, value]) => el("code", {}, `${name} = ${typeof value === "string" ? value : JSON.stringify(value)}`, " "))));
+}
+
+async function explain(line) {
+  const answer = await ask({ call: "eval", expression: line.text, scene: facts.scene_text, explain: true, steps: 2000000 });
+  explained.set(line.label, { answer, scene: facts.scene_text });
+  render();
+  if (!answer.error) find("said").textContent = `${line.label}: ${answer.value}`;
+}
+
+// explanation shows the tree of parts with their values; parts whose value is false are open.
+export function explanation(answer) {
+  if (answer.error) return el("p", { class: "fault" }, answer.error.replace(/^expression:\d+:\d+: /, ""));
+  if (!answer.tree) return el("p", {}, el("code", {}, answer.value));
+  return el("div", { class: "tree" }, branch(answer.tree, 0));
+}
+const cut = (text, most) => [...text].length > most ? [...text].slice(0, most).join("") + "…" : text;
+function branch(node, depth) {
+  const value = node.value === "true" ? "holds" : node.value === "false" ? "fails" : "value";
+  const head = [el("span", { class: "term" }, z_nodes(cut(node.term, 160))), " ", el("span", { class: `value ${value}`, title: node.value, ...element_marks(node.value) }, cut(node.value, 90))];
+  const witness = node.witness ? el("p", { class: "witness" }, say(node.value === "false" ? "counter_example" : "witness"), ": ", el("code", {}, cut(node.witness, 120))) : null;
+  if (!node.parts?.length) return el("div", { class: "leaf" }, head, witness);
+  return el("details", { open: depth < 1 || (depth < 5 && value === "fails") }, el("summary", {}, head), witness, node.parts.map(part => branch(part, depth + 1)));
+}
+
+// element_marks: a value that names elements of the scene marks them.
+function element_marks(value) {
+  const all = facts.scene?.elementos?.map(e => e.id) ?? [], named = new Set((value.match(/[\p{L}\p{N}_.:-]+/gu) ?? []));
+  const met = all.filter(id => named.has(id));
+  return met.length && met.length <= 12 ? { "data-marks": met.map(id => "el:" + id).join(" ") } : {};
+}
+
+function box(part) {
+  const here = part.names?.[0] ?? "", declares = part.lines.filter(l => l.declares), rest = part.lines.filter(l => !l.declares);
+  const framed = ["schema", "axiom", "generic"].includes(part.kind);
+  return el("div", { class: `zbox ${part.kind} ${part.names?.includes(state.para) ? "chosen" : ""}`, id: here ? "z-" + here : null },
+    framed ? el("h3", { class: "zname" }, part.kind === "schema" ? here : "") : null,
+    declares.map(l => predicate(l, here)),
+    framed && declares.length && rest.length ? el("hr") : null,
+    rest.map(l => predicate(l, here)));
+}
+
+function render() {
+  if (!files.length) return;
+  const options = files.map(({ file, section }) => el("option", { value: file, selected: file === state.file }, section || file));
+  fill(find("text"),
+    el("div", { class: "panel-head" }, el("h2", { id: "text-head" }, say("z_text")),
+      el("select", { "aria-label": say("file_of_text"), "data-key": "file", onchange: e => change({ file: e.target.value, para: "", label: "" }) }, options)),
+    el("p", { class: "legend" }, el("span", { class: "status proved" }, "◆"), " ", say("proved"), " ", el("span", { class: "status tested" }, "●"), " ", say("tested"), " ",
+      el("span", { class: "verdict holds" }, "▸"), " ", say("evaluated_here")),
+    el("div", { class: "scroll", id: "text-scroll", tabindex: "0", role: "region", "aria-label": say("z_text"), lang: "en" }, parts.map(part => part.prose !== undefined
+      ? el("p", { class: "prose" }, nodes_of(tidy(part.prose))) : box(part))));
+}
+const tidy = prose => prose.replace(/\\emph\{([^}]*)\}/g, "*$1*").replace(/\\_/g, "_").replace(/~/g, " ").replace(/``|''/g, "\"");
+
+async function load_file() {
+  const file = state.file, answer = await once({ call: "text", file });
+  if (answer.error || state.file !== file) return;
+  parts = answer.parts;
+  shown_file = file;
+  render();
+  reveal();
+}
+
+// reveal brings the chosen paragraph, or the clause that fails, into sight.
+function reveal() {
+  const scroll = find("text-scroll");
+  const target = document.getElementById("p-" + state.label) ?? document.getElementById("z-" + state.para);
+  if (!target || !scroll) return;
+  const top = target.getBoundingClientRect().top - scroll.getBoundingClientRect().top + scroll.scrollTop - 30;
+  scroll.scrollTo({ top, behavior: "instant" });
+}
+
+function choose_label(label) {
+  opened = label;
+  change({ label });
+  render();
+}
+
+// show_name goes to the paragraph of a name, whichever file it stands in.
+export function show_name(name) {
+  const file = names.get(name);
+  if (file) change({ file, para: name, label: "" });
+}
+export const show_label = label => {
+  const entry = labels.get(label);
+  if (!entry) return;
+  opened = label;
+  change({ file: entry.text.replace(/:\d+$/, ""), para: entry.paragraph, label });
+};
+export const label_entry = label => labels.get(label);
+
+export async function start_text(operations) {
+  for (const operation of operations) operation_labels.set(operation.name, operation.labels ?? []);
+  const [text, index] = await Promise.all([once({ call: "text" }), once({ call: "labels" })]);
+  files = text.files;
+  for (const entry of index.labels) {
+    labels.set(entry.label, entry);
+    if (entry.paragraph) names.set(entry.paragraph, entry.text.replace(/:\d+$/, ""));
+  }
+  opened = state.label;
+  on_change(keys => {
+    if (keys.has("file")) load_file();
+    else if (keys.has("para") || keys.has("label")) { opened = state.label; render(); reveal(); }
+    if (keys.has("lang") || keys.has("step")) render();
+  });
+  on_facts(what => { if (what === "scene" && shown_file) render(); });
+  document.addEventListener("click", event => {
+    const link = event.target.closest("a[data-name]");
+    if (!link) return;
+    event.preventDefault();
+    change({ view: "scene" });
+    show_name(link.dataset.name);
+  });
+  await load_file();
+}
