@@ -28,6 +28,12 @@ std::string trial_verdict(const zed::Trial& trial) {
   return fmt::format("tried on {} state{}", trial.tried, trial.tried == 1 ? "" : "s");
 }
 
+std::string section_line(const zed::Section& section, const zed::Specification& text) {
+  const auto spivey = text.spivey.find(section.file);
+  return fmt::format("{}: section {} ok, {} paragraphs{}\n", section.file, section.name, section.paragraphs.size(),
+                     spivey == text.spivey.end() ? "" : ", in Spivey's Z as " + spivey->second + " tells");
+}
+
 bool has_error(const std::vector<zed::Defect>& defects) {
   return std::ranges::any_of(defects,
                              [](const zed::Defect& defect) { return defect.severity == zed::Defect::Severity::error; });
@@ -37,6 +43,11 @@ std::vector<zed::Defect> reviewed(const zed::Specification& read, const zed::Typ
   std::vector<zed::Defect> defects = zed::review(read, typing);
   for (zed::Defect& defect : defects)
     if (strict && defect.severity == zed::Defect::Severity::opinion) defect.severity = zed::Defect::Severity::error;
+  std::erase_if(defects, [&](const zed::Defect& defect) {  // nobody wrote it
+    return std::ranges::any_of(read.sections, [&](const zed::Section& section) {
+      return zed::is_built_in(section) && section.file == defect.file;
+    });
+  });
   return defects;
 }
 
@@ -79,7 +90,7 @@ std::string TextCheck::lines() const {
   for (const std::string& file : empty) said += fmt::format("{}:1:1: {}; {}\n", file, no_paragraph, any_paragraph);
   if (!is_read()) return said;
   for (const zed::Section& section : text->sections)
-    said += fmt::format("{}: section {} ok, {} paragraphs\n", section.file, section.name, section.paragraphs.size());
+    if (!zed::is_built_in(section)) said += section_line(section, *text);
   for (const TriedConjecture& tried : conjectures) said += tried.text();
   return said;
 }

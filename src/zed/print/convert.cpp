@@ -40,19 +40,8 @@ class TextWriter {
     return cut(text, {}, defects);
   }
 
-  std::size_t offset(const Block& block) const { return static_cast<std::size_t>(block.body.data() - text_.data()); }
-  std::size_t start_of(const Block& block) const {
-    if (!block.unicode) return offset(block) - block.environment.size() - std::string_view("\\begin{}").size();
-    const std::size_t line = text_.substr(0, offset(block)).rfind('\n');
-    return line == text_.npos ? 0 : line + 1;
-  }
-  std::size_t end_of(const Block& block) const {
-    std::size_t end = offset(block) + block.body.size();
-    if (!block.unicode) return end + block.environment.size() + std::string_view("\\end{}").size();
-    end += std::string_view("└").size();
-    while (text_.substr(end).starts_with("─")) end += std::string_view("─").size();
-    return end;
-  }
+  std::size_t start_of(const Block& block) const { return static_cast<std::size_t>(block.whole.data() - text_.data()); }
+  std::size_t end_of(const Block& block) const { return start_of(block) + block.whole.size(); }
 
   /// Takes prose up to a byte of the text; in Unicode it must not be taken for Z, nor for the rule of a box.
   void prose(std::size_t to) {
@@ -123,7 +112,8 @@ class TextWriter {
   static bool same_trees(const Block& block, const std::vector<Token>& before, const std::vector<Token>& after) {
     if (block.environment == "zsection") return true;  // its tokens are all of it
     std::vector<ZError> mended;
-    return parse_block(block.environment, before, mended) == parse_block(block.environment, after, mended);
+    return parse_block(block.environment, before, mended, block.spivey != nullptr) ==
+           parse_block(block.environment, after, mended);
   }
   [[noreturn]] void refuse(Place place, const std::string& what) const {
     const bool line = what.empty() || what == "\n";

@@ -7,7 +7,7 @@ namespace {
 class Latex : Lexer {
  public:
   Latex(const Block& block, const Markup& markup, const Operators& operators)
-      : Lexer(block.body, block.place, operators), markup_(markup) {
+      : Lexer(block.body, block.place, operators), markup_(markup), spivey_(block.spivey.get()) {
     spaces();
     named_ = block.environment != "schema" || here() == '{';
   }
@@ -25,7 +25,10 @@ class Latex : Lexer {
     } else if (c == '{' || c == '}' || (c == '^' && here(1) == '{')) {
       brace();
     } else if (c == '%') {
-      comment();
+      if (spivey_ != nullptr && place_.column == 1 && is_hidden_line(text_.substr(at_, text_.find('\n', at_) - at_)))
+        take(2);
+      else
+        comment();
     } else if (is_letter(c)) {
       word({}, place_);
     } else if (is_digit(c)) {
@@ -62,6 +65,11 @@ class Latex : Lexer {
       take();
       return emit("•", place);
     }
+    if (sees("..")) {
+      take(2);
+      return emit("‥", place);
+    }
+    if (spivey_ != nullptr && is_layout()) return void(take());
     const std::string_view symbol = ascii_symbol();
     if (symbol.empty()) {
       const std::string character(text::first(text_.substr(at_)));
@@ -69,7 +77,16 @@ class Latex : Lexer {
              character == "#" ? "expected \\#, as LaTeX writes it" : "expected LaTeX mark-up of Z");
     }
     emit(Type::symbol, std::string(take(symbol.size())), place);
-    tokens_.back().only_infix = symbol == "-";
+    tokens_.back().only_infix = symbol == "-" && spivey_ == nullptr;
+  }
+
+  /// Says whether Spivey's Z has a sign here for the eye alone: what aligns, a quotation mark, and the full stop or
+  /// comma that ends a sentence with the paragraph.
+  bool is_layout() const {
+    if (here() == '&' || here() == '"') return true;
+    if (here() != '.' && here() != ',') return false;
+    const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
+    return next == text_.npos || text_.substr(next).starts_with("\\also");
   }
 
   /// Takes one stroke, of which the first character is here.
@@ -126,6 +143,7 @@ class Latex : Lexer {
   /// blank is no space (ISO/IEC 13568, A.2), so that `f a` is the name fa; `~` or a command separates.
   template <class GoesOn>
   bool over_blanks(GoesOn goes_on) {
+    if (spivey_ != nullptr) return goes_on();  // there a blank separates
     const std::size_t at = at_;
     const Place place = place_;
     spaces();
@@ -153,8 +171,12 @@ class Latex : Lexer {
     do {
       begun += letters();
     } while (over_blanks([&] { return more_of_word(begun); }));
+    const Place decorated = place_;
     std::string behind = strokes(begun);
-    emit(Type::word, std::move(begun), place, std::move(behind));
+    const bool decorates = spivey_ != nullptr && !behind.empty() && spivey_->schemas.contains(begun);
+    if (!decorates) return emit(Type::word, std::move(begun), place, std::move(behind));
+    emit(Type::word, std::move(begun), place);
+    emit(Type::stroke, std::move(behind), decorated);
   }
 
   /// Takes one more letter of the word, if one is here.
@@ -194,7 +216,10 @@ class Latex : Lexer {
   Command command_here() const {
     const std::string_view name = command_name();
     if (const auto own = markup_.find(name); own != markup_.end()) return {name, own->second, true};
-    return {name, unicode_of_command(name)};
+    if (spivey_ != nullptr)
+      if (const auto meaning = spivey_command(name)) return {name, meaning};
+    const auto meaning = unicode_of_command(name);
+    return {name, meaning || name != "defs" ? meaning : spivey_command(name)};
   }
 
   /// Takes a command for a letter that joins with others, and the spaces that TeX drops behind it.
@@ -218,7 +243,8 @@ class Latex : Lexer {
     take(1 + name.size());
     static constexpr std::array<std::string_view, 7> blanks = {",", ";", ":", "!", " ", "quad", "qquad"};
     static constexpr std::array<std::string_view, 4> breaks = {"\\", "also", "znewpage", "zbreak"};
-    if (command.meaning && !command.own) {  // the others, which ISO Z gives no meaning, are layout
+    if (command.meaning && command.meaning->empty()) {
+    } else if (command.meaning && !command.own) {  // the others, which ISO Z gives no meaning, are layout
       known(command, place);
     } else if (among(name, blanks) || name == "\n") {
     } else if (among(name, breaks)) {
@@ -252,6 +278,7 @@ class Latex : Lexer {
   }
 
   const Markup& markup_;
+  const SpiveyText* spivey_;
   bool named_ = true;
   std::vector<bool> braces_;  // those that are open: whether each is of a ^{
 };

@@ -14,7 +14,8 @@ bool begins_template(const Token& token) { return token.is("function") || token.
 
 class ParagraphParser {
  public:
-  explicit ParagraphParser(const std::vector<Token>& tokens) : in_(tokens), terms_(in_) {}
+  explicit ParagraphParser(const std::vector<Token>& tokens, bool constraints = false)
+      : in_(tokens), terms_(in_), constraints_(constraints) {}
 
   std::vector<ZError> mended;
 
@@ -122,9 +123,34 @@ class ParagraphParser {
       paragraphs.push_back({place, given()});
     } else if (in_.accept("⊢?")) {
       conjecture(paragraphs, place, {});
+    } else if (constraints_ && !defines()) {
+      paragraphs.push_back({place, constraint(place)});
     } else {
       named(paragraphs, place);
     }
+  }
+
+  /// Says whether a sign of definition stands in this line outside of brackets.
+  bool defines() const {
+    int depth = 0;
+    for (std::size_t ahead = 0;; ++ahead) {
+      const Token& token = in_.peek(ahead);
+      if (token.type == Token::Type::newline || token.type == Token::Type::end || token.type == Token::Type::error)
+        return token.type == Token::Type::error;
+      if (token.is("(") || token.is("[") || token.is("{") || token.is("⦉")) ++depth;
+      if (token.is(")") || token.is("]") || token.is("}") || token.is("⦊")) --depth;
+      if (token.is("let")) return false;
+      if (depth == 0 && (token.is("==") || token.is("::="))) return true;
+    }
+  }
+
+  Axiomatic constraint(Place place) {
+    const std::size_t from = in_.position();
+    Predicate predicate{terms_.term(), {}, place};
+    predicate.label = in_.label_since(from);
+    Axiomatic box;
+    box.text.predicates.push_back(std::move(predicate));
+    return box;
   }
 
   void conjecture(std::vector<Paragraph>& paragraphs, Place place, std::vector<Name> generic) {
@@ -232,6 +258,7 @@ class ParagraphParser {
 
   TokenStream in_;
   TermParser terms_;
+  bool constraints_;
 };
 
 }  // namespace
@@ -258,8 +285,8 @@ std::vector<ReadTemplate> templates_in(const std::vector<Token>& tokens) {
 SectionHeader parse_header(const std::vector<Token>& tokens) { return ParagraphParser(tokens).header(); }
 
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
-                                   std::vector<ZError>& mended) {
-  ParagraphParser parser(tokens);
+                                   std::vector<ZError>& mended, bool constraints) {
+  ParagraphParser parser(tokens, constraints);
   std::vector<Paragraph> paragraphs;
   if (environment == "zed") {
     paragraphs = parser.lines();

@@ -1,5 +1,7 @@
 #include "durero/zed/syntax/reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -12,6 +14,7 @@
 #include <utility>
 
 #include "durero/text/file.hpp"
+#include "zed/syntax/bag_toolkit.hpp"
 #include "zed/syntax/block_parser.hpp"
 #include "zed/syntax/characters.hpp"
 #include "zed/syntax/lexer.hpp"
@@ -28,6 +31,12 @@ std::optional<std::string> on_disk(const std::string& file) {
     return std::nullopt;
   }
 }
+
+/// The files that a parent is looked for in.
+constexpr std::array<std::string_view, 4> endings = {".tex", ".utf8", ".zed", ".zed8"};
+
+/// Says whether a text begins with the mark of UTF-16.
+bool is_utf16(std::string_view text) { return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"); }
 
 class SpecificationReader {
  public:
@@ -65,8 +74,16 @@ class SpecificationReader {
       specification_.defects.push_back({path, {1, 1}, "the file is too large", "expected at most a MiB of Z text", {}});
       return;
     }
+    if (is_utf16(source)) {
+      specification_.defects.push_back({path, {1, 1}, "the file is in UTF-16", "expected UTF-8", {}});
+      return;
+    }
     std::optional<Section> open;
     const auto& [blocks, defects] = pieces(source, path);
+    if (!blocks.empty() && blocks.front().spivey) {
+      const SpiveyText& known = *blocks.front().spivey;
+      specification_.spivey[path] = fmt::format("{} at line {}", known.sign, known.place.line);
+    }
     specification_.defects.insert(specification_.defects.end(), defects.begin(), defects.end());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       const Block& block = blocks[i];
@@ -160,7 +177,7 @@ class SpecificationReader {
       std::error_code unreadable;
       std::set<std::string> beside;  // their order makes the answer independent of the file system
       for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
-        if (entry.path().extension() == ".tex" || entry.path().extension() == ".utf8")
+        if (std::ranges::find(endings, entry.path().extension()) != endings.end())
           beside.insert(entry.path().lexically_normal().string());
       for (const std::string& file : beside) index(file);
     }
@@ -171,6 +188,12 @@ class SpecificationReader {
     Section section{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
     if (!started_.insert(section.name).second)
       throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
+    if (block.spivey && block.spivey->has_bags) {
+      const std::string bags(bag_toolkit);
+      if (!started_.contains(bags)) text(std::string(bag_toolkit_text), bags);
+      section.parents.push_back(bags);
+      inherit(section.name, bags, path, block.begin);
+    }
     return section;
   }
 
@@ -180,6 +203,7 @@ class SpecificationReader {
     for (const Block& block : blocks) {
       if (block.environment == "zsection") return;
       for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
+      for (const OperatorTemplate& read : block.operators) add_operator(specification_.operators[section.name], read);
       if (block.environment == "zed" && may_have_template(block.body)) add_templates(block, markup, section);
     }
   }
@@ -233,7 +257,7 @@ class SpecificationReader {
     const std::vector<Token> tokens = lex(block, markup, operators);
     std::vector<ZError> mended;
     try {
-      std::vector<Paragraph> read = parse_block(block.environment, tokens, mended);
+      std::vector<Paragraph> read = parse_block(block.environment, tokens, mended, block.spivey != nullptr);
       std::move(read.begin(), read.end(), std::back_inserter(into.paragraphs));
     } catch (const ZError& error) {
       const std::vector<Name> lost = names_declared(block.environment, tokens);
@@ -270,6 +294,8 @@ bool is_toolkit(const std::string& section) {
                                                             "standard_toolkit"};
   return std::find(names.begin(), names.end(), section) != names.end();
 }
+
+bool is_built_in(const Section& section) { return section.file == bag_toolkit; }
 
 Specification read_files(const std::vector<std::string>& files) {
   SpecificationReader reader;

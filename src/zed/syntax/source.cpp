@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "durero/text/utf8.hpp"
 #include "zed/syntax/characters.hpp"
 #include "zed/syntax/cursor.hpp"
 #include "zed/syntax/lexer.hpp"
+#include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
 namespace {
@@ -66,7 +69,7 @@ namespace {
 class Cutter {
  public:
   Cutter(std::string_view text, const std::string& file, std::vector<Defect>& defects)
-      : cursor_(text), file_(file), defects_(defects) {}
+      : cursor_(text), file_(file), defects_(defects), spivey_(spivey_text(text)) {}
 
   /// Says whether a paragraph began, be it that it did not end.
   bool began() const { return began_; }
@@ -93,42 +96,82 @@ class Cutter {
 
   void comment() {
     const std::string_view line = cursor_.rest_of_line();
-    if (cursor_.place().column == 1) take_directive(cursor_, file_, pending_, defects_);
+    if (cursor_.place().column == 1) {
+      if (spivey_ && is_hidden_line(line)) return cursor_.skip(2);
+      take_directive(cursor_, file_, pending_, defects_);
+      if (spivey_ && line.starts_with("%%")) take_spivey_directive(line);
+    }
     cursor_.skip(line.size());
+  }
+
+  void take_spivey_directive(std::string_view line) {
+    try {
+      auto directive = spivey_directive(line, cursor_.place());
+      if (!directive) return;
+      if (directive->kind == SpiveyDirective::Kind::unchecked) unchecked_ = cursor_.place();
+      if (directive->kind == SpiveyDirective::Kind::ignored)
+        for (const std::string& word : directive->words) pending_[word] = "";
+      for (std::size_t i = 0; i < directive->operators.size(); ++i) {
+        OperatorTemplate& read = directive->operators[i];
+        if (!unicode_of_command(directive->words[i]))
+          pending_[directive->words[i]] = read.parts[read.has_left() ? 1 : 0];
+        pending_operators_.push_back(std::move(read));
+      }
+    } catch (const ZError& error) {
+      defects_.push_back(error.in(file_));
+    }
   }
 
   void begin() {
     Block block;
     block.begin = cursor_.place();
+    const std::size_t whole = cursor_.at;
     cursor_.skip(7);
     const std::string_view rest = cursor_.rest_of_line();
-    block.environment = rest.substr(0, rest.find('}'));
-    if (block.environment == "theorem") warn_of_theorem(block.begin);
-    if (std::find(environments.begin(), environments.end(), block.environment) == environments.end()) return;
+    const std::string written(rest.substr(0, rest.find('}')));
+    const std::size_t title = written == "theorem" ? title_of_conjecture(block.begin) : 0;
+    const bool is_read = title > 0 || (written == "syntax" && spivey_) ||
+                         std::find(environments.begin(), environments.end(), written) != environments.end();
+    if (!is_read) return;
+    block.environment = title > 0 || written == "syntax" ? "zed" : written;
+    block.spivey = spivey_;
     began_ = true;
-    cursor_.skip(block.environment.size() + 1);
+    cursor_.skip(written.size() + 1 + title);
     block.place = cursor_.place();
     const std::size_t start = cursor_.at;
-    const std::string closing = "\\end{" + block.environment + "}";
+    const std::string closing = "\\end{" + written + "}";
     while (!cursor_.done() && !cursor_.sees(closing) && !cursor_.sees("\\begin{")) inside(block);
     block.body = cursor_.text.substr(start, cursor_.at - start);
     block.end = cursor_.place();
-    block.directives = std::move(pending_);
-    pending_.clear();
+    block.directives = std::exchange(pending_, {});
+    block.operators = std::exchange(pending_operators_, {});
     if (!cursor_.sees(closing)) {
       defects_.push_back({file_, block.begin, "the paragraph does not end", "expected " + closing, {}});
       return;
     }
     cursor_.skip(closing.size());
-    blocks_.push_back(std::move(block));
+    block.whole = cursor_.text.substr(whole, cursor_.at - whole);
+    if (const auto unchecked = std::exchange(unchecked_, std::nullopt))
+      defects_.push_back({file_, *unchecked, "the paragraph behind this is not read", "expected no %%unchecked",
+                          Defect::Severity::warning});
+    else
+      blocks_.push_back(std::move(block));
   }
 
-  /// CZT and Z/EVES name a conjecture so; prose has theorems too, which say nothing in Z.
-  void warn_of_theorem(Place place) {
-    const std::string_view rest = cursor_.text.substr(cursor_.at);
-    if (rest.substr(0, rest.find("\\end{theorem}")).find("\\vdash?") == rest.npos) return;
+  /// CZT and Z/EVES name a conjecture so: `\begin{theorem}{NAME} \vdash? …`. Returns how many bytes the title has with
+  /// its braces; 0 of a theorem in prose, which says nothing in Z.
+  std::size_t title_of_conjecture(Place place) {
+    static constexpr std::string_view name = "theorem}", claim = "\\vdash?";
+    const std::string_view rest = cursor_.text.substr(cursor_.at + name.size());
+    const std::string_view inside = rest.substr(0, rest.find("\\end{theorem}"));
+    const std::size_t claimed = inside.find(claim);
+    if (claimed == inside.npos) return 0;
+    const std::size_t open = inside.find_first_not_of(" \t\r\n"), close = inside.find('}');
+    if (inside[open] == '{' && close < claimed) return close + 1;
+    if (open == claimed || inside[open] == '[') return open;
     defects_.push_back({file_, place, "a theorem is not read, and its conjecture is not tried",
-                        "expected \\begin{zed} \\vdash? … \\end{zed}", Defect::Severity::warning});
+                        "expected \\begin{theorem}{NAME} \\vdash? … \\end{theorem}", Defect::Severity::warning});
+    return 0;
   }
 
   void inside(const Block& block) {
@@ -138,7 +181,9 @@ class Cutter {
                           "a directive inside a paragraph",
                           "expected it before the \\begin{" + block.environment + "}",
                           {}});
-    if (cursor_.sees("%")) {
+    if (spivey_ && cursor_.sees("%%") && cursor_.place().column == 1 && is_hidden_line(cursor_.rest_of_line())) {
+      cursor_.skip(2);
+    } else if (cursor_.sees("%")) {
       cursor_.skip(cursor_.rest_of_line().size());
     } else {
       skip();
@@ -149,7 +194,10 @@ class Cutter {
   const std::string& file_;
   std::vector<Defect>& defects_;
   std::vector<Block> blocks_;
+  std::shared_ptr<const SpiveyText> spivey_;
   Markup pending_;
+  std::vector<OperatorTemplate> pending_operators_;
+  std::optional<Place> unchecked_;  // fuzz leaves the next paragraph out
   bool began_ = false;
 };
 

@@ -1,4 +1,5 @@
 #include <array>
+#include <utility>
 
 #include "zed/syntax/cursor.hpp"
 #include "zed/syntax/lexer.hpp"
@@ -24,6 +25,10 @@ class UnicodeCutter {
     while (!cursor_.done()) {
       if (const std::string_view sign = opener(cursor_.rest_of_line()); !sign.empty()) {
         paragraph(sign);
+        if (next_in_line_ > 0)
+          cursor_.skip(std::exchange(next_in_line_, 0));
+        else
+          next_line();
       } else {
         take_directive(cursor_, file_, pending_, defects_);
         next_line();
@@ -45,6 +50,7 @@ class UnicodeCutter {
     Block block;
     block.unicode = true;
     block.begin = cursor_.place();
+    const std::size_t whole = cursor_.at;
     Cursor sign_end = cursor_;
     while (cursor_.sees("─") || cursor_.sees("═") || cursor_.sees("╷") || cursor_.sees("┌") || cursor_.sees(" ")) {
       const bool blank = cursor_.sees(" ");
@@ -57,19 +63,42 @@ class UnicodeCutter {
     block.environment = environment(sign, title);
     block.place = cursor_.place();
     const std::size_t start = cursor_.at;
-    next_line();
-    while (!cursor_.done() && !cursor_.sees("└") && opener(cursor_.rest_of_line()).empty()) next_line();
+    while (!to_end_in_line()) {
+      next_line();
+      if (cursor_.done() || !opener(cursor_.rest_of_line()).empty()) break;
+    }
     block.body = cursor_.text.substr(start, cursor_.at - start);
     if (block.environment == "zed" && is_header(block.body)) block.environment = "zsection";
     block.end = cursor_.place();
     block.directives = std::move(pending_);
     pending_.clear();
     if (cursor_.sees("└")) {
-      next_line();
+      pass_end();
+      block.whole = cursor_.text.substr(whole, cursor_.at - whole);
       blocks_.push_back(std::move(block));
     } else {
-      defects_.push_back({file_, block.begin, "the paragraph does not end", "expected a line that begins with └", {}});
+      defects_.push_back({file_, block.begin, "the paragraph does not end", "expected └, the end of its box", {}});
     }
+  }
+
+  /// Goes on to the └ of this line, which is a sign of Z wherever it stands but in a comment; false where there is
+  /// none.
+  bool to_end_in_line() {
+    const std::string_view line = cursor_.rest_of_line();
+    const std::size_t end = line.find("└");
+    if (end > line.find('%')) return false;
+    if (end == line.npos) return false;
+    cursor_.skip(end);
+    return true;
+  }
+
+  /// Goes on behind └ and the rule of its box, and to the paragraph that begins in the same line, if one does.
+  void pass_end() {
+    cursor_.step();
+    while (cursor_.sees("─")) cursor_.step();
+    const std::string_view line = cursor_.rest_of_line();
+    const std::size_t next = line.find_first_not_of(" \t\r");
+    if (next != line.npos && !opener(line.substr(next)).empty()) next_in_line_ = next;
   }
 
   /// Says whether the first word of a body is `section`.
@@ -84,6 +113,7 @@ class UnicodeCutter {
   std::vector<Defect>& defects_;
   std::vector<Block> blocks_;
   Markup pending_;
+  std::size_t next_in_line_ = 0;  // so many bytes before a paragraph that begins behind the end of another
 };
 
 }  // namespace

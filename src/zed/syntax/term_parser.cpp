@@ -24,6 +24,8 @@ class ParsingDepth {
   unsigned& depth_;
 };
 
+constexpr std::string_view named_relation = "\\inrel";
+
 /// An operator of a template binds like those of its kind in the toolkit.
 int own_strength(const OperatorTemplate& op) {
   if (op.role == Role::relation) return binding::relation;
@@ -54,6 +56,9 @@ Term TermParser::term(int least) {
       left = hiding(left);
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
       left = product(left);
+    } else if (token.is(named_relation)) {
+      if (binding::relation < least) return left;
+      left = relations(left);
     } else if (token.own) {
       if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) return left;
       left = token.own->of->role == Role::relation ? relations(left) : own_operation({left});
@@ -83,7 +88,9 @@ Term TermParser::relations(const Term& left) {
   for (;;) {
     const Token& token = in_.peek();
     Term link, right;
-    if (token.own && token.own->first() && token.own->of->has_left() && token.own->of->role == Role::relation) {
+    if (token.is(named_relation)) {
+      link = membership_in_named(operands.back(), right);
+    } else if (token.own && token.own->first() && token.own->of->has_left() && token.own->of->role == Role::relation) {
       link = own_relation(operands.back(), right);
     } else {
       const Operator* op = token.symbol->infix;
@@ -105,6 +112,15 @@ Term TermParser::relations(const Term& left) {
     all = all ? checked(node(Kind::conjunction, {all, link}, place)) : link;
   }
   return checked(all);
+}
+
+/// Takes \inrel{R} y behind x, which Spivey's Z has for (x, y) ∈ R.
+Term TermParser::membership_in_named(const Term& left, Term& right) {
+  in_.next();
+  const Place place = in_.peek().place;
+  const Term of = reference(in_.name(), {}, place);
+  right = term(binding::relation + 1);
+  return checked(relation({{"_∈_", {}}}, {node(Kind::tuple, {left, right}, left->place), of}, left->place));
 }
 
 Term TermParser::product(const Term& left) {

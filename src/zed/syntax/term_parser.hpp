@@ -43,6 +43,7 @@ class TermParser {
   Term binding_extension();
   Term infix(const Term& left, int strength, const Operator& op);
   Term relations(const Term& left);
+  Term membership_in_named(const Term& left, Term& right);
   Term product(const Term& left);
   Term hiding(Term left);
   Term enclosing(std::string_view name, Term left);

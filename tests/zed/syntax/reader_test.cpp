@@ -114,7 +114,7 @@ TEST_CASE("a file in Unicode is read as one in LaTeX is, with its places") {
   const Specification wrong = read_text("─\nx == 1 +\n└\n\n┌ S\n│ x : ℕ\n", "u.utf8");
   REQUIRE(wrong.defects.size() == 2);
   CHECK(wrong.defects[0].text().starts_with("u.utf8:2:"));
-  CHECK(wrong.defects[1].text() == "u.utf8:5:1: the paragraph does not end; expected a line that begins with └");
+  CHECK(wrong.defects[1].text() == "u.utf8:5:1: the paragraph does not end; expected └, the end of its box");
 }
 
 TEST_CASE("a template holds in all of its section and in its children, and nowhere else") {
@@ -133,15 +133,48 @@ TEST_CASE("a template holds in all of its section and in its children, and nowhe
   CHECK(apart.operators.at("a").size() == 1);
 }
 
-TEST_CASE("a conjecture that stands in a theorem is not left out in silence") {
-  const auto read =
-      read_text("\\begin{zed} [A] \\end{zed}\n\\begin{theorem}{T} \\vdash? 1 = 2 \\end{theorem}\n", "t.tex");
-  REQUIRE(read.defects.size() == 1);
-  CHECK(read.defects[0].text() ==
-        "t.tex:2:1: warning: a theorem is not read, and its conjecture is not tried; expected \\begin{zed} \\vdash? … "
-        "\\end{zed}");
-  CHECK(read_text("\\begin{zed} [A] \\end{zed}\n\\begin{theorem} Of prose. \\end{theorem} \\vdash?\n", "t.tex")
-            .defects.empty());
+TEST_CASE("a conjecture that stands in a theorem is read, and prose in one is none") {
+  const auto conjectures = [](const std::string& theorem) {
+    const auto read =
+        read_text("\\begin{zed} [A] \\end{zed}\n\\begin{theorem}" + theorem + "\\end{theorem}\n", "t.tex");
+    std::string told = std::to_string(read.sections.at(0).paragraphs.size() - 1);
+    for (const Defect& defect : read.defects) told += " " + defect.text();
+    return told;
+  };
+  CHECK(conjectures("{T} \\vdash? 1 = 2 ") == "1");
+  CHECK(conjectures("{T}[X] \\vdash? \\emptyset[X] = \\emptyset ") == "1");
+  CHECK(conjectures(" \\vdash? 1 = 2 ") == "1");
+  CHECK(conjectures("{T} \\vdash? 1 = ") ==
+        "0 t.tex:2:31: the text ends too early; expected an expression or a predicate");
+  CHECK(conjectures(" Of prose. ") == "0");
+  CHECK(conjectures(" Prose, then \\vdash? 1 = 2 ") ==
+        "0 t.tex:2:1: warning: a theorem is not read, and its conjecture is not tried; expected \\begin{theorem}{NAME} "
+        "\\vdash? … \\end{theorem}");
+}
+
+TEST_CASE("a paragraph of Unicode may stand on one line, and others behind it") {
+  const auto read = read_text(
+      "─ [ A ] └\nprose └\n─ [B] └── ─ section_ == {1} └ prose\n┌ S x : ℕ | x > 3 % └\n│ x < 5 └\n", "u.zed8");
+  CHECK(read.defects.empty());
+  REQUIRE(read.sections.size() == 1);
+  CHECK(read.sections[0].paragraphs.size() == 4);
+  const auto open = read_text("─ [ A ]\n─ [B] └\n", "u.zed8");
+  REQUIRE(open.defects.size() == 1);
+  CHECK(open.defects[0].text() == "u.zed8:1:1: the paragraph does not end; expected └, the end of its box");
+}
+
+TEST_CASE("two points are an interval in either mark-up") {
+  for (const char* text : {"\\begin{zed} A == 1 .. 5 \\end{zed}", "\\begin{zed} A == 1..5 \\end{zed}",
+                           "\\begin{zed} A == 1 \\upto 5 \\end{zed}", "─ A == 1..5 └\n"})
+    CHECK(read_text(text, "t").defects.empty());
+}
+
+TEST_CASE("a file in UTF-16 is named so") {
+  for (const char* mark : {"\xFF\xFE", "\xFE\xFF"}) {
+    const auto read = read_text(mark + std::string("x"), "u");
+    REQUIRE(read.defects.size() == 1);
+    CHECK(read.defects[0].text() == "u:1:1: the file is in UTF-16; expected UTF-8");
+  }
 }
 
 TEST_CASE("an operand that is joined to an operator's word is warned of, with its right spelling") {

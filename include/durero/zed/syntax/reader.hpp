@@ -19,6 +19,8 @@ struct Specification {
   std::map<std::string, Markup> markup;  ///< each section has the directives in force in it, its parents' too
   /// Each section has the operators of the templates in it, and of its parents'.
   std::map<std::string, Operators> operators;
+  /// The files that are read as Spivey's Z, each with the sign in it that tells so; ISO's are not among them.
+  std::map<std::string, std::string> spivey;
   std::vector<Defect> defects;   ///< reading found these; a paragraph that cannot be read is left out
   std::vector<Defect> warnings;  ///< warnings about text that is read, and may be meant otherwise
 
@@ -36,8 +38,12 @@ inline constexpr std::size_t max_bytes = 1 << 20;
 /// read.
 bool is_toolkit(const std::string& section);
 
-/// Reads files, and the parents that they name: from the files given, or from the `.tex` and `.utf8` files in the
-/// folder of the file that names the parent. A file that cannot be opened is a defect.
+/// Says whether a section is of the program and stands in no file: that of the bags of Spivey's Z.
+bool is_built_in(const Section& section);
+
+/// Reads files, and the parents that they name: from the files given, or from those in the folder of the
+/// file that names the parent which end in `.tex`, `.utf8`, `.zed` or `.zed8`. A file that cannot be opened is a
+/// defect.
 Specification read_files(const std::vector<std::string>& files);
 
 /// Reads texts that were files, each with its name, in this order. Parents are looked for as by read_files.
