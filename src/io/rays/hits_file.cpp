@@ -14,6 +14,7 @@
 #include "durero/io/lines.hpp"
 #include "durero/io/rays/npy.hpp"
 #include "durero/text/shown.hpp"
+#include "io/rays/hit_line.hpp"
 
 namespace durero::io {
 namespace {
@@ -25,16 +26,9 @@ constexpr std::size_t outcome_width = 10;  // of the longest, no_minimum
 constexpr std::size_t values_width = outcome_width + std::size_t{4} * 8;
 constexpr std::size_t least_width = 1;  // NumPy's, of the names
 
-std::vector<std::string> names(const scene::Hit& hit, const scene::Scene& scene) {
-  std::vector<std::string> all;
-  for (const scene::ElementRef element : hit.elementos) all.push_back(scene.name(element).name());
-  std::ranges::sort(all);
-  return all;
-}
-
 std::string joined_names(const scene::Hit& hit, const scene::Scene& scene) {
   std::string all;
-  for (const std::string& name : names(hit, scene)) all.append(all.empty() ? "" : ",").append(name);
+  for (const std::string& name : names_of_hit(hit, scene)) all.append(all.empty() ? "" : ",").append(name);
   return all;
 }
 
@@ -55,12 +49,6 @@ void append_values(std::string& out, const scene::Hit& hit) {
   const bool is_hit = hit.resultado == Resultado::hit;
   for (const double x : {hit.t, hit.punto.x, hit.punto.y, hit.punto.z})
     append_binary64(out, is_hit ? x : std::numeric_limits<double>::quiet_NaN());
-}
-
-void append_text(std::string& text, std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
-  json::Writer out(text);
-  write_hit(out.begin_object().member("ray", ray), hit, scene);
-  out.end_object();
 }
 
 // A rounded value, which may be infinite.
@@ -149,19 +137,6 @@ const std::string& with_ending(const std::string& path) {
 }
 
 }  // namespace
-
-void write_hit(json::Writer& out, const scene::Hit& hit, const scene::Scene& scene) {
-  out.member("outcome", model::name(hit.resultado)).key("elementos").begin_array();
-  for (const std::string& name : names(hit, scene)) out.value(name);
-  out.end_array();
-  if (hit.resultado == Resultado::hit) out.member("t", hit.t).member("point", hit.punto);
-}
-
-std::string hit_text(std::size_t ray, const scene::Hit& hit, const scene::Scene& scene) {
-  std::string text;
-  append_text(text, ray, hit, scene);
-  return text;
-}
 
 std::string hits_npy(std::span<const scene::Hit> hits, const scene::Scene& scene) {
   std::size_t width = least_width;
