@@ -334,15 +334,16 @@ std::vector<OperationWords> operation_words(std::span<const WrittenType> types) 
   std::vector<OperationWords> all;
   for (const OperationSchema& schema : schemas()) {
     const auto& [name, required, optional] = schema.signature;
-    OperationWords& words =
-        all.emplace_back(std::string(name), std::vector<std::string>(required.begin(), required.end()));
+    OperationWords& words = all.emplace_back(
+        std::string(name), std::vector<std::string>(required.begin(), required.end()), required.size());
     words.inputs.insert(words.inputs.end(), optional.begin(), optional.end());
   }
   for (const WrittenType& type : types) {
-    OperationWords& addition = all.emplace_back(addition_name(type.word), std::vector<std::string>{"e"});
+    OperationWords& addition =
+        all.emplace_back(addition_name(type.word), std::vector<std::string>{"e"}, 1 + type.attributes.size());
     for (const WrittenAttribute& attribute : type.attributes) addition.inputs.push_back(attribute.word);
     addition.inputs.emplace_back(material_word);
-    all.push_back({removal_name(type.word), {"e"}});
+    all.push_back({removal_name(type.word), {"e"}, 1});
   }
   return all;
 }

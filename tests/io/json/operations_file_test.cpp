@@ -302,6 +302,15 @@ TEST_CASE("Every operation and each of its inputs has a word, and the reader kno
     } catch (const io::InputError& error) {
       CHECK(std::string(error.what()).find("unknown") == std::string::npos);
     }
+    // With all but the last of those that it needs, that one is missing.
+    call = words.name;
+    for (std::size_t i = 0; i + 1 < words.required; ++i) call += " " + words.inputs[i] + "=0";
+    try {
+      io::read_script(io::Source("f", call), {}, types);
+      FAIL("an input is needed, and may be left out");
+    } catch (const io::InputError& error) {
+      CHECK(std::string(error.what()).find("lacks " + words.inputs[words.required - 1] + "?") != std::string::npos);
+    }
     // The change of an attribute stands for those that name a type, too.
     const bool names_type = words.name.starts_with("Cambiar_") && std::ranges::count(words.name, '_') == 2;
     named += names_type ? 0 : 1;

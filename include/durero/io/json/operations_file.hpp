@@ -77,6 +77,7 @@ EditAnswer edit_answer(const scene::Outcome& answer);
 struct OperationWords {
   std::string name;                 ///< such as `Agregar_Esfera`
   std::vector<std::string> inputs;  ///< such as `e`, `centro`, `radio`, `material`
+  std::size_t required;             ///< how many of these it needs
 };
 /// Every operation of a script, those of the types that a Z text declares too.
 std::vector<OperationWords> operation_words(std::span<const WrittenType> types = {});
