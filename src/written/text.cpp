@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 
@@ -25,17 +26,25 @@ constexpr std::string_view prefix = "puntos_";
   throw io::InputError(defect.file, {defect.place.line, defect.place.column}, defect.what, defect.expected);
 }
 
-/// The file, and the sections of the program's own text that the file does not have itself.
-zed::Specification read_with_own(const std::string& file) {
-  const std::string text(io::read_source(file).text());
-  const zed::Specification alone = zed::read_sources({{file, text}});
-  std::vector<std::pair<std::string, std::string>> sources{{file, text}};
+using Texts = std::map<std::string, std::string>;
+
+/// The file, and the sections of the program's own text that the file does not have itself. `read` reads texts by the
+/// names of their files.
+template <class Read>
+zed::Specification read_with_own(const io::Source& file, Read read) {
+  Texts texts{{file.name(), std::string(file.text())}};
+  const zed::Specification alone = read(texts);
   for (const zed::Section& own : spec::text().sections)
-    if (!alone.find(own.name)) sources.emplace_back(own.file, spec::files().at(own.file));
-  zed::Specification read = zed::read_sources(sources);
-  if (!read.defects.empty()) fail(read.defects[0]);
-  return read;
+    if (!alone.find(own.name)) texts.emplace(own.file, spec::files().at(own.file));
+  zed::Specification whole = read(texts);
+  if (!whole.defects.empty()) fail(whole.defects[0]);
+  return whole;
 }
+
+/// @{ The texts with the parents that stand beside a file, and without.
+zed::Specification read_with_neighbours(const Texts& texts) { return zed::read_sources({texts.begin(), texts.end()}); }
+zed::Specification read_alone(const Texts& texts) { return zed::read_texts(texts); }
+/// @}
 
 bool is_number(const Type& type) { return type.is(Type::Kind::given) && type.name().text() == "𝔸"; }
 
@@ -122,7 +131,7 @@ bool is_shape(std::string_view word) {
 }  // namespace
 
 struct Text::State {
-  explicit State(const std::string& name) : file(name), specification(read_with_own(name)) {
+  State(const std::string& name, zed::Specification read) : file(name), specification(std::move(read)) {
     typing = zed::check(specification);
     if (!typing.ok()) fail(typing.defects[0]);
     for (const zed::Section& each : specification.sections) {
@@ -282,7 +291,10 @@ struct Text::State {
   std::mutex asking;  // of `symbolic`, which counts its steps
 };
 
-Text::Text(const std::string& file) : state_(std::make_unique<State>(file)) {}
+Text::Text(const std::string& file)
+    : state_(std::make_unique<State>(file, read_with_own(io::read_source(file), read_with_neighbours))) {}
+Text::Text(const io::Source& source)
+    : state_(std::make_unique<State>(source.name(), read_with_own(source, read_alone))) {}
 Text::~Text() = default;
 Text::Text(Text&&) noexcept = default;
 Text& Text::operator=(Text&&) noexcept = default;

@@ -1,6 +1,7 @@
 #include "durero/written/text.hpp"
 
 #include <fstream>
+#include <sstream>
 
 #include "durero/io/pov/algebraic.hpp"
 #include "durero/io/source.hpp"
@@ -201,6 +202,7 @@ TEST_CASE("A text without points of a type is refused, and so is one that is wro
   const Written wrong("\\begin{zed}\n  uno == dos\n\\end{zed}\n");
   CHECK(error_of(wrong, [&] { wrong.text(); }).starts_with("5:10: dos is not declared; "));
   CHECK_THROWS_AS(Text("no/such/file.tex"), io::FileError);
+  CHECK_THROWS_AS(Text(io::Source("t", "nothing")), io::InputError);
   const Written key(
       "\\begin{axdef}\n  puntos\\_x : Punto \\fun \\power Punto\n\\where\n"
       "  \\forall material : Punto @ puntos\\_x(material) = \\{~ w : Punto | w = material ~\\}\n\\end{axdef}\n");
@@ -213,6 +215,23 @@ TEST_CASE("A text without points of a type is refused, and so is one that is wro
   CHECK(error_of(points, [&] {
           points.text().surface("cosa", {1.0});
         }).ends_with("puntos_cosa takes 2 arguments; expected 1, the attributes of cosa"));
+}
+
+TEST_CASE("A text in memory is read as its file is, and finds its parents in the program's own text alone") {
+  std::ostringstream torus;
+  torus << std::ifstream(surfaces + "torus.tex").rdbuf();
+  const Text held(io::Source("a name", torus.str()));
+  CHECK(held.file() == "a name");
+  CHECK(held.types() == Text(surfaces + "torus.tex").types());
+  CHECK_FALSE(held.declares_shapes());
+  const std::string beside = surfaces + "new.tex";
+  const std::string child = "\\begin{zsection}\n  \\SECTION nuevo \\parents toro\n\\end{zsection}\n";
+  try {
+    const Text refused(io::Source(beside, child));
+    FAIL("a text in memory has found its parent in a folder");
+  } catch (const io::InputError& error) {
+    CHECK(error.message() == "unknown parent toro; expected a section, or a file toro.tex");
+  }
 }
 
 TEST_CASE("A text declares shapes where it gives their points, or has a section in the place of the program's own") {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/io/json/written_elements.hpp"
+#include "durero/io/source.hpp"
 #include "durero/written/moved_points.hpp"
 #include "durero/written/surface.hpp"
 
@@ -29,6 +30,9 @@ class Text {
   /// Reads a file, and its parents: from its folder, or the program's own text. Throws io::FileError, and
   /// io::InputError at its first error.
   explicit Text(const std::string& file);
+  /// Reads a text that is held whole, and its parents from the program's own text; no file is asked. Throws
+  /// io::InputError at its first error.
+  explicit Text(const io::Source& source);
   ~Text();
   Text(Text&&) noexcept;             ///< takes over the other, which is then for its end or an assignment only
   Text& operator=(Text&&) noexcept;  ///< likewise
