@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -163,8 +164,8 @@ struct Precedes {
 
 class Explorer {
  public:
-  Explorer(const Machine& machine, const std::vector<Transition>& from, std::size_t most)
-      : machine_(machine), from_(from), most_(most) {}
+  Explorer(const Machine& machine, const std::vector<Transition>& from, std::size_t most, StateGraph* graph)
+      : machine_(machine), from_(from), most_(most), graph_(graph) {}
 
   Exploration explored() {
     if (from_.empty()) {
@@ -217,14 +218,27 @@ class Explorer {
         result_.way.insert(result_.way.begin(), nodes_[at].step);
       return false;
     }
-    if (seen_.contains(step.after)) return true;
+    if (const auto known = seen_.find(step.after); known != seen_.end()) {
+      add_edge(parent, known->second, step);
+      return true;
+    }
     if (nodes_.size() == most_) {
       bounded_.insert("states: --states");
       return true;
     }
-    seen_.insert(step.after);
+    seen_.emplace(step.after, nodes_.size());
+    add_edge(parent, nodes_.size(), step);
     nodes_.push_back({step, parent});
     return true;
+  }
+
+  void add_edge(std::size_t from, std::size_t to, const Transition& step) {
+    if (graph_ == nullptr) return;
+    if (to == graph_->states.size()) graph_->states.push_back(step.after);
+    if (from == none)
+      graph_->initial = graph_->states.size();
+    else
+      graph_->steps.push_back({from, to, step});
   }
 
   void note(const ReachedTransitions& found, const std::string& what) {
@@ -246,15 +260,17 @@ class Explorer {
   const std::vector<Transition>& from_;
   std::size_t most_;
   std::deque<Node> nodes_;
-  std::set<Valuation, Precedes> seen_;
+  std::map<Valuation, std::size_t, Precedes> seen_;  // the places of the states among the nodes
   std::set<std::string> bounded_;
   Exploration result_;
+  StateGraph* graph_;
 };
 
 }  // namespace
 
-Exploration explore(const Machine& machine, const std::vector<Transition>& from, std::size_t most_states) {
-  return Explorer(machine, from, most_states).explored();
+Exploration explore(const Machine& machine, const std::vector<Transition>& from, std::size_t most_states,
+                    StateGraph* graph) {
+  return Explorer(machine, from, most_states, graph).explored();
 }
 
 }  // namespace durero::spec

@@ -131,10 +131,14 @@ class Explainer {
 
 }  // namespace
 
-std::string Calculator::explain(const std::string& typed, zed::Steps& steps) const {
+std::string explanation_text(const ExplainedTerm& whole) {
   std::string text;
-  append_explained(text, explained(typed, steps), 0);
+  append_explained(text, whole, 0);
   return text;
+}
+
+std::string Calculator::explain(const std::string& typed, zed::Steps& steps) const {
+  return explanation_text(explained(typed, steps));
 }
 
 ExplainedTerm Calculator::explained(const std::string& typed, zed::Steps& steps) const {

@@ -206,4 +206,6 @@ std::string Machine::written(const Name& component, const Value& value) const {
   return value.text(parts_->types.at(component), spelling);
 }
 
+std::string Machine::type_text(const Name& component) const { return parts_->types.at(component).text(Type::max_size); }
+
 }  // namespace durero::spec

@@ -1,6 +1,7 @@
 #include "durero/spec/animation.hpp"
 
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "durero/spec/spec.hpp"
@@ -264,6 +265,34 @@ TEST_CASE("all states are explored, and a false conjecture is shown with the way
   const Exploration few = explore(sound, {}, 4);
   CHECK(few.states == 4);
   CHECK(few.bounded == std::vector<std::string>{"states: --states"});
+}
+
+TEST_CASE("an exploration is a graph of states, each once, and of the transitions between them") {
+  std::string without = book_text();
+  const auto read = zed::read_text(without.substr(0, without.rfind("\\begin{zed}")), "book.tex");
+  const Machine machine(read, two_people());
+  StateGraph graph;
+  const Exploration whole = explore(machine, {}, 100, &graph);
+  CHECK(graph.states.size() == 9);
+  CHECK(graph.initial == 1);
+  CHECK(component(machine, graph.states[0], "known") == "∅[NAME]");
+  CHECK(graph.steps.size() == whole.transitions);
+  std::set<std::size_t> reached{0};
+  for (const StateGraph::Edge& edge : graph.steps) {
+    REQUIRE(edge.from < 9);
+    REQUIRE(edge.to < 9);
+    reached.insert(edge.to);
+    CHECK(machine.is_step(graph.states[edge.from], edge.step) == Truth::yes);
+    for (std::size_t i = 0; i < edge.step.after.size(); ++i)
+      CHECK(zed::same(edge.step.after[i].second, graph.states[edge.to][i].second));
+  }
+  CHECK(reached.size() == 9);
+  StateGraph few;
+  explore(machine, {}, 4, &few);
+  CHECK(few.states.size() == 4);
+  for (const StateGraph::Edge& edge : few.steps) CHECK(edge.to < 4);
+  CHECK(machine.type_text({"known", ""}) == "ℙ NAME");
+  CHECK(machine.type_text({"date", "?"}) == "DATE");
 }
 
 TEST_CASE("a conjecture of a state and of more is tried in the state, for all that the more may be") {

@@ -105,6 +105,8 @@ class Machine {
   zed::Value typed(const std::string& text, const zed::Name& component) const;
   /// A component's value as Z that typed() reads.
   std::string written(const zed::Name& component, const zed::Value& value) const;
+  /// The type of a component of the state, or of an operation, as Z.
+  std::string type_text(const zed::Name& component) const;
 
   struct Parts;  ///< what it is made of
 
@@ -152,7 +154,21 @@ struct Exploration {
   std::size_t claims = 0;                   ///< those that were decided
 };
 
-/// Explores from that state on, to `most_states` states. The way begins with that state's own.
-Exploration explore(const Machine& machine, const std::vector<Transition>& from, std::size_t most_states);
+/// The states that an exploration found, and the transitions between them.
+struct StateGraph {
+  /// A transition between two states, by their places among these.
+  struct Edge {
+    std::size_t from, to;
+    Transition step;
+  };
+  std::vector<zed::Valuation> states;  ///< each once; the first ones are initial
+  std::size_t initial = 0;             ///< how many are
+  std::vector<Edge> steps;             ///< as they were found, to states that are listed
+};
+
+/// Explores from that state on, to `most_states` states. The way begins with that state's own. `graph`, where given, is
+/// filled.
+Exploration explore(const Machine& machine, const std::vector<Transition>& from, std::size_t most_states,
+                    StateGraph* graph = nullptr);
 
 }  // namespace durero::spec

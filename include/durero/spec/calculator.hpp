@@ -33,6 +33,9 @@ struct ExplainedTerm {
   std::vector<ExplainedTerm> parts{};  ///< in the order of the text; of a witness, what is asked of it
 };
 
+/// The lines of Calculator::explain(): one for each part, below and to the right of what it is a part of.
+std::string explanation_text(const ExplainedTerm& whole);
+
 /// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
 /// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
 /// decimal, `0.25`, and / and √ are known. What is printed can be typed again, as an empty set bears its type, `∅[𝔸]`;
