@@ -1,43 +1,14 @@
 #include "number/binary64.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace durero::number {
-namespace {
-
-static_assert(sizeof(boost::multiprecision::limb_type) == 8 && sizeof(mp_limb_t) == 8,
-              "both libraries use 64-bit limbs");
-
-/// Of a number given by its limbs, the least significant first, the last one not 0.
-template <class Limb>
-Leading leading_of_limbs(const Limb* limbs, std::size_t size, std::int64_t exponent) {
-  const int shift = std::countl_zero(static_cast<std::uint64_t>(limbs[size - 1]));
-  std::uint64_t bits = limbs[size - 1] << shift;
-  std::size_t rest = size - 1;
-  bool inexact = false;
-  if (rest > 0 && shift > 0) {
-    --rest;
-    bits |= limbs[rest] >> (64 - shift);
-    inexact = (limbs[rest] << shift) != 0;
-  }
-  inexact = inexact || std::any_of(limbs, limbs + rest, [](Limb limb) { return limb != 0; });
-  return {bits, exponent + 64 * (static_cast<std::int64_t>(size) - 1) - shift, inexact};
-}
-
-}  // namespace
 
 Leading leading(const Dyadic& value) {
   const auto& backend = value.significand().backend();
   return leading_of_limbs(backend.limbs(), backend.size(), value.exponent());
-}
-
-Leading leading(const Integer& value) {
-  const auto* data = value.backend().data();
-  return leading_of_limbs(mpz_limbs_read(data), mpz_size(data), 0);
 }
 
 double round_to_binary64(bool negative, const Leading& magnitude) {

@@ -92,16 +92,7 @@ Dyadic::Dyadic(double value) {
 
 Dyadic::Dyadic(const Integer& significand, std::int64_t exponent) : Dyadic(to_significand(significand), exponent) {}
 
-Rational Dyadic::rational() const {
-  Rational result = to_integer(significand_);
-  auto* data = result.backend().data();
-  if (exponent_ >= 0) {
-    mpq_mul_2exp(data, data, static_cast<mp_bitcnt_t>(exponent_));
-  } else {
-    mpq_div_2exp(data, data, static_cast<mp_bitcnt_t>(-exponent_));
-  }
-  return result;
-}
+Rational Dyadic::rational() const { return scaled(to_integer(significand_), exponent_); }
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {
   // An exponent of 0 says nothing where the value is 0, and aligning to it could cost thousands of bits.

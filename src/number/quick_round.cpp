@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "number/binary64.hpp"
+#include "number/integers.hpp"
 
 // Integers of 128 bits, each step with a bound in units of its last place. A magnitude is its bits times 2^exponent.
 namespace durero::number {
@@ -40,9 +41,7 @@ Magnitude root_128(const Dyadic& value) {
   auto [bits, exponent] = leading_128(value);
   const int k = exponent % 2 == 0 ? 128 : 127;
   const Wide top = k == 128 ? bits : bits >> 1;
-  const mp_limb_t radicand[4] = {0, k == 128 ? 0 : low(bits) << 63, low(top), high(top)};
-  mp_limb_t root[2], remainder[4];
-  mpn_sqrtrem(root, remainder, radicand, 4);
+  const Limbs<2> root = root_of_limbs({0, k == 128 ? 0 : low(bits) << 63, low(top), high(top)});
   return {wide(root[1], root[0]), (exponent - k) / 2};
 }
 
@@ -87,10 +86,7 @@ Numerator numerator(const DyadicSurd& value) {
 
 /// ⌊a · 2¹²⁸/b⌋. Precondition: a < 2¹²⁷ ≤ b.
 Wide quotient(Wide a, Wide b) {
-  const mp_limb_t dividend[4] = {0, 0, low(a), high(a)};
-  const mp_limb_t divisor[2] = {low(b), high(b)};
-  mp_limb_t result[3], remainder[2];
-  mpn_tdiv_qr(result, remainder, 0, dividend, 4, divisor, 2);
+  const Limbs<3> result = quotient_of_limbs({0, 0, low(a), high(a)}, {low(b), high(b)});
   return wide(result[1], result[0]);
 }
 

@@ -6,10 +6,6 @@
 namespace durero::number {
 namespace {
 
-std::int64_t bit_count(const Integer& value) {
-  return static_cast<std::int64_t>(mpz_sizeinbase(value.backend().data(), 2));
-}
-
 /// |n/d| · 2^exponent, cut after at least 65 bits. Precondition: neither is 0.
 Leading leading_quotient(const Integer& n, const Integer& d, std::int64_t exponent) {
   // n · 2^shift has at least 65 bits more than d, so the quotient has at least 65; where n is longer by itself it
@@ -17,8 +13,7 @@ Leading leading_quotient(const Integer& n, const Integer& d, std::int64_t expone
   const std::int64_t shift = std::max<std::int64_t>(0, 65 + bit_count(d) - bit_count(n));
   Integer dividend = n;
   dividend <<= shift;
-  Integer quotient, remainder;
-  mpz_tdiv_qr(quotient.backend().data(), remainder.backend().data(), dividend.backend().data(), d.backend().data());
+  const auto [quotient, remainder] = divided(dividend, d);
   Leading result = leading(quotient);
   result.exponent += exponent - shift;
   result.inexact = result.inexact || !remainder.is_zero();
@@ -48,11 +43,10 @@ SquareRoot square_root(const Dyadic& of, std::int64_t bits) {
   if (shift >= 0) {
     significand <<= shift;
   } else {
-    exact = static_cast<std::int64_t>(mpz_scan1(significand.backend().data(), 0)) >= -shift;
+    exact = trailing_zeros(significand) >= -shift;
     significand >>= -shift;
   }
-  Integer root, remainder;
-  mpz_sqrtrem(root.backend().data(), remainder.backend().data(), significand.backend().data());
+  const auto [root, remainder] = integer_root(significand);
   const std::int64_t exponent = (of.exponent() - shift) / 2;
   return {Dyadic(root, exponent), Dyadic(Integer(1), exponent), exact && remainder.is_zero()};
 }

@@ -4,23 +4,20 @@
 #include <stdexcept>
 
 #include "durero/number/quotient.hpp"
+#include "number/integers.hpp"
 
 namespace durero::number {
 
 Rational exact(double value) {
   if (!std::isfinite(value)) throw std::domain_error("an infinity or a NaN denotes no number");
-  Rational result;
-  mpq_set_d(result.backend().data(), value);
-  return result;
+  return fraction_of(value);
 }
 
 std::optional<Rational> rational_sqrt(const Rational& value) {
   // In lowest terms a fraction is a square exactly where its numerator and its denominator are.
   const Integer n = numerator(value);
   const Integer d = denominator(value);
-  if (n.sign() < 0 || !mpz_perfect_square_p(n.backend().data()) || !mpz_perfect_square_p(d.backend().data())) {
-    return std::nullopt;
-  }
+  if (n.sign() < 0 || !is_square(n) || !is_square(d)) return std::nullopt;
   return Rational(sqrt(n), sqrt(d));
 }
 
