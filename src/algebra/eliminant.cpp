@@ -38,11 +38,7 @@ class PolynomialMatrix {
     IntegerPolynomial found;
     fmpz_poly_mat_det(found.get(), value_);
     Polynomial polynomial;
-    for (slong i = 0; i <= found.degree(); ++i) {
-      number::Integer coefficient;
-      fmpz_get_mpz(coefficient.backend().data(), found.get()->coeffs + i);
-      polynomial.emplace_back(coefficient, 0);
-    }
+    for (slong i = 0; i <= found.degree(); ++i) polynomial.emplace_back(found.coefficient(i), 0);
     return polynomial;
   }
 

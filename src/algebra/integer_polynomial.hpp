@@ -42,6 +42,8 @@ class IntegerPolynomial {
   fmpz_poly_struct* get() { return value_; }
   const fmpz_poly_struct* get() const { return value_; }
   slong degree() const { return fmpz_poly_degree(value_); }
+  /// Precondition: 0 ≤ i ≤ degree().
+  number::Integer coefficient(slong i) const;
 
   /// −1, 0 or 1.
   int sign_at(const number::Dyadic& t) const;

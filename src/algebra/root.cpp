@@ -56,11 +56,7 @@ int sign_at_surd(const Polynomial& p, const DyadicSurd& t) {
 
 Polynomial coefficients_of(const IntegerPolynomial& p) {
   Polynomial of;
-  for (slong i = 0; i <= p.degree(); ++i) {
-    number::Integer coefficient;
-    fmpz_get_mpz(coefficient.backend().data(), p.get()->coeffs + i);
-    of.emplace_back(coefficient, 0);
-  }
+  for (slong i = 0; i <= p.degree(); ++i) of.emplace_back(p.coefficient(i), 0);
   return of;
 }
 
