@@ -140,8 +140,11 @@ bool Real::is_integer() const {
 }
 
 std::size_t Real::words() const {
-  const auto words_of = [](const number::Rational& part) {
-    return mpz_size(mpq_numref(part.backend().data())) + mpz_size(mpq_denref(part.backend().data()));
+  const auto words_of_integer = [](const number::Integer& part) -> std::size_t {
+    return part.is_zero() ? 0 : msb(part.sign() < 0 ? number::Integer(-part) : part) / 64 + 1;
+  };
+  const auto words_of = [&](const number::Rational& part) {
+    return words_of_integer(numerator(part)) + words_of_integer(denominator(part));
   };
   const auto* big = std::get_if<Big>(&form_);
   return big ? words_of((*big)->x) + words_of((*big)->y) : 0;
@@ -240,8 +243,9 @@ Real integer_quotient(const Real& a, const Real& b) {
   if (!a.is_integer() || !b.is_integer()) throw std::domain_error("div of numbers that are not integers");
   if (sign(b) == 0) throw std::domain_error("division by 0");
   const number::Integer n = numerator(a.surd().x), d = numerator(b.surd().x);
-  number::Integer quotient;
-  mpz_fdiv_q(quotient.backend().data(), n.backend().data(), d.backend().data());
+  number::Integer quotient, remainder;
+  divide_qr(n, d, quotient, remainder);
+  if (!remainder.is_zero() && (remainder.sign() < 0) != (d.sign() < 0)) --quotient;  // rounded down, not cut
   return Real(number::Surd(number::Rational(quotient)));
 }
 
