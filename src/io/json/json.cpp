@@ -219,7 +219,7 @@ void Reader::wrong_kind(std::string_view what, std::string_view expected) const 
 Key Reader::take_key() {
   const Document::Token key = document_->tokens()[next_++];
   key_offset_ = key.offset;
-  return {document_->string_value(key), key.offset};
+  return {document_->string_value(key), key_offset_};
 }
 
 std::size_t Reader::known_key(std::string_view what, std::span<const std::string_view> keys, const Key& key,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
@@ -36,6 +37,12 @@ class Writer {
   Writer& value(std::same_as<bool> auto truth) { return raw(truth ? "true" : "false"); }
   /// All digits, also of what no binary64 holds.
   Writer& value(std::uint64_t number);
+  /// The same of a size, where that is another type.
+  Writer& value(std::same_as<std::size_t> auto size)
+    requires(!std::same_as<std::size_t, std::uint64_t>)
+  {
+    return value(std::uint64_t{size});
+  }
   /// The shortest decimal that reads back; what JSON has no number for is the string "inf", "-inf" or "nan".
   Writer& value(double number);
   /// `[x,y,z]`
