@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "buffers.hpp"
 #include "durero/accel/bsp.hpp"
@@ -145,8 +146,8 @@ constexpr std::array rows = {
 std::span<const EngineRow> engines() { return rows; }
 
 const EngineRow* find(std::string_view name) {
-  const auto* const found = std::ranges::find(rows, name, &EngineRow::name);
-  return found == rows.end() ? nullptr : found;
+  const auto found = std::ranges::find(rows, name, &EngineRow::name);
+  return found == rows.end() ? nullptr : std::to_address(found);
 }
 
 /// Takes the elements from whole hits, some queries at a time.
