@@ -1,6 +1,8 @@
 #include "durero/accel/large_pages.hpp"
 
+#ifdef __linux__
 #include <sys/mman.h>
+#endif
 
 #include <new>
 
