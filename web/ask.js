@@ -71,3 +71,10 @@ export function once(question) {
   if (!answers.has(key)) answers.set(key, ask(question));
   return answers.get(key);
 }
+
+// answered is the answer of a question that may not fail.
+export async function answered(question) {
+  const answer = await once(question);
+  if (answer.error) throw new Error(answer.error);
+  return answer;
+}

@@ -6,7 +6,7 @@ set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 root=$(dirname -- "$here")
 out=${1:?build.sh: expected the folder to write to} engine=${2-}
-modules="vectors numbers dom words ask address ztext marked shapes drawing stage state facts text_panel inspector operations surface printed
+modules="vectors numbers dom words ask address ztext values marked shapes drawing stage state facts text_panel inspector operations surface printed
   walk machine own exercises shader_view main"
 mkdir -p "$out"
 
@@ -69,7 +69,7 @@ documents() {
   done
   for file in demo/birthday_book.tex demo/surfaces/torus demo/surfaces/ellipsoid demo/surfaces/hyperboloid demo/surfaces/cubic \
     web/examples/lift.tex web/examples/file_system.tex web/examples/first.json demo/still-life.json demo/mirrors.json demo/gallery/shader.json \
-    spec/puntos.tex spec/impresa/dibujo/superficies.tex spec/impresa/dibujo/E10.json spec/impresa/dibujo/E11.json; do
+    spec/puntos.tex spec/impresa/dibujo/superficies.tex; do
     case $file in *.*) set -- "$file" ;; *) set -- "$file.tex" "$file.json" ;; esac
     for one in "$@"; do printf '"%s":' "${one##*/}"; quoted "$root/$one"; echo ','; done
   done

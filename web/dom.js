@@ -24,12 +24,12 @@ export function svg(tag, attributes = {}, ...children) {
 
 export const find = id => document.getElementById(id);
 
-// fill replaces what an element holds, and keeps the focus on the control of the same name.
+// fill replaces what an element holds, and keeps the focus on the control of the same name and the place of each scroll.
 export function fill(holder, ...children) {
   const held = holder.contains(document.activeElement) ? document.activeElement.dataset.key : null;
-  const scrolled = holder.scrollTop;
+  const scrolled = [...holder.querySelectorAll(".scroll[id]")].map(e => [e.id, e.scrollTop]);
   holder.replaceChildren(...children.flat(Infinity).filter(child => child !== null && child !== undefined && child !== false));
-  holder.scrollTop = scrolled;
+  for (const [id, top] of scrolled) { const again = find(id); if (again) again.scrollTop = top; }
   if (held) [...holder.querySelectorAll("[data-key]")].find(e => e.dataset.key === held)?.focus({ preventScroll: true });
 }
 

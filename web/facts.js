@@ -62,10 +62,3 @@ export function start_facts() {
   });
   return update_scene();
 }
-
-// z_number writes a binary64 as a number of Z, exactly: a whole number, or a quotient.
-export function z_number(x, fraction_of) {
-  const [n, d] = fraction_of(x), size = n < 0n ? -n : n;
-  const said = d === 1n ? `${size}` : `${size} / ${d}`;
-  return n < 0n ? `-(${said})` : said;
-}

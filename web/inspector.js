@@ -12,7 +12,7 @@ const chip = id => el("span", { class: "chip", "data-marks": "el:" + id, tabinde
 export const set_of = ids => ids?.length ? el("span", { class: "set" }, "{ ", ids.flatMap((id, i) => i ? [", ", chip(id)] : [chip(id)]), " }") : el("span", { class: "set" }, "∅");
 
 function number_field(name, values, i, key) {
-  return el("label", { class: "number" }, el("span", {}, `${name}.${"xyz"[i]}`),
+  return el("label", { class: "number-field" }, el("span", {}, `${name}.${"xyz"[i]}`),
     el("input", { type: "text", inputmode: "decimal", value: written(values[i]), "data-key": name + i, spellcheck: "false", "aria-label": `${name}.${"xyz"[i]}`,
       onchange: event => {
         const x = Number(event.target.value), next = state[key].map((y, k) => k === i ? x : y);
@@ -79,6 +79,7 @@ function neighbours(exact) {
     svg("text", { x: x(middle), y: 78, "text-anchor": "middle", class: "quiet" }, say("rounds_here")));
 }
 
+const cut = text => text.length > 40 ? text.slice(0, 38) + "…" : text;
 function exact_block(crossing) {
   const numbers = { t: crossing.t, x: crossing.point?.[0], y: crossing.point?.[1], z: crossing.point?.[2], end: crossing.end };
   const keys = Object.keys(numbers).filter(key => numbers[key]);
@@ -94,18 +95,21 @@ function exact_block(crossing) {
       el("dt", {}, say("below")), el("dd", {}, el("code", { class: "quiet" }, String(exact.below))),
       el("dt", {}, say("above")), el("dd", {}, el("code", { class: "quiet" }, String(exact.above)))),
     neighbours(exact),
+    crossing.quadratic ? el("p", { class: "quiet" }, el("code", { class: "z" }, "A·t² + 2B·t + C = 0"), ": ", ["A", "B", "C"].map(k => el("code", {}, `${k} = ${cut(crossing.quadratic[k])}  `)), el("code", {}, `Δ = ${cut(crossing.quadratic.discriminant)}`)) : null,
     crossing.normal ? el("p", { class: "quiet" }, say("normal"), " ", el("code", {}, `(${crossing.normal.map(x => short(x, 6)).join(", ")})`)) : null);
 }
 
-// decided_block shows which step decided; its bound and its margin stand on one logarithmic scale.
-function decided_block(answer) {
-  const list = Array.isArray(answer.decided) ? answer.decided : answer.decided ? [answer.decided] : [];
-  return list.map(one => {
-    const steps = ["triage", "stable", "exact"], at = steps.indexOf(one.step);
-    return el("div", { class: "block decided" }, el("h3", {}, say("decided_by"), " ", chip(one.elemento)),
+// decided_block shows which step decided for each of the first elements; bound and margin stand on one logarithmic scale.
+function decided_block({ decided }) {
+  if (!decided) return null;
+  const steps = ["triage", "stable", "exact"], counts = steps.filter(step => decided.steps?.[step]).map(step => `${say("step_" + step)} ${decided.steps[step]}`);
+  return el("div", { class: "block decided" }, el("h3", {}, say("who_decided")), (decided.first ?? []).map(one => {
+    const at = steps.indexOf(one.step);
+    return el("div", {}, el("p", {}, chip(one.elemento)),
       el("ol", { class: "ladder" }, steps.map((step, i) => el("li", { class: i === at ? "here" : i < at ? "passed" : "", "aria-current": i === at ? "step" : null }, el("strong", {}, say("step_" + step)), el("span", { class: "quiet" }, say(i === at ? "said_so" : i < at ? "undecided" : "not_asked"))))),
-      scale(one));
-  });
+      scale({ ...one, margin: decided.margin }));
+  }), counts.length ? el("p", { class: "quiet" }, `${say("elements_decided")} ${counts.join(", ")}.`) : null,
+  decided.order ? el("p", { class: "quiet" }, `${say("order_by")} ${say("step_" + decided.order)}; ${say("rounding_by")} ${say("step_" + decided.rounding)}.`) : null);
 }
 
 function scale({ bound, margin, low, high }) {

@@ -1,4 +1,5 @@
 import { el, svg } from "./dom.js";
+import { z_nodes } from "./text_panel.js";
 import { say } from "./words.js";
 
 // Machines: a text's states as a table and as a graph.
@@ -39,7 +40,7 @@ const told = values => Object.entries(values).map(([name, value]) => `${name} ==
 // graph draws the states; steps between the same two are one arrow with all their names.
 export function graph(answer, now, choose) {
   const { states, steps } = answer, { layers, place } = places_of(states, steps), tall = Math.max(...layers.map(l => l.length));
-  const dx = 150, dy = 74, width = dx * layers.length + 40, height = dy * tall + 50;
+  const dx = 150, dy = 52, width = dx * layers.length + 40, height = dy * tall + 50;
   const x = i => 50 + dx * place.get(i)[0], y = i => height / 2 + dy * place.get(i)[1];
   const arrows = new Map();
   for (const s of steps) {
@@ -48,7 +49,7 @@ export function graph(answer, now, choose) {
     arrows.get(key).lines.push(s.line);
   }
   const names = lines => [...new Set(lines.map(l => l.split(" ")[0]))];
-  const paths = [...arrows.values()].filter(a => a.from !== a.to).map(a => arrow(x(a.from), y(a.from), x(a.to), y(a.to), names(a.lines), a.lines, arrows.has(`${a.to} ${a.from}`)));
+  const paths = [...arrows.values()].filter(a => a.from !== a.to).map(a => arrow(x(a.from), y(a.from), x(a.to), y(a.to), arrows.size > 40 ? [] : names(a.lines), a.lines, arrows.has(`${a.to} ${a.from}`)));
   const same = JSON.stringify(now);
   const nodes = states.map((s, i) => svg("g", { class: `node ${s.initial ? "initial" : ""} ${JSON.stringify(s.values) === same ? "now" : ""}`, transform: `translate(${x(i)} ${y(i)})`, tabindex: "0", role: "button", "aria-label": `${say("state")} ${i}: ${told(s.values)}` },
     svg("title", {}, told(s.values)), svg("circle", { r: 17 }), svg("text", { "text-anchor": "middle", y: 5 }, String(i))));
@@ -66,7 +67,7 @@ function arrow(x1, y1, x2, y2, names, lines, both) {
   const from = [x1 + 18 * ux, y1 + 18 * uy], to = [x2 - 20 * ux, y2 - 20 * uy], middle = [(x1 + x2) / 2 - uy * bend, (y1 + y2) / 2 + ux * bend];
   const said = names.length > 2 ? `${names[0]} +${names.length - 1}` : names.join(", ");
   return svg("g", { class: "arrow" }, svg("title", {}, lines.join("\n")), svg("path", { d: `M ${from} Q ${middle} ${to}`, "marker-end": "url(#tip)" }),
-    svg("text", { x: (x1 + x2) / 2 - uy * bend * 0.9, y: (y1 + y2) / 2 + ux * bend * 0.9 - 4, "text-anchor": "middle" }, said));
+    names.length === 0 ? null : svg("text", { x: (x1 + x2) / 2 - uy * bend * 0.9, y: (y1 + y2) / 2 + ux * bend * 0.9 - 4, "text-anchor": "middle" }, said));
 }
 
 // state_table has a row for each state of the way, and a column for each component; what a step changed is marked.
@@ -76,6 +77,6 @@ export function state_table(answer) {
     el("thead", {}, el("tr", {}, el("th", { scope: "col" }, "#"), el("th", { scope: "col" }, say("step")), answer.components.map(c => el("th", { scope: "col" }, c.name, el("span", { class: "quiet" }, ` : ${c.type}`))))),
     el("tbody", {}, answer.states.map((s, i) => el("tr", { class: i === answer.states.length - 1 ? "now" : "" }, el("th", { scope: "row" }, String(i)),
       el("td", {}, el("code", {}, s.operation), said(s.inputs), said(s.outputs)),
-      names.map(name => el("td", { class: s.changed?.includes(name) ? "changed" : "" }, el("code", {}, s.values[name] ?? ""))))))));
+      names.map(name => el("td", { class: s.changed?.includes(name) ? "changed" : "" }, el("code", {}, z_nodes(s.values[name] ?? "")))))))));
 }
 const said = values => Object.entries(values ?? {}).map(([name, value]) => el("span", { class: "quiet" }, ` ${name} = ${value}`));

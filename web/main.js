@@ -1,4 +1,4 @@
-import { ask, latest, once, start_engine } from "./ask.js";
+import { answered, ask, latest, start_engine } from "./ask.js";
 import { el, fill, find } from "./dom.js";
 import { facts, on_facts, scene_names, start_facts, update_ray } from "./facts.js";
 import { start_exercises } from "./exercises.js";
@@ -93,8 +93,9 @@ const place_of = c => c.point ? c.point.map(e => number(e.binary64)) : null;
 function show_answers() {
   const answer = facts.ray;
   if (!answer || answer.error) return stage.set_model({ crossings: [], lights: [], hit: [] });
-  const crossings = answer.crossings.map(c => ({ elemento: c.elemento, t: c.t ? number(c.t.binary64) : 0, at: place_of(c), first: c.first, normal: c.normal,
-    end: c.kind === "segment" && c.end && c.t ? state.p.map((x, i) => x + number(c.end.binary64) * state.v[i]) : null }));
+  const along = t => state.p.map((x, i) => x + t * state.v[i]);
+  const crossings = answer.crossings.map(c => ({ elemento: c.elemento, t: c.t ? number(c.t.binary64) : 0, first: c.first, normal: c.normal,
+    at: place_of(c) ?? (c.kind === "segment" ? state.p : null), end: c.kind === "segment" ? along(c.end ? number(c.end.binary64) : 50) : null }));
   stage.set_model({ crossings, hit: answer.hit.elementos ?? [], picked: answer.crossings.indexOf(crossing_now()) });
   find("picture-said").textContent = told(answer);
 }
@@ -209,8 +210,13 @@ async function start() {
     document.body.classList.add("no-engine");
     return;
   }
+  try { await fill_views(trouble, began); } catch (error) { find("said").textContent = `${say("no_engine")} ${error.message}`; }
+}
+
+// fill_views starts what the engine answers for.
+async function fill_views(trouble, began) {
   start_inspector(() => stage.frame());
-  const [told_version, list] = await Promise.all([once({ call: "version" }), once({ call: "operations" })]);
+  const [told_version, list] = await Promise.all([answered({ call: "version" }), answered({ call: "operations" })]);
   version = told_version.durero ?? "";
   start_operations(list.operations ?? [], refused);
   await start_facts();

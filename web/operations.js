@@ -1,13 +1,14 @@
 import { el, fill, find } from "./dom.js";
 import { facts, on_facts } from "./facts.js";
 import { change, on_change, state } from "./state.js";
-import { broken_of, operation_name, show_label, show_name } from "./text_panel.js";
+import { broken_of, operation_name, show_label, show_name, z_nodes } from "./text_panel.js";
+import { parts_of } from "./values.js";
 import { say } from "./words.js";
 
 // The trace of operations: a slider over its steps, and forms made of the operations' own declarations.
 let operations = [], chosen = "Agregar_Esfera", form_values = {}, on_refused = () => {};
 
-const samples = { Elemento: "moon", Punto: "(0,3,0)", Vector: "(0,1,0)", Rmas: "0.5", Vertices: "((0,0,0),(1,0,0),(0,1,0))", Ordinal: "0", Tipo: "soy_esfera", Terna: "(1,0,0)",
+const samples = { Elemento: "moon", Punto: "(0,3,0)", Vector: "(0,1,0)", Rmas: "0.5", "ℝ": "0.5", Vertices: "((0,0,0),(1,0,0),(0,1,0))", Ordinal: "0", Tipo: "soy_esfera", Terna: "(1,0,0)",
   Puntos: "((0,0,0),(1,0,0),(0,1,0))", Caras: "((0,1,2))", material: "", group: "things", Elementos: "ball" };
 
 function field(input) {
@@ -56,7 +57,7 @@ function step_told() {
   const line = el("code", { class: "op" }, state.ops[i - 1]);
   if (answer.ok) return el("div", {}, el("p", {}, line), el("p", { class: "good" }, "✓ r! = ", el("code", {}, answer.r)), changed(i));
   return el("div", { class: "refusal" }, el("p", {}, line), el("p", { class: "fault" }, "✗ r! = ", el("code", {}, answer.r)),
-    el("ul", {}, broken_of(i - 1).map(b => el("li", {}, el("button", { class: "label", onclick: () => show_label(b.label) }, el("code", {}, b.label)), " ", el("span", { class: "z" }, b.predicate), " ",
+    el("ul", {}, broken_of(i - 1).map(b => el("li", {}, el("button", { class: "label", onclick: () => show_label(b.label) }, el("code", {}, b.label)), " ", el("span", { class: "z" }, z_nodes(b.predicate)), " ",
       Object.entries(b.values ?? {}).map(([name, value]) => el("code", { class: "quiet" }, `${name} = ${typeof value === "string" ? value : JSON.stringify(value)} `))))));
 }
 const components = { tipo: "de_que_tipo", centro: "mi_centro", radio: "mi_radio", vector: "mi_vector", altura: "mi_altura", proporcion: "mi_proporcion", vertices: "mi_vertices" };
@@ -78,7 +79,7 @@ function render() {
   fill(find("operations"), el("div", { class: "panel-head" }, el("h2", { id: "operations-head" }, say("trace_of_operations")), el("span", { class: "quiet" }, `${state.step} / ${state.ops.length}`),
     el("button", { class: "small", "data-key": "clear", disabled: !state.ops.length, onclick: () => change({ ops: [], step: 0 }) }, say("clear")),
     el("button", { class: "small", "data-key": "example", onclick: example }, say("example_trace"))),
-  el("div", { class: "scroll" }, slider(), el("div", { class: "steps" }, [...Array(state.ops.length + 1).keys()].map(step_button)),
+  el("div", { class: "scroll", id: "operations-scroll" }, slider(), el("div", { class: "steps" }, [...Array(state.ops.length + 1).keys()].map(step_button)),
     el("div", { class: "trace-columns" }, el("form", { class: "operation", onsubmit: e => { e.preventDefault(); add(text_of_form()); } },
       el("label", { class: "field" }, el("span", {}, say("operation")), el("select", { "data-key": "operation", onchange: e => { chosen = e.target.value; render(); const schema = operations.find(o => o.name === chosen)?.schema; if (schema) show_name(schema); } }, sorted)),
       operation ? operation.inputs.map(field) : null, el("button", { class: "action strong", "data-key": "apply", type: "submit" }, say("apply"))), step_told())));
@@ -100,20 +101,6 @@ function refused_element() {
   const ghost = /^Agregar/.test(operation_name(state.ops[i - 1])) ? { ...parts, id: parts.e, tipo: tipo === "elemento" ? String(parts.t ?? "").replace("soy_", "") : tipo, why: answer.violated } : null;
   return { ghost, named: present ? parts.e : null };
 }
-export function parts_of(op) {
-  if (/^\s*\{/.test(op)) { try { return JSON.parse(op); } catch { return {}; } }
-  const made = {};
-  for (const part of op.trim().split(/\s+/).slice(1)) {
-    const at = part.indexOf("=");
-    if (at < 0) continue;
-    const value = part.slice(at + 1), listed = /^[(\d.+-]/.test(value) ? value.replace(/\(/g, "[").replace(/\)/g, "]") : null;
-    let read = value;
-    if (listed) { try { read = JSON.parse(listed); } catch { read = value; } }
-    made[part.slice(0, at).replace(/\?$/, "")] = read;
-  }
-  return made;
-}
-
 export function start_operations(list, refused) {
   operations = list;
   on_refused = refused;

@@ -2,8 +2,9 @@ import { ask } from "./ask.js";
 import { el, fill, find, later } from "./dom.js";
 import { graph, state_table } from "./machine.js";
 import { change, on_change, state } from "./state.js";
+import { mark_node, z_nodes } from "./text_panel.js";
 import { say } from "./words.js";
-import { palette } from "./ztext.js";
+import { palette, without_conjectures } from "./ztext.js";
 
 // A reader's own Z: it is checked while it is typed, and stepped through.
 const samples = { birthday: "birthday_book.tex", lift: "lift.tex", files: "file_system.tex" };
@@ -35,8 +36,8 @@ async function run(more, mine = ++asked) {
 async function draw_graph() {
   drawn = { waiting: true };
   render_answers();
-  const answer = await ask({ call: "zed.graph", text: text_now(), most: 40 });
-  drawn = answer;
+  const first = await ask({ call: "zed.graph", text: text_now(), most: 30 });
+  drawn = first.refuted ? { ...await ask({ call: "zed.graph", text: without_conjectures(text_now()), most: 30 }), refuted: first.refuted, way: first.way } : first;
   render_answers();
 }
 
@@ -63,10 +64,16 @@ function go_to(line, column) {
 function defects() {
   if (!checked) return el("p", { class: "quiet" }, say("waiting"));
   if (checked.error) return el("p", { class: "fault" }, checked.error);
-  const list = checked.defects ?? [];
-  return el("div", {}, el("p", { class: checked.ok ? "good" : "fault" }, checked.ok ? `✓ ${say("text_is_right")}` : `✗ ${list.length} ${say("defects")}`),
-    el("ul", { class: "defects" }, list.map(d => el("li", { class: d.severity }, el("button", { class: "label", onclick: () => go_to(d.line, d.column) }, `${d.line}:${d.column}`), " ", d.message, d.expected ? el("span", { class: "quiet" }, `; ${say("expected")} ${d.expected}`) : null))),
+  const list = checked.defects ?? [], wrong = list.some(d => d.severity === "error");
+  return el("div", {}, el("p", { class: wrong ? "fault" : "good" }, wrong ? `✗ ${list.length} ${say("defects")}` : `✓ ${say("text_is_right")}`),
+    el("ul", { class: "defects" }, list.map(d => el("li", { class: d.severity }, el("button", { class: "label", onclick: () => go_to(d.line, d.column) }, `${d.line}:${d.column}`), " ", d.message, d.expected ? el("span", { class: "quiet" }, `; ${d.expected}`) : null))),
+    conjectures(),
     checked.lines?.length ? el("details", {}, el("summary", {}, say("lines_of_check")), el("pre", { class: "lines" }, checked.lines.join("\n"))) : null);
+}
+
+function conjectures() {
+  return el("ul", {}, (checked.conjectures ?? []).map(c => el("li", { class: c.refuted ? "fault" : c.tried ? "good" : "quiet" }, el("button", { class: "label", onclick: () => go_to(c.line, c.column) }, `${c.line}:${c.column}`), " ",
+    c.refuted ? [`✗ ${say("conjecture_false")} `, el("code", {}, z_nodes(c.counterexample.map(l => l.trim()).join(", ")))] : c.tried ? `✓ ${say("conjecture_tried")} ${c.tried} ${say("states")}` : `? ${c.why_not}`)));
 }
 
 function operation_card(o) {
@@ -79,7 +86,7 @@ function operation_card(o) {
   return el("form", { class: `machine-operation ${o.enabled}`, onsubmit: e => { e.preventDefault(); run({ way: ran.way, step: { operation: o.name, inputs: given() } }); } },
     el("button", { class: "action", type: "submit", "data-key": "op" + o.name, disabled: o.enabled === "no" }, sign, " ", o.name), fields,
     o.refused ? el("span", { class: "fault" }, o.refused) : null,
-    o.enabled !== "yes" && o.predicates?.length ? el("ul", {}, o.predicates.filter(p => p.truth !== "true").map(p => el("li", { class: p.truth === "false" ? "fault" : "quiet" }, el("span", { class: "z" }, p.predicate), p.label ? el("code", { class: "quiet" }, ` ${p.label}`) : null))) : null);
+    o.enabled !== "yes" && o.predicates?.length ? el("ul", {}, o.predicates.filter(p => p.truth === (o.enabled === "no" ? "false" : "open")).map(p => el("li", { class: p.truth === "false" ? "fault" : "quiet" }, el("span", { class: "z" }, z_nodes(p.predicate)), p.label ? el("code", { class: "quiet" }, ` ${p.label}`) : null))) : null);
 }
 function example_of(o, name) {
   const found = new RegExp(`(?:^| )${name.replace("?", "\\?")} = ([^;]*)`).exec(o.example ?? "");
@@ -95,7 +102,7 @@ function machine() {
     el("div", { class: "machine-operations" }, ran.operations.map(operation_card)),
     el("div", { class: "row" }, el("button", { class: "small", "data-key": "back", disabled: ran.states.length < 2, onclick: back }, say("one_back")), el("button", { class: "small", "data-key": "restart", onclick: () => run({}) }, say("from_the_start"))),
     state_table(ran),
-    ran.invariant?.length ? el("ul", { class: "invariant" }, ran.invariant.map(p => el("li", { class: p.truth === "true" ? "good" : p.truth === "false" ? "fault" : "quiet" }, p.truth === "true" ? "✓ " : p.truth === "false" ? "✗ " : "? ", el("span", { class: "z" }, p.predicate)))) : null,
+    ran.invariant?.length ? el("ul", { class: "invariant" }, ran.invariant.map(p => el("li", { class: p.truth === "true" ? "good" : p.truth === "false" ? "fault" : "quiet" }, p.truth === "true" ? "✓ " : p.truth === "false" ? "✗ " : "? ", el("span", { class: "z" }, z_nodes(p.predicate))))) : null,
     graph_part());
 }
 
@@ -113,7 +120,7 @@ function graph_part() {
     el("div", { class: "wide" }, graph(drawn, ran.states.at(-1)?.values, i => { find("graph-said").textContent = `${i}: ` + Object.entries(drawn.states[i].values).map(([k, v]) => `${k} == ${v}`).join("; "); })),
     el("p", { id: "graph-said", class: "z", role: "status" }, say("graph_help")),
     drawn.bounded?.length ? el("p", { class: "quiet" }, `${say("bounded_by")} ${drawn.bounded.join(", ")}`) : null,
-    drawn.refuted ? el("p", { class: "fault" }, typeof drawn.refuted === "string" ? drawn.refuted : JSON.stringify(drawn.refuted)) : null);
+    drawn.refuted ? el("div", { class: "fault" }, el("p", {}, `✗ ${say("refuted")} `, el("span", { class: "z" }, z_nodes(drawn.refuted))), el("ol", {}, (drawn.way ?? []).map((line, i) => el("li", {}, el("code", {}, `${i}. ${line}`))))) : null);
 }
 
 function render_answers() {
@@ -121,7 +128,7 @@ function render_answers() {
   if (!holder) return;
   fill(holder, defects(), el("form", { class: "row", onsubmit: e => { e.preventDefault(); evaluate(); } },
     el("label", { class: "field grow" }, say("expression"), el("input", { "data-key": "expression", value: expression, spellcheck: "false", oninput: e => { expression = e.target.value; } })), el("button", { class: "action", type: "submit" }, say("evaluate"))),
-  value ? el("p", { class: value.error ? "fault" : "good" }, el("code", {}, value.error ?? value.value)) : null,
+  value ? el("p", { class: value.error ? "fault" : "good" }, el("code", {}, z_nodes(value.error ?? value.value))) : null,
   machine());
 }
 
@@ -130,7 +137,7 @@ function show() {
   fill(find("own"), el("h2", {}, say("own_title")), el("p", { class: "lead" }, say("own_lead")),
     el("div", { class: "two" }, el("section", {}, el("div", { class: "row" }, el("label", {}, say("example"), " ", el("select", { "data-key": "z", onchange: e => change({ z: e.target.value, ztext: "", way: "" }) },
       [["birthday", say("birthday_book")], ["lift", say("lift")], ["files", say("file_system")]].map(([key, name]) => el("option", { value: key, selected: key === state.z }, name))))),
-    el("div", { class: "palette", role: "group", "aria-label": say("symbols") }, palette.map(symbol => el("button", { type: "button", tabindex: "-1", onclick: () => insert(symbol) }, symbol))),
+    el("div", { class: "palette", role: "group", "aria-label": say("symbols") }, palette.map(symbol => el("button", { type: "button", tabindex: "-1", onclick: () => insert(symbol) }, mark_node(symbol)))),
     el("textarea", { id: "own-text", class: "z-input", spellcheck: "false", rows: "30", "aria-label": say("your_text"), oninput: typed, value: text_now() })),
     el("section", { id: "own-answers" })));
   render_answers();

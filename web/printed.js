@@ -5,46 +5,44 @@ import { paint } from "./surface.js";
 import { change, on_change, state } from "./state.js";
 import { label_entry, show_label, z_block } from "./text_panel.js";
 import { say } from "./words.js";
+import { in_unicode } from "./ztext.js";
 
 // The printed text against the corrected, entry by entry; where an entry changes what is drawn, both are drawn.
 let errata = [], printed = [];
-const drawings = { E10: "E10.json", E11: "E11.json" }, size = [120, 75];
+const size = [160, 100];
 
 function entry_list() {
   const groups = new Map();
   for (const e of errata) groups.set(e.source, [...groups.get(e.source) ?? [], e]);
   return el("nav", { class: "side", "aria-label": say("errata") }, [...groups].map(([source, list]) => [el("h3", {}, source),
     el("ul", {}, list.map(e => el("li", {}, el("button", { "data-key": "e" + e.name, "aria-current": e.name === state.erratum ? "true" : null, onclick: () => change({ erratum: e.name }) },
-      el("b", {}, e.name), " ", e.title, drawings[e.name] ? el("span", { class: "quiet" }, " ◧") : null))))]));
+      el("b", {}, e.name), " ", e.title, e.drawn ? el("span", { class: "quiet" }, " ◧") : null))))]));
 }
 
 function line_node({ file, line, text }, marks) {
-  return el("div", { class: "printed-line" }, el("span", { class: "quiet place" }, `${file.replace("spec/impresa/", "")}:${line}`), el("code", { class: marks ? "wrong" : "" }, text.replace(/\s*%.*$/, "")));
+  return el("div", { class: "printed-line" }, el("span", { class: "quiet place" }, `${file.replace("spec/impresa/", "")}:${line}`), el("code", { class: marks ? "wrong" : "" }, in_unicode(text.replace(/\s*%.*$/, ""))));
 }
 
-// around gives the printed lines about those that are wrong.
+// around gives the printed lines that an entry marks, and those beside them.
 function around(entry) {
-  const made = [];
-  for (const { file, line } of entry.lines ?? []) {
-    const all = printed.find(p => p.file === file)?.lines ?? [];
-    for (const other of all.filter(l => Math.abs(l.line - line) <= 6 && !made.some(m => m.file === file && m.line === l.line)))
-      made.push({ file, ...other, marked: (entry.lines ?? []).some(l => l.file === file && l.line === other.line) });
-  }
-  return made.sort((a, b) => a.file.localeCompare(b.file) || a.line - b.line);
+  return printed.flatMap(({ file, lines }) => {
+    const marked = lines.filter(l => l.marks.includes(entry.name)).map(l => l.line);
+    return lines.filter(l => marked.some(m => Math.abs(m - l.line) <= 5) && l.text.trim()).map(l => ({ file, ...l, marked: marked.includes(l.line) }));
+  });
 }
 
 function pictures(entry) {
-  if (!drawings[entry.name]) return null;
+  if (!entry.drawn) return null;
   const figure = (kind, text) => {
     const canvas = el("canvas", { width: size[0], height: size[1], role: "img", "aria-label": say("drawn_" + kind) }), said = el("figcaption", {}, say("drawn_" + kind), " ", el("span", { class: "quiet" }, say("drawing")));
-    draw(canvas, text, documents[drawings[entry.name]], said, say("drawn_" + kind));
+    draw(canvas, text, entry.drawn, said, say("drawn_" + kind));
     return el("figure", { class: kind }, canvas, said);
   };
   return el("div", { class: "pair" }, figure("printed", documents["superficies.tex"]), figure("corrected", documents["puntos.tex"]));
 }
 
 async function draw(canvas, text, scene, said, title) {
-  const read = JSON.parse(scene), answer = await ask({ call: "surface", text, scene: read, width: size[0], height: size[1] });
+  const read = JSON.parse(scene), answer = await ask({ call: "surface", with: text, scene: read, width: size[0], height: size[1] });
   said.replaceChildren(title, answer.error ? ` ${answer.error}` : "");
   if (!answer.error) paint(canvas, answer, read);
 }

@@ -196,7 +196,7 @@ export function make_stage({ canvas, labels, on }) {
       const at = projected(sign.at);
       if (!at) continue;
       let y = at[1];
-      while (taken.some(t => Math.abs(t[0] - at[0]) < 62 && Math.abs(t[1] - y) < 17)) y += 17;
+      while (taken.some(t => Math.abs(t[0] - at[0]) < 76 && Math.abs(t[1] - y) < 17)) y += 17;
       taken.push([at[0], y]);
       const node = el("span", { class: `sign ${sign.kind}`, title: sign.title }, sign.text);
       const left = at[0] > canvas.clientWidth - 90;

@@ -14,16 +14,14 @@ const read_scene = () => JSON.parse(documents[scenes[state.surface]] ?? document
 
 // paint shades the hits of a grid by the scene's lights, as Lambert's law has it, and without shadows.
 export function paint(canvas, answer, scene) {
-  const { width, height, hits, elementos } = answer, eye = scene.camera.eye;
+  const { width, height, hits } = answer, eye = scene.camera.eye;
   canvas.width = width;
   canvas.height = height;
   const context = canvas.getContext("2d"), image = context.createImageData(width, height);
-  const background = scene.background ?? [0, 0, 0], colours = elementos.map(id => {
-    const element = scene.elementos.find(e => e.id === id);
-    return scene.materials?.[element?.material]?.color ?? [0.8, 0.8, 0.8];
-  });
-  hits.forEach((hit, i) => image.data.set([...(hit ? shade(hit, colours[hit.e], scene, eye) : background).map(curve), 255], 4 * i));
+  const background = scene.background ?? [0, 0, 0], colours = new Map(scene.elementos.map(e => [e.id, scene.materials?.[e.material]?.color ?? [0.8, 0.8, 0.8]]));
+  hits.forEach((hit, i) => image.data.set([...(hit ? shade(hit, colours.get(hit.e), scene, eye) : background).map(curve), 255], 4 * i));
   context.putImageData(image, 0, 0);
+  canvas.dataset.painted = "1";
 }
 const curve = x => Math.round(255 * Math.min(1, x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055));
 function shade({ p, n }, colour, scene, eye) {
@@ -52,14 +50,14 @@ const channel = latest((answer, question, stale) => {
   paint(canvas, answer, question.scene);
   const met = answer.hits.filter(Boolean).length;
   said.className = "good";
-  said.textContent = `${say("surface_types")}: ${answer.types.map(t => t.name ?? t).join(", ")}. ${met} ${say("of")} ${answer.hits.length} ${say("rays_meet")}.`;
+  said.textContent = `${say("surface_types")}: ${answer.types.map(t => t.tipo).join(", ")}. ${met} ${say("of")} ${answer.hits.length} ${say("rays_meet")}.`;
   if (!stale && question.width < 200 && state.view === "surface") refine(question);
 });
 const refine = later(question => {
-  if (state.view === "surface" && question.text === text_now()) channel.send({ ...question, width: question.width * 2, height: question.height * 2 });
+  if (state.view === "surface" && question.with === text_now()) channel.send({ ...question, width: question.width * 2, height: question.height * 2 });
 }, 350);
 
-function send() { channel.send({ call: "surface", text: text_now(), scene, width: size[0], height: size[1] }); }
+function send() { channel.send({ call: "surface", with: text_now(), scene, width: size[0], height: size[1] }); }
 const typed = later(() => { change({ stext: find("surface-text").value }); send(); }, 200);
 
 function attribute_fields() {

@@ -1,16 +1,19 @@
-import { ask, once } from "./ask.js";
+import { answered, ask, once } from "./ask.js";
 import { el, fill, find } from "./dom.js";
 import { facts, on_facts } from "./facts.js";
 import { change, on_change, state } from "./state.js";
 import { nodes_of } from "./marked.js";
 import { say } from "./words.js";
+import { input_values, parts_of, ray_values, with_values } from "./values.js";
 import { indented, kind_of, marks_of, tokens } from "./ztext.js";
 
 // The Z text: its paragraphs, a line a predicate with its label, and beside each what is proved, tested and evaluated here.
 let files = [], parts = [], names = new Map(), labels = new Map(), opened = "", explained = new Map(), shown_file = "";
 
-// struck marks are in few fonts: the page strikes another through for them, and copies as the text has them.
-const struck = { "⩤": "◁", "⩥": "▷" };
+// Rare marks are in few fonts: the page draws others for them, and a copy of the text has them as they are.
+const rare = { "⩤": "◁", "⩥": "▷", "⦉": "⟨", "⦊": "⟩", "⨟": ";", "⨠": "≫", "⦂": ":" };
+export const mark_node = mark => rare[mark] ? rare_node(mark) : mark;
+const rare_node = mark => el("span", { class: `rare ${"⩤⩥".includes(mark) ? "struck" : "⦉⦊".includes(mark) ? "barred" : "bold"}`, "data-drawn": rare[mark] }, el("span", { class: "gone" }, mark));
 
 // z_nodes shows a text of Z: each name leads to its paragraph and marks its part of the picture.
 export function z_nodes(text, here = "") {
@@ -20,7 +23,7 @@ export function z_nodes(text, here = "") {
     const marks = marks_of(token);
     const leads = names.has(token) && token !== here;
     if (leads) return el("a", { class: `z ${kind}`, href: "#", "data-name": token, "data-marks": marks || null }, token);
-    return el("span", { class: `z ${kind}`, "data-marks": marks || null, "data-struck": struck[token] }, token);
+    return el("span", { class: `z ${kind}`, "data-marks": marks || null }, mark_node(token));
   });
 }
 
@@ -32,7 +35,7 @@ export function z_block(text, width = 58, here = "") {
 // verdict_of says how a predicate stands in what is evaluated here: "holds", "fails", or nothing where it was not asked.
 function verdict_of(label) {
   const at = Math.min(state.step, facts.answers.length) - 1;
-  if (explained.has(label) && explained.get(label).scene === facts.scene_text) {
+  if (explained.get(label)?.here === here_now()) {
     const { value } = explained.get(label).answer;
     if (value === "true" || value === "false") return value === "true" ? "holds" : "fails";
   }
@@ -79,13 +82,13 @@ function card(line, entry) {
   const place = p => el("li", {}, el("code", {}, p));
   const group = (title, list) => list?.length ? [el("dt", {}, title), el("dd", {}, el("ul", {}, list.slice(0, 6).map(place), list.length > 6 ? el("li", {}, `… ${list.length - 6} ${say("more")}`) : null))] : null;
   const theorem = t => el("details", { class: "theorem" }, el("summary", {}, el("code", {}, t.name), " ", el("span", { class: "quiet" }, t.place)),
-    theorems[t.place] ? el("pre", {}, theorems[t.place].trim()) : null, el("p", { class: "quiet" }, say("axioms")));
+    theorems[t.place] ? el("pre", {}, theorems[t.place].trim()) : null, el("p", { class: "quiet" }, t.assumptions?.length ? `${say("axioms_of_it")} ${t.assumptions.map(a => a.split(".").at(-1)).join(", ")}` : say("axioms")));
   const known = explained.get(line.label);
   return el("div", { class: "card", id: "c-" + line.label },
     entry ? el("dl", {}, group(say("clause"), entry.clauses), group(say("function"), entry.functions), group(say("tests"), entry.tests),
       entry.theorems?.length ? [el("dt", {}, say("theorems")), el("dd", {}, entry.theorems.map(theorem))] : null) : null,
     broken_card(line.label),
-    el("button", { class: "action", "data-key": "explain", onclick: () => explain(line) }, say("evaluate_here")),
+    el("button", { class: "action", "data-key": "explain", onclick: () => explain_one(line) }, say("evaluate_here")),
     known ? explanation(known.answer) : null);
 }
 
@@ -95,26 +98,43 @@ function broken_card(label) {
     Object.entries(b.values ?? {}).map(([name, value]) => el("code", {}, `${name} = ${typeof value === "string" ? value : JSON.stringify(value)}`, " "))));
 }
 
+// here_now is all that an evaluation depends on: the scene, the ray and the operation.
+const here_now = () => JSON.stringify([facts.scene_text, state.p, state.v, state.on, state.ops[state.step - 1]]);
+
+// known_values gives the inputs of the operation that was carried out last, and the ray with its answer, as values of Z.
+function known_values() {
+  const op = state.step > 0 ? parts_of(state.ops[state.step - 1]) : {}, names = (facts.scene?.elementos ?? []).map(e => e.id);
+  return { ...input_values(op, names), ...ray_values(state, facts.ray, names) };
+}
+
 async function explain(line) {
-  const answer = await ask({ call: "eval", expression: line.text, scene: facts.scene_text, explain: true, steps: 2000000 });
-  explained.set(line.label, { answer, scene: facts.scene_text });
+  const here = here_now(), answer = await ask({ call: "eval", expression: with_values(line.text, known_values()), scene: facts.scene_text, explain: true, steps: 3000000 });
+  explained.set(line.label, { answer, here });
+  return answer;
+}
+async function explain_one(line) {
+  const answer = await explain(line);
   render();
   if (!answer.error) find("said").textContent = `${line.label}: ${answer.value}`;
+}
+async function explain_all(part) {
+  for (const line of part.lines.filter(l => l.label)) await explain(line);
+  render();
 }
 
 // explanation shows the tree of parts with their values; parts whose value is false are open.
 export function explanation(answer) {
   if (answer.error) return el("p", { class: "fault" }, answer.error.replace(/^expression:\d+:\d+: /, ""));
-  if (!answer.tree) return el("p", {}, el("code", {}, answer.value));
+  if (!answer.tree) return el("p", {}, el("code", {}, z_nodes(answer.value)));
   return el("div", { class: "tree" }, branch(answer.tree, 0));
 }
 const cut = (text, most) => [...text].length > most ? [...text].slice(0, most).join("") + "…" : text;
 function branch(node, depth) {
-  const value = node.value === "true" ? "holds" : node.value === "false" ? "fails" : "value";
-  const head = [el("span", { class: "term" }, z_nodes(cut(node.term, 160))), " ", el("span", { class: `value ${value}`, title: node.value, ...element_marks(node.value) }, cut(node.value, 90))];
-  const witness = node.witness ? el("p", { class: "witness" }, say(node.value === "false" ? "counter_example" : "witness"), ": ", el("code", {}, cut(node.witness, 120))) : null;
-  if (!node.parts?.length) return el("div", { class: "leaf" }, head, witness);
-  return el("details", { open: depth < 1 || (depth < 5 && value === "fails") }, el("summary", {}, head), witness, node.parts.map(part => branch(part, depth + 1)));
+  const kind = node.witness ? "witness" : node.value === "true" ? "holds" : node.value === "false" ? "fails" : "value";
+  const term = node.witness ? el("b", { class: "witness" }, say(node.term === "witness" ? "witness" : "counter_example")) : el("span", { class: "term" }, z_nodes(cut(node.term, 160)));
+  const head = [term, " ", el("span", { class: `value ${kind}`, title: node.value, ...element_marks(node.value) }, z_nodes(cut(node.value, 90)))];
+  if (!node.parts?.length) return el("div", { class: "leaf" }, head);
+  return el("details", { open: depth < 1 || (depth < 6 && kind !== "value" && kind !== "holds") }, el("summary", {}, head), node.parts.map(part => branch(part, depth + 1)));
 }
 
 // element_marks: a value that names elements of the scene marks them.
@@ -131,7 +151,8 @@ function box(part) {
     framed ? el("h3", { class: "zname" }, part.kind === "schema" ? here : "") : null,
     declares.map(l => predicate(l, here)),
     framed && declares.length && rest.length ? el("hr") : null,
-    rest.map(l => predicate(l, here)));
+    rest.map(l => predicate(l, here)),
+    part.names?.includes(state.para) && rest.some(l => l.label) ? el("button", { class: "small", "data-key": "all", onclick: () => explain_all(part) }, say("evaluate_all")) : null);
 }
 
 function render() {
@@ -186,7 +207,7 @@ export const label_entry = label => labels.get(label);
 
 export async function start_text(operations) {
   for (const operation of operations) operation_labels.set(operation.name, operation.labels ?? []);
-  const [text, index] = await Promise.all([once({ call: "text" }), once({ call: "labels" })]);
+  const [text, index] = await Promise.all([answered({ call: "text" }), answered({ call: "labels" })]);
   files = text.files;
   for (const entry of index.labels) {
     labels.set(entry.label, entry);
@@ -194,8 +215,9 @@ export async function start_text(operations) {
   }
   opened = state.label;
   on_change(keys => {
+    if (keys.has("label")) opened = state.label;
     if (keys.has("file")) load_file();
-    else if (keys.has("para") || keys.has("label")) { opened = state.label; render(); reveal(); }
+    else if (keys.has("para") || keys.has("label")) { render(); reveal(); }
     if (keys.has("lang") || keys.has("step")) render();
   });
   on_facts(what => { if (what === "scene" && shown_file) render(); });

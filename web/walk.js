@@ -1,11 +1,12 @@
 import { ask } from "./ask.js";
 import { el, fill, find } from "./dom.js";
-import { facts, on_facts, z_number } from "./facts.js";
+import { facts, on_facts } from "./facts.js";
 import { all_rows, nodes_of, rows_of, section_of } from "./marked.js";
-import { bits_of, fraction_of, quadratic_text, written } from "./numbers.js";
+import { bits_of, quadratic_text, written } from "./numbers.js";
 import { change, on_change, state } from "./state.js";
 import { set_of } from "./inspector.js";
-import { broken_of, explanation, operation_name, show_label } from "./text_panel.js";
+import { broken_of, explanation, operation_name, show_label, z_nodes } from "./text_panel.js";
+import { z_name, z_ray } from "./values.js";
 import { say } from "./words.js";
 
 // The walk down the ladder, docs/refinement.md alive: each step with its law, its theorem and its test, and beside them the
@@ -35,14 +36,13 @@ function theorem_node(name) {
 }
 const names_in = text => [...text.matchAll(/`([^`]+)`/g)].map(m => m[1]);
 
-const point = p => `⦉x == ${z_number(p[0], fraction_of)}, y == ${z_number(p[1], fraction_of)}, z == ${z_number(p[2], fraction_of)}⦊`;
-const with_ray = body => `let ray == ⦉p == ${point(state.p)}, v == ${point(state.v)}⦊ • ${body}`;
+const with_ray = body => `let ray == ${z_ray(state.p, state.v)} • ${body}`;
 
 // evaluated asks the text itself; the answer comes into the node.
 function evaluated(body) {
   const expression = with_ray(body), node = el("div", { class: "live" }, el("code", { class: "z" }, body), el("p", { class: "quiet" }, say("waiting")));
   ask({ call: "eval", expression, scene: facts.scene_text, explain: true, steps: 3000000 }).then(answer => fill(node, el("code", { class: "z" }, body), el("span", { class: "equals" }, " = "),
-    answer.error ? el("span", { class: "fault" }, answer.error) : [el("code", { class: "z value" }, answer.value), el("details", {}, el("summary", {}, say("part_by_part")), explanation(answer))]));
+    answer.error ? el("span", { class: "fault" }, answer.error) : [el("code", { class: "z value" }, z_nodes(answer.value)), el("details", {}, el("summary", {}, say("part_by_part")), explanation(answer))]));
   return node;
 }
 const live = (...children) => el("div", { class: "live" }, children);
@@ -53,15 +53,14 @@ const ray_steps = {
   "`reduccion`": () => evaluated("reduccion(alcances(θ Escena, ray, ∅), ray.p)"),
   "the three outcomes": ({ hit }) => live(el("code", {}, `resultado! = ${hit.outcome}`)),
   "`spec/tablas.tex`: the closed form": ({ crossings }) => live(el("ul", {}, crossings.filter(c => c.t).map(c => el("li", { "data-marks": "el:" + c.elemento }, c.elemento, ": t = ", exact_t(c))))),
-  "one element, of any type": ({ crossings }) => { const c = crossings.find(x => /^[\p{L}_]\w*$/u.test(x.elemento)); return c ? evaluated(`alcance(θ Escena, ray, ∅, ${c.elemento})`) : live("∅"); },
+  "one element, of any type": ({ crossings }) => crossings.length ? evaluated(`alcance(θ Escena, ray, ∅, ${z_name(crossings[0].elemento)})`) : live("∅"),
   "the clip": ({ crossings }) => live(counted(crossings)),
   "one element: its first hit": ({ crossings }) => live(el("ul", {}, least_each(crossings).map(c => el("li", {}, c.elemento, ": ", exact_t(c))))),
   "the scene": ({ hit }) => live(el("code", {}, "elementos! = "), set_of(hit.elementos)),
   "exact, over integers": ({ crossings }) => live("t = ", exact_t(crossings.find(c => c.first))),
-  "binary64, certified": answer => live(decided(answer).map(d => el("p", {}, `${d.elemento}: ${say("step_" + d.step)}`, typeof d.bound === "number" ? `, ${say("bound")} ${d.bound}` : "", typeof d.margin === "number" ? `, ${say("margin")} ${d.margin}` : ""))),
+  "binary64, certified": answer => live((answer.decided?.first ?? []).map(d => el("p", {}, `${d.elemento}: ${say("step_" + d.step)}`, typeof d.bound === "number" ? `, ${say("bound")} ${d.bound}` : "", typeof answer.decided.margin === "number" ? `, ${say("margin")} ${answer.decided.margin}` : ""))),
   "fewer tests": ({ hit }) => live(el("code", {}, JSON.stringify(hit))),
 };
-const decided = answer => Array.isArray(answer.decided) ? answer.decided : answer.decided ? [answer.decided] : [];
 function counted(crossings) {
   const counts = new Map();
   for (const c of crossings) counts.set(c.elemento, [...counts.get(c.elemento) ?? [], c.kind]);
@@ -105,7 +104,7 @@ function invariants(scene) {
 }
 function evaluated_elements(scene) {
   const node = live(say("waiting"));
-  ask({ call: "eval", expression: "elementos", scene }).then(answer => fill(node, el("code", { class: "z" }, "elementos = "), el("code", { class: "z" }, answer.error ?? answer.value)));
+  ask({ call: "eval", expression: "elementos", scene }).then(answer => fill(node, el("code", { class: "z" }, "elementos = "), el("code", { class: "z" }, z_nodes(answer.error ?? answer.value))));
   return node;
 }
 // tables shows the scene as the tables of spec/tablas.tex: a row an element, a table a type.

@@ -67,6 +67,17 @@ function split_at(text, marks) {
   return parts.filter(Boolean);
 }
 
+// in_unicode shows a line of LaTeX mark-up by the marks that it stands for. A command that it does not know stays as it is.
+const marks = { forall: "∀", exists: "∃", lambda: "λ", mu: "μ", land: "∧", lor: "∨", lnot: "¬", implies: "⇒", iff: "⇔", leq: "≤", geq: "≥", neq: "≠", in: "∈", notin: "∉",
+  subseteq: "⊆", cup: "∪", cap: "∩", setminus: "∖", emptyset: "∅", bigcup: "⋃", power: "ℙ", finset: "𝔽", cross: "×", mapsto: "↦", fun: "→", pfun: "⇸", dres: "◁", rres: "▷",
+  ndres: "⩤", oplus: "⊕", real: "ℝ", nat: "ℕ", num: "ℤ", Delta: "Δ", Xi: "Ξ", theta: "θ", dom: "dom", ran: "ran", inv: "∼", limg: "⦇", rimg: "⦈", lblot: "⦉", rblot: "⦊", negate: "−",
+  IF: "if", THEN: "then", ELSE: "else", LET: "let", where: "─", also: "" };
+export const in_unicode = text => text.replace(/~/g, " ").replace(/\\t\d/g, "  ").replace(/\\([A-Za-z]+)(?:\{[^{}]*\})?/g, (all, name) => name === "begin" || name === "end" ? all.replace("\\begin", "┌").replace("\\end", "└")
+  : Object.hasOwn(marks, name) ? marks[name] + all.slice(name.length + 1) : all).replace(/\\\\/g, "").replace(/\\([_{}])/g, "$1").replace(/@/g, "•");
+
+// without_conjectures leaves the conjectures of a text out, in LaTeX and in Unicode, so that an exploration goes on past a false one.
+export const without_conjectures = text => text.replace(/\\begin\{zed\}\s*\\vdash\?[^]*?\\end\{zed\}/g, "").replace(/^─[^\n]*\n\s*⊢\?[^]*?^└[^\n]*$/gm, "");
+
 // symbols of the keyboard: what a reader may type for a mark of Z, by its command of LaTeX.
 export const palette = ["∈", "∉", "∪", "∩", "∖", "⊆", "∅", "ℙ", "𝔽", "×", "↦", "⇸", "→", "◁", "▷", "⩤", "⩥", "⊕", "∀", "∃", "λ", "μ", "•",
   "∧", "∨", "¬", "⇒", "⇔", "≤", "≥", "≠", "ℕ", "ℤ", "ℝ", "⦉", "⦊", "θ", "Δ", "Ξ", "′"];

@@ -81,6 +81,16 @@ test("tokens joined are the text, and a broken predicate loses no mark", () => {
   assert.ok(Math.max(...z.indented("a_long_name ∧ another_name ∧ a_third_name_here ∧ {x : ℕ | x > 1 ∧ x < 2}", 30).map(l => l.text.length)) <= 30);
 });
 
+test("LaTeX mark-up by its marks", () => {
+  for (const [latex, said] of [["  \\forall centro : Punto @", "  ∀ centro : Punto •"], ["puntos\\_cono(h) = \\{~ w : Punto | 0 \\leq w ~\\} \\\\", "puntos_cono(h) = {  w : Punto | 0 ≤ w  } "], ["\\begin{axdef}", "┌{axdef}"], ["\\t1 x \\unknown y", "   x \\unknown y"], ["\\inverse \\in", "\\inverse ∈"]])
+    assert.equal(z.in_unicode(latex), said);
+});
+
+test("a text without its conjectures is the same but for them", () => {
+  assert.equal(z.without_conjectures("a\n\\begin{zed}\n  \\vdash? \\forall x : \\nat @ x = x\n\\end{zed}\nb \\begin{zed} [X] \\end{zed}"), "a\n\nb \\begin{zed} [X] \\end{zed}");
+  assert.equal(z.without_conjectures("─\n⊢? ∀ x : ℕ ⦁ x = x\n└\n─\n[X]\n└\n"), "\n─\n[X]\n└\n");
+});
+
 test("what a name marks in the picture", () => {
   for (const [name, marks] of [["puntos_esfera", "tipo:esfera"], ["Agregar_Cono", "tipo:cono"], ["soy_disco", "tipo:disco"], ["rayo?", "ray"], ["punto!", "first"], ["radio?", ""], ["esfera", ""], ["constructor", ""], ["mi_radio'", ""]])
     assert.equal(z.marks_of(name), marks, name);
