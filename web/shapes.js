@@ -19,8 +19,10 @@ function grid(columns, rows, point) {
   return { positions, normals, indices };
 }
 
+// A great ball, such as a floor, has so many triangles that they keep within a fifty-thousandth of its radius.
 function sphere({ centro, radio }) {
-  return grid(around, upwards, (s, t) => {
+  const finer = radio > 20 ? 8 : 1;
+  return grid(around * finer, upwards * finer, (s, t) => {
     const a = 2 * Math.PI * s, b = Math.PI * (t - 0.5);
     const n = [Math.cos(b) * Math.cos(a), Math.sin(b), Math.cos(b) * Math.sin(a)];
     return [add(centro, times(n, radio)), n];

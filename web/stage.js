@@ -45,7 +45,7 @@ export function through_pixel(frame, column, row) {
 // usual_orbit looks at all from beside the camera: angles, and a distance.
 function usual_orbit(frame, ball) {
   const from = frame ? sub(frame.eye, ball.middle) : [0, 0.4, 1];
-  return [Math.atan2(from[0], from[2]) + 0.85, 0.3, 2.2 * ball.radius];
+  return [Math.atan2(from[0], from[2]) + 0.85, 0.28, 1.95 * ball.radius];
 }
 
 // shown_ball is about the eye, near lights and all elements but those far greater than the rest, such as a ball that is a floor.
@@ -126,13 +126,13 @@ export function make_stage({ canvas, labels, on }) {
   function content() {
     const line_list = [], dot_list = [], signs = [];
     window_lines(line_list);
-    const { p, v, crossings, lights, picked } = model;
+    const { p, v, crossings, lights, picked } = model, marks = name => model.marked?.has(name) ? 1.6 : 1;
     const reach = (3 * ball.radius + long(sub(p, ball.middle))) / long(v);
     const first = crossings.find(c => c.first && c.at);
-    if (first) line_list.push({ from: p, to: first.at, tint: tints.ray, wide: 3 });
-    line_list.push({ from: first ? first.at : p, to: add(p, times(v, Math.max(reach, 1.1))), tint: first ? tints.beyond : tints.ray, wide: first ? 1.6 : 3 });
+    if (first) line_list.push({ from: p, to: first.at, tint: tints.ray, wide: 3 * marks("ray") });
+    line_list.push({ from: first ? first.at : p, to: add(p, times(v, Math.max(reach, 1.1))), tint: first ? tints.beyond : tints.ray, wide: (first ? 1.6 : 3) * marks("ray") });
     if (frame) {
-      dot_list.push({ place: frame.eye, tint: tints.window, big: 13 });
+      dot_list.push({ place: frame.eye, tint: tints.window, big: 13 * marks("eye") });
       signs.push({ at: frame.eye, text: say("eye"), kind: "quiet" });
       signs.push({ at: frame.at(-1, 1), text: say("window"), kind: "quiet" });
       const pixel = pixel_of(frame, p, v);
@@ -141,13 +141,13 @@ export function make_stage({ canvas, labels, on }) {
     crossings.forEach((c, i) => {
       if (!c.at) return;
       if (c.end) line_list.push({ from: c.at, to: c.end, tint: tints.first, wide: 5 });
-      dot_list.push({ place: c.at, tint: c.first ? tints.first : tints.other, big: (c.first ? 15 : 12) * (i === picked ? 1.3 : 1) * (c.first ? 1 : -1) });
+      dot_list.push({ place: c.at, tint: c.first ? tints.first : tints.other, big: (c.first ? 15 : 12) * (i === picked ? 1.3 : 1) * (c.first ? marks("first") : -1) * marks("crossings") });
       if (c.normal) arrow(line_list, c.at, c.normal, tints.normal, 0.16 * ball.radius);
       signs.push({ at: c.at, text: `t = ${short(c.t)}`, kind: c.first ? "first" : "other", title: c.elemento });
     });
     for (const light of lights) {
       const dark = !light.visible;
-      dot_list.push({ place: light.place, tint: tints.light, big: 17 });
+      dot_list.push({ place: light.place, tint: tints.light, big: 17 * marks("lights") });
       signs.push({ at: light.place, text: say("light"), kind: "quiet" });
       if (!light.from) continue;
       const stop = light.blocked ?? light.place;

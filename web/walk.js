@@ -98,7 +98,7 @@ function operation_steps(at) {
 }
 function invariants(scene) {
   const node = live(say("waiting"));
-  ask({ call: "check", scene }).then(answer => fill(node, answer.error ? el("p", { class: "fault" }, answer.error) : el("ul", {}, (answer.invariants ?? []).filter(i => i.label.startsWith("Escena")).map(i =>
+  ask({ call: "check", scene }).then(answer => fill(node, answer.error ? el("p", { class: "fault" }, answer.error) : el("ul", {}, answer.check.invariants.filter(i => i.label.startsWith("Escena")).map(i =>
     el("li", { class: i.holds ? "good" : "fault" }, i.holds ? "✓ " : "✗ ", el("code", {}, i.label), " ", el("span", { class: "z" }, i.predicate))))));
   return node;
 }

@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import { after, before, test } from "node:test";
 import { give_engine, native_engine, start_browser } from "./browser.mjs";
 
@@ -257,6 +258,36 @@ test("a drag's frame, beside an empty one", async () => {
   })()`);
   console.log(`drag ${measured.drag.toFixed(2)} ms, empty frame ${measured.empty.toFixed(2)} ms, ${measured.elements} elements`);
   assert.ok(measured.drag > 0);
+});
+
+test("with its own engine in it, the page answers as the native program", { skip: !process.env.DURERO_ENGINE && "no engine is built" }, async () => {
+  const own = await start_browser(process.env.DURERO_CHROMIUM), folder = join(out, "own");
+  try {
+    execFileSync("sh", [join(root, "web/build.sh"), folder, process.env.DURERO_ENGINE]);
+    await own.ask("Page.navigate", { url: `file://${folder}/index.html` });
+    await own.until("dureroPage?.facts?.ray || document.querySelector('#said').textContent.includes(':')");
+    const first = await own.evaluate("performance.now()");
+    await own.until("document.body?.dataset.ready === '1'");
+    await own.drag(await own.middle("#handle-target"), [-60, 30]);
+    await own.until("dureroPage.facts.asked.v.every((x, i) => x === dureroPage.state.v[i]) && dureroPage.facts.light");
+    const question = await own.evaluate("dureroPage.facts.asked");
+    assert.deepEqual(await own.evaluate("dureroPage.facts.ray"), await engine.call(question));
+    const took = await own.evaluate(`(async () => {
+      const times = [];
+      for (let i = 0; i < 30; ++i) {
+        const began = performance.now();
+        dureroPage.change({ v: [4, -1.25 + i / 64, 5.5] }, false);
+        while (!(dureroPage.facts.asked.v[1] === -1.25 + i / 64)) await new Promise(done => setTimeout(done, 0));
+        times.push(performance.now() - began);
+      }
+      return times.sort((a, b) => a - b)[15];
+    })()`);
+    const packed = gzipSync(readFileSync(join(folder, "index.html")), { level: 9 }).length;
+    console.log(`first answer ${Math.round(first)} ms after the start, a drag's answer ${took.toFixed(1)} ms, ${packed} bytes compressed`);
+    assert.ok(packed <= 4 * 2 ** 20, `${packed} bytes compressed; expected 4 MiB at most`);
+    assert.deepEqual(own.errors, []);
+    assert.deepEqual(own.asked.filter(url => !/^(file|blob|data|about):/.test(url)), []);
+  } finally { await own.close(); }
 });
 
 test("at the end, still no error", () => assert.deepEqual(page.errors, []));
