@@ -46,7 +46,7 @@ export async function start_browser(program, { width = 1440, height = 900, scale
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
-  async function until(expression, most = 60000) {
+  async function until(expression, most = +(process.env.DURERO_WAIT ?? 60000)) {
     const began = Date.now();
     for (;;) {
       const value = await evaluate(expression);
