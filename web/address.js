@@ -3,7 +3,7 @@
 export const start_state = () => ({
   view: "scene", scene: "first", own: "", ops: [], step: 0, p: [-3, 2, -4.5], v: [4, -1.25, 5.5], on: [], crossing: 0,
   para: "Agregar_Esfera", file: "spec/operaciones.tex", label: "", walk: "ray", erratum: "E10", z: "birthday", ztext: "", way: "",
-  exercise: "", surface: "torus", stext: "", orbit: null, doubts: false, lang: "", theme: "",
+  exercise: "", surface: "torus", stext: "", selems: "", orbit: null, doubts: false, lang: "", theme: "",
 });
 
 const triple = { write: a => a.map(String).join(","), read: read_triple };
@@ -14,7 +14,7 @@ const list = { write: a => a.join("\n"), read: a => a.split("\n").filter(line =>
 
 const kinds = {
   view: word, scene: word, own: word, ops: list, step: whole, p: triple, v: triple, on: list, crossing: whole, para: word, file: word,
-  label: word, walk: word, erratum: word, z: word, ztext: word, way: word, exercise: word, surface: word, stext: word, orbit: triple,
+  label: word, walk: word, erratum: word, z: word, ztext: word, way: word, exercise: word, surface: word, stext: word, selems: word, orbit: triple,
   doubts: flag, lang: word, theme: word,
 };
 

@@ -3,9 +3,8 @@
 
 let engine = null;
 
-function worker_engine(text) {
-  const worker = new Worker(URL.createObjectURL(new Blob([text, worker_end], { type: "text/javascript" })));
-  const waiting = new Map();
+function start_worker(address) {
+  const worker = new Worker(address), waiting = new Map();
   let last = 0;
   const ready = new Promise((done, failed) => {
     worker.onmessage = ({ data }) => {
@@ -23,6 +22,18 @@ function worker_engine(text) {
       worker.postMessage({ id: last, question });
     }),
   };
+}
+
+// worker_engine has two workers: a ray that is dragged does not wait for a predicate that takes long.
+const quick_calls = new Set(["version", "operations", "edit", "ray", "light", "trace"]);
+function worker_engine(text) {
+  const address = URL.createObjectURL(new Blob([text, worker_end], { type: "text/javascript" }));
+  const quick = start_worker(address), slow = start_worker(address);
+  return { ready: quick.ready, call: question => call_when_ready(quick_calls.has(question.call) ? quick : slow, question) };
+}
+async function call_when_ready(worker, question) {
+  try { await worker.ready; } catch (trouble) { return { error: `call:1:1: ${trouble.message}` }; }
+  return worker.call(question);
 }
 
 const worker_end = `

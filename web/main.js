@@ -60,7 +60,7 @@ function stage_bar() {
   const options = [...Object.keys(scene_names), ...(state.scene === "own" ? ["own"] : [])].map(name => el("option", { value: name, selected: name === state.scene }, say("scene_" + name)));
   fill(find("stage-bar"), el("h2", { id: "stage-head" }, say("picture")),
     el("select", { "aria-label": say("scene"), "data-key": "scene", onchange: e => choose_scene(e.target.value) }, options),
-    el("button", { class: "small", "data-key": "file", onclick: open_scene }, say("open_scene")),
+    el("button", { class: "small", "data-key": "scenetext", onclick: scene_dialog }, say("scene_text")),
     el("button", { class: "small", "data-key": "through", "aria-pressed": String(see_through), onclick: () => { see_through = !see_through; stage?.set_see_through(see_through); stage_bar(); } }, say("see_through")),
     el("button", { class: "small", "data-key": "fromeye", onclick: from_eye }, say("from_the_eye")));
   find("picture").setAttribute("aria-label", say("picture_help"));
@@ -72,14 +72,20 @@ function choose_scene(scene) {
   const text = scene === "own" ? state.own : documents[scene_names[scene]], camera = JSON.parse(text).camera;
   change({ scene, ops: [], step: 0, crossing: 0, on: [], orbit: null, ...(camera ? { p: camera.eye, v: camera.look_at.map((x, i) => x - camera.eye[i]) } : {}) });
 }
-function open_scene() {
-  const input = el("input", { type: "file", accept: ".json,application/json", onchange: async () => {
-    const text = await input.files[0].text(), answer = await ask({ call: "edit", scene: text, operations: [] });
-    if (answer.error) { find("said").textContent = answer.error; return; }
-    change({ own: answer.scenes[0] });
-    choose_scene("own");
-  } });
-  input.click();
+// scene_dialog shows the scene as text, to read, to change, to open from the disk and to keep.
+function scene_dialog() {
+  const area = el("textarea", { class: "z-input", rows: "18", spellcheck: "false", "aria-label": say("scene_text"), value: facts.scene_text }), told = el("p", { class: "fault", role: "alert" });
+  const keep = URL.createObjectURL(new Blob([facts.scene_text], { type: "application/json" }));
+  const input = el("input", { type: "file", accept: ".json,application/json", "aria-label": say("open_scene"), onchange: async () => { area.value = await input.files[0].text(); } });
+  const dialog = el("dialog", { id: "scene-dialog", "aria-labelledby": "scene-dialog-head", onclose: () => { URL.revokeObjectURL(keep); dialog.remove(); } }, el("h2", { id: "scene-dialog-head" }, say("scene_text")), area, told,
+    el("div", { class: "row" }, el("button", { class: "action strong", id: "use-scene", onclick: async () => {
+      const answer = await ask({ call: "edit", scene: area.value, operations: [] });
+      if (answer.error) { told.textContent = answer.error; return; }
+      dialog.close();
+      change({ own: answer.scenes[0], scene: "own", ops: [], step: 0, crossing: 0, on: [], orbit: null });
+    } }, say("use_scene")), input, el("a", { href: keep, download: "scene.json" }, say("keep_scene")), el("button", { onclick: () => dialog.close() }, say("close"))));
+  document.body.append(dialog);
+  dialog.showModal();
 }
 function from_eye() {
   const frame = stage?.frame();

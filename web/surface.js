@@ -10,7 +10,12 @@ const scenes = { torus: "torus.json", ellipsoid: "ellipsoid.json", hyperboloid: 
 let scene = null, size = [64, 40], shown = null;
 
 const text_now = () => state.stext || documents[`${state.surface}.tex`] || documents["torus.tex"];
-const read_scene = () => JSON.parse(documents[scenes[state.surface]] ?? documents["torus.json"]);
+// read_scene is the scene of an example, with the elements as the reader has changed them.
+function read_scene() {
+  const read = JSON.parse(documents[scenes[state.surface]] ?? documents["torus.json"]);
+  try { if (state.selems) read.elementos = JSON.parse(state.selems); } catch { /* an address that was cut */ }
+  return Array.isArray(read.elementos) ? read : JSON.parse(documents["torus.json"]);
+}
 
 // paint shades the hits of a grid by the scene's lights, as Lambert's law has it, and without shadows.
 export function paint(canvas, answer, scene) {
@@ -64,7 +69,7 @@ function attribute_fields() {
   const own = scene.elementos.filter(e => !["esfera", "plano", "cilindro", "cono", "disco", "tronco", "triangulo"].includes(e.tipo));
   return own.map(element => el("fieldset", {}, el("legend", {}, `${element.id} : ${element.tipo}`), Object.entries(element).filter(([key]) => !["id", "tipo", "material"].includes(key)).map(([key, value]) =>
     el("label", { class: "field" }, el("code", {}, key), el("input", { type: "text", value: JSON.stringify(value), size: 10, "data-key": element.id + key, onchange: event => {
-      try { element[key] = JSON.parse(event.target.value); event.target.setAttribute("aria-invalid", "false"); send(); } catch { event.target.setAttribute("aria-invalid", "true"); }
+      try { element[key] = JSON.parse(event.target.value); event.target.setAttribute("aria-invalid", "false"); change({ selems: JSON.stringify(scene.elementos) }); send(); } catch { event.target.setAttribute("aria-invalid", "true"); }
     } })))));
 }
 
@@ -91,7 +96,7 @@ function show() {
   if (state.view !== "surface") return;
   const canvas = el("canvas", { id: "surface-canvas", tabindex: "0", role: "img", "aria-label": say("surface_picture"), width: size[0], height: size[1] });
   fill(find("surface"), el("h2", {}, say("surface_title")), el("p", { class: "lead" }, say("surface_lead")),
-    el("div", { class: "two" }, el("section", {}, el("div", { class: "row" }, el("label", {}, say("example"), " ", el("select", { "data-key": "surface", onchange: e => change({ surface: e.target.value, stext: "" }) }, samples.map(name => el("option", { value: name, selected: name === state.surface }, name))))),
+    el("div", { class: "two" }, el("section", {}, el("div", { class: "row" }, el("label", {}, say("example"), " ", el("select", { "data-key": "surface", onchange: e => change({ surface: e.target.value, stext: "", selems: "" }) }, samples.map(name => el("option", { value: name, selected: name === state.surface }, name))))),
       el("textarea", { id: "surface-text", class: "z-input", spellcheck: "false", rows: "26", "aria-label": say("surface_text"), oninput: typed, value: text_now() })),
     el("section", {}, canvas, el("p", { id: "surface-said", role: "status" }, say("drawing")), attribute_fields())));
   drag(canvas);

@@ -209,6 +209,19 @@ test("the walk has the values of the reader's own ray at each step", async () =>
   await picture("walk");
 });
 
+test("a scene as text: a fault is told at its place, and another scene is shown", async () => {
+  await open("");
+  await click("[data-key=scenetext]");
+  const text = await page.evaluate("document.querySelector('#scene-dialog textarea').value");
+  await type("#scene-dialog textarea", text.replace('"radio":1,', '"radio":-1,'));
+  await click("#use-scene");
+  assert.match(await page.until("document.querySelector('#scene-dialog [role=alert]').textContent"), /^scene:\d+:\d+: radio.* is -1/);
+  await type("#scene-dialog textarea", text.replace('"radio":1,', '"radio":0.25,'));
+  await click("#use-scene");
+  await page.until("!document.querySelector('#scene-dialog') && dureroPage.facts.scene.elementos.find(e => e.id === 'ball').radio === 0.25");
+  assert.equal(await state("scene"), "own");
+});
+
 test("the address brings everything back", async () => {
   await open("");
   await page.evaluate("dureroPage.change({ ops: ['Agregar_Esfera e?=moon centro?=(0,4,0) radio?=0.5'], step: 1, p: [0, 4, -8], v: [0, 0, 1], lang: 'es', theme: 'dark' })");
@@ -225,20 +238,25 @@ test("the address brings everything back", async () => {
 });
 
 test("each control has a name, in both languages", async () => {
-  for (const lang of ["en", "es"])
+  for (const lang of ["en", "es"]) {
+    await open(`#lang=${lang}&exercise=near`);
     for (const view of ["scene", "own", "exercises", "surface", "shader", "walk", "printed"]) {
-      await open(`#view=${view}&lang=${lang}&exercise=near`);
-      const bare = await page.evaluate(`[...document.querySelectorAll("main section:not([hidden]) :is(button, input, select, textarea, canvas, [role=img])")].filter(e => e.offsetParent !== null && !(e.textContent.trim() || e.getAttribute("aria-label") || e.closest("label")?.textContent.trim())).map(e => e.outerHTML.slice(0, 120))`);
+      await page.evaluate(`dureroPage.change({ view: "${view}" })`);
+      const held = await page.until(`document.querySelectorAll("#${view} :is(button, input, select, textarea, canvas)").length`);
+      const bare = await page.evaluate(`[...document.querySelectorAll("main > section:not([hidden]) :is(button, input, select, textarea, canvas, [role=img])")].filter(e => e.offsetParent !== null && !(e.textContent.trim() || e.getAttribute("aria-label") || e.closest("label")?.textContent.trim())).map(e => e.outerHTML.slice(0, 120))`);
+      assert.ok(held > 0);
       assert.deepEqual(bare, [], `${view} in ${lang}`);
     }
+  }
 });
 
 test("on a telephone nothing is wider than the screen, light and dark", async () => {
   for (const [name, dark] of [["light", false], ["dark", true]]) {
     await page.show(390, 844, { scale: 2, dark, phone: true });
+    await open("");
     for (const view of ["scene", "printed", "walk", "own", "exercises", "surface", "shader"]) {
-      await open(`#view=${view}`);
-      await new Promise(done => setTimeout(done, 300));
+      await page.evaluate(`dureroPage.change({ view: "${view}" })`);
+      await new Promise(done => setTimeout(done, 500));
       assert.equal(await page.evaluate("Math.max(document.documentElement.scrollWidth, innerWidth)"), 390, view);
       await picture(`phone-${view}-${name}`);
     }
