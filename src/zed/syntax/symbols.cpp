@@ -148,6 +148,12 @@ std::optional<std::string_view> latex_of(std::string_view unicode) {
   return at->second;
 }
 
+std::vector<std::pair<std::string_view, std::string_view>> command_spellings() {
+  std::vector<std::pair<std::string_view, std::string_view>> all;
+  each_spelling([&](std::string_view command, std::string_view unicode) { all.emplace_back(command, unicode); });
+  return all;
+}
+
 bool is_letter_symbol(std::string_view unicode) {
   if (!unicode.starts_with('\xCE') && !unicode.starts_with('\xCF')) return false;  // all are Greek
   static constexpr std::string_view letters[] = {"Δ", "Ξ", "Γ", "Θ", "Λ", "Π", "Σ", "Υ", "Φ", "Ψ", "Ω",

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "durero/zed/syntax/operators.hpp"
 
@@ -17,6 +19,9 @@ std::optional<std::string_view> unicode_of_command(std::string_view command);
 
 /// Returns the LaTeX mark-up of a symbol or word, or nothing where it is written as it is: `∪` gives `\cup`.
 std::optional<std::string_view> latex_of(std::string_view unicode);
+
+/// Returns every command of LaTeX, without its backslash, with its Unicode text.
+std::vector<std::pair<std::string_view, std::string_view>> command_spellings();
 
 /// Says whether a character joins with letters to a word, as `Δ` and `Ξ` do: a TeX command for it swallows the space
 /// behind.
