@@ -262,10 +262,11 @@ void NameWalk::declare(const Declaration& declaration, Referent::Form form, Name
     return;
   }
   std::vector<const Token*> tokens;
-  for (std::size_t i = 0; i < declaration.names.size(); ++i)
-    tokens.push_back(is_operator_name(declaration.names[i].word)
-                         ? nullptr
-                         : take_token(declaration.names[i], declaration.places[i]));
+  for (std::size_t i = 0; i < declaration.names.size(); ++i) {
+    const bool is_operator = is_operator_name(declaration.names[i].word);
+    if (is_operator) declare_operator(declaration.names[i], declaration.places[i]);
+    tokens.push_back(is_operator ? nullptr : take_token(declaration.names[i], declaration.places[i]));
+  }
   term(declaration.term);
   std::optional<Type> type = typing_.type_of(declaration.term);
   if (declaration.form == Declaration::Form::typed) type = member_type(type);

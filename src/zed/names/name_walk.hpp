@@ -55,6 +55,7 @@ class NameWalk {
   void formals(const std::vector<Name>& names);
   Meaning declared_global(const Name& name, Place place);
   void declare_global(const Name& name, Place place);
+  void declare_operator(const Name& name, Place place);
   void rest_of_names();
   void operator_tokens(const TokenizedBlock& block);
 
@@ -108,6 +109,7 @@ class NameWalk {
   std::vector<const Token*> names_;          // those of the block, in order
   std::vector<bool> taken_;                  // in step with them
   std::size_t next_ = 0;                     // the first of them that the walk did not pass yet
+  std::size_t first_ = 0;                    // the first occurrence of the block
   std::vector<Occurrence>* into_ = nullptr;  // those of the file
   bool chained_ = false;                     // an operator of the text is in the block: a term may stand in two links
   std::unordered_set<const Node*> passed_;   // then, the terms that were walked

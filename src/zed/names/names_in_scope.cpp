@@ -98,8 +98,8 @@ const TokenizedBlock* block_at(const std::vector<TokenizedBlock>& blocks, std::s
 
 }  // namespace
 
-std::vector<VisibleName> names_in_scope(const std::map<std::string, std::string>& texts, const std::string& file,
-                                        std::size_t from, std::size_t to) {
+std::optional<std::vector<VisibleName>> names_in_scope(const std::map<std::string, std::string>& texts,
+                                                       const std::string& file, std::size_t from, std::size_t to) {
   std::map<std::string, std::string> with_word = texts;
   std::string& text = with_word.at(file);
   const std::string word = absent_word(text);
@@ -107,7 +107,7 @@ std::vector<VisibleName> names_in_scope(const std::map<std::string, std::string>
   const CheckedTexts of = checked(std::move(with_word));
   const std::vector<TokenizedBlock> blocks = tokenized(of.texts.at(file), of.read);
   const TokenizedBlock* block = block_at(blocks, from);
-  if (!block || block->is_header()) return {};
+  if (!block || block->is_header()) return std::nullopt;
   VisibleNames names(of);
   bool selects = false, met = false;
   NameWalk walk(of, [&](const Term& term, const std::vector<NameScope>& scopes) {

@@ -69,6 +69,7 @@ void NameWalk::block(const TokenizedBlock& block) {
   for (const Token& token : block.tokens)
     if (TokenStream::is_name(token)) names_.push_back(&token);
   taken_.assign(names_.size(), false);
+  first_ = into_->size();
   operator_tokens(block);
 }
 
@@ -115,8 +116,19 @@ NameWalk::Meaning NameWalk::declared_global(const Name& name, Place place) {
 
 void NameWalk::declare_global(const Name& name, Place place) {
   const Global* declared = typing_.find(section_->name, name);
-  const Token* token = is_operator_name(name.word) ? nullptr : take_token(name, place);
+  if (is_operator_name(name.word)) return declare_operator(name, place);
+  const Token* token = take_token(name, place);
   note(token, name, declared_global(name, place), declared ? std::optional(declared->scheme.type) : std::nullopt, true);
+}
+
+/// The first word of an operator from a place on declares it.
+void NameWalk::declare_operator(const Name& name, Place place) {
+  for (std::size_t i = first_; i < into_->size(); ++i) {
+    Occurrence& each = (*into_)[i];
+    if (!each.is_operator || each.name != name || order_of(each.place) < order_of(place)) continue;
+    each.declares = true;
+    return;
+  }
 }
 
 void NameWalk::paragraph(const GivenTypes& given, Place) {

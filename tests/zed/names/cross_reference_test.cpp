@@ -69,6 +69,10 @@ TEST_CASE("an operator's words are occurrences of its name") {
   REQUIRE(word);
   CHECK(word->is_operator);
   CHECK(names.referents[*word->referent].name.word == "_ below _");
+  std::vector<std::uint32_t> declarations;
+  for (const Occurrence& each : names.files.at(marked_file))
+    if (each.declares && each.is_operator) declarations.push_back(each.place.line);
+  CHECK(declarations == std::vector<std::uint32_t>{5});
 }
 
 TEST_CASE("a minus before its operand is another name than one between two") {

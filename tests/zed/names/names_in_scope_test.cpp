@@ -14,8 +14,9 @@ namespace {
 std::set<std::string> at_mark(const std::string& marked, std::size_t begun = 0) {
   const MarkedText mark(marked);
   std::set<std::string> names;
-  for (const VisibleName& each : names_in_scope({{marked_file, mark.text}}, marked_file, mark.at - begun, mark.at))
-    names.insert(each.name.text());
+  const auto found = names_in_scope({{marked_file, mark.text}}, marked_file, mark.at - begun, mark.at);
+  if (!found) return {"outside"};
+  for (const VisibleName& each : *found) names.insert(each.name.text());
   return names;
 }
 
@@ -42,7 +43,9 @@ TEST_CASE("in a paragraph that cannot be read, its tokens tell") {
   CHECK(at_mark("┌ S\nx : ℕ\n└\n┌ Op\nΔS\nn? : ℕ\n├\nx' = ( ∧ ‸\n└\n") == Names{"Op", "S", "x", "x'", "n?"});
 }
 
-TEST_CASE("outside of paragraphs no name is in scope") { CHECK(at_mark("Prose ‸ here.\n┌ S\nx : ℕ\n└\n").empty()); }
+TEST_CASE("outside of paragraphs no name is in scope") {
+  CHECK(at_mark("Prose ‸ here.\n┌ S\nx : ℕ\n└\n") == Names{"outside"});
+}
 
 TEST_CASE("commands and plain names of the toolkit") {
   const std::vector<std::string> plain = plain_toolkit_names();

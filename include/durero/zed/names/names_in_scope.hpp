@@ -20,9 +20,10 @@ struct VisibleName {
 
 /// Returns the names that are in scope where these bytes of a file stand, or behind a point the components of the
 /// binding before it. The bytes are the beginning of a name, or none. If the paragraph cannot be read with a name
-/// there, the names are those of its section, with the names that stand in the paragraph before a colon.
-std::vector<VisibleName> names_in_scope(const std::map<std::string, std::string>& texts, const std::string& file,
-                                        std::size_t from, std::size_t to);
+/// there, the names are those of its section, with the names that stand in the paragraph before a colon. Outside of
+/// paragraphs there is no scope, and nothing is returned.
+std::optional<std::vector<VisibleName>> names_in_scope(const std::map<std::string, std::string>& texts,
+                                                       const std::string& file, std::size_t from, std::size_t to);
 
 /// Returns the names of the toolkit that are written the same in both mark-ups, such as `first`.
 std::vector<std::string> plain_toolkit_names();

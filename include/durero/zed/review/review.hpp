@@ -51,6 +51,9 @@ std::vector<Defect> predicates_of_let(const Specification& specification, const 
 /// Gives a warning where a section names a parent twice.
 std::vector<Defect> repeated_parents(const Specification& specification, const Typing& typing);
 
+/// Gives an error for each of these files in which no section was read: it was meant to hold Z.
+std::vector<Defect> without_paragraphs(const std::vector<std::string>& files, const Specification& specification);
+
 /// Gives the defects of reading, of types and of the checks above, but those of partial_applications() only where
 /// there are no errors. Precondition: `typing` is check(specification).
 std::vector<Defect> review(const Specification& specification, const Typing& typing);
