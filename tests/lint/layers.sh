@@ -2,7 +2,7 @@
 # Dependencies point one way: a layer includes only itself and the layers before it in this list. What is in src/ belongs
 # to its layer alone: no public header includes it, nor any other layer. src/lanes, which has to do with the compiler alone,
 # belongs to none.
-order="text contract number algebra polygon mesh zed model scene spec surface oracle trace accel distance engine composed io written store render raster shader conform serve web c cli"
+order="text contract number algebra polygon mesh zed lsp model scene spec surface oracle trace accel distance engine composed io written store render raster shader conform serve web c cli"
 git grep -nE '^#include "' -- 'include/durero/*.hpp' 'src/*.cpp' 'src/*.hpp' | awk -F: -v order="$order" '
   BEGIN { count = split(order, name, " "); for (i = 1; i <= count; ++i) rank[name[i]] = i }
   function complain(what) { print $1 ":" $2 ": " what }
