@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -17,6 +15,7 @@
 #include "durero/spec/text_check.hpp"
 #include "embedded.hpp"
 #include "progress.hpp"
+#include "spec_lsp.hpp"
 #include "spec_run.hpp"
 
 namespace durero::cli {
@@ -209,6 +208,7 @@ void add_spec(CLI::App& app, int& status) {
   show->callback([options, &status] { status = spec_show(options->name, options->files); });
 
   add_run(*spec, options, status);
+  add_spec_lsp(*spec, status);
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
   confirm->footer(
