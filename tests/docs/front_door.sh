@@ -30,7 +30,7 @@ one_line() { [ "$(wc -l <complaint)" = 1 ] || fail "not one line"; }
 for word in help --help -h ''; do
   # shellcheck disable=SC2086  # without a word there is no argument
   x 0 $word
-  for command in demo test bench lint build package reference spec-pdf; do says said "./x $command "; done
+  for command in demo test bench lint build package reference site spec-pdf; do says said "./x $command "; done
 done
 "$durero" --help | sed -n '/^  help /d; s/^  \([a-z][a-z]*\)  .*/\1/p' | sort >commands
 [ -s commands ] || fail "the program has no commands"
@@ -50,7 +50,7 @@ says said 'The front door'
 rm bin/front-door
 
 # Every word of its own says its help before anything is installed or built, and so does ./x help WORD.
-for word in demo gallery test bench lint build package reference spec-pdf; do
+for word in demo gallery test bench lint build package reference site spec-pdf; do
   x 0 $word --help; says said "./x $word "; [ "$(grep -c '^./x ' said)" = 1 ] || fail "it says other words, too"
   cp said by_option
   x 0 help $word

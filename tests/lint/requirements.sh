@@ -22,6 +22,7 @@ same figures bench_packages
 same proofs proof_packages
 same '`--systems`,_`--long`' 'systems_packages long_packages'
 same reference reference_packages
+same site site_packages
 same document spec_packages
 same packages package_packages
 exit "$bad"
