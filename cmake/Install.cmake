@@ -33,6 +33,14 @@ install(FILES ${manual}/durero DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-complet
 install(FILES ${manual}/_durero DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES ${manual}/durero.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
+# Who links the static library needs libpq where the library was built with it.
+set(find_libpq "")
+set(pc_libpq "")
+if(DURERO_POSTGRESQL AND libpq_FOUND)
+  set(find_libpq "pkg_check_modules(libpq REQUIRED IMPORTED_TARGET libpq)")
+  set(pc_libpq " libpq")
+endif()
+
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/durero)
 install(EXPORT durero NAMESPACE durero:: FILE durero-targets.cmake DESTINATION ${package})
 configure_package_config_file(cmake/durero-config.cmake.in durero-config.cmake INSTALL_DESTINATION ${package}

@@ -214,7 +214,7 @@ class Store:
         self._store.add_tag(name, str(revision))
 
     def __repr__(self) -> str:
-        return f"<durero.Store {self._path}>"
+        return f"<durero.Store {_durero.shown_path(self._path)}>"
 
 
 def _named(path: str, scene: Union[Scene, _Path, None]) -> Tuple[Optional[Scene], str]:
@@ -223,5 +223,5 @@ def _named(path: str, scene: Union[Scene, _Path, None]) -> Tuple[Optional[Scene]
     if scene is None:
         return None, ""
     if isinstance(scene, Scene):
-        return scene, os.path.join(os.path.dirname(path), "<scene>")
+        return scene, os.path.join(os.path.dirname(_durero.picture_place(path)), "<scene>")
     return Scene.load(scene), os.fspath(scene)

@@ -11,6 +11,7 @@
 #include "durero/model/historia.hpp"
 #include "durero/store/event_log.hpp"
 #include "durero/store/provenance.hpp"
+#include "durero/store/store_path.hpp"
 #include "durero/store/store_reading.hpp"
 #include "errors.hpp"
 #include "state.hpp"
@@ -183,6 +184,8 @@ void add_store(py::module_& module) {
         of.write([&](store::Store& opened) { opened.add_tag(name, revision); });
       });
   module.def("create_store", create_store);
+  module.def("shown_path", store::shown_path);
+  module.def("picture_place", store::picture_place);
 }
 
 }  // namespace durero::python

@@ -10,6 +10,7 @@
 #include "durero/c/durero.h"
 #include "durero/model/historia.hpp"
 #include "durero/store/provenance.hpp"
+#include "durero/store/store_path.hpp"
 #include "durero/store/store_reading.hpp"
 
 using namespace durero;
@@ -36,7 +37,8 @@ store::Provenance provenance_of(const durero_provenance* said) {
 /// The file that a scene is from. One that is of none stands beside the store, so that its pictures keep their names.
 std::string file_of(const durero_scene* scene, const char* store) {
   if (scene == nullptr) return "";
-  return scene->file.empty() ? (std::filesystem::path(store).parent_path() / "<scene>").string() : scene->file;
+  return scene->file.empty() ? (std::filesystem::path(store::picture_place(store)).parent_path() / "<scene>").string()
+                             : scene->file;
 }
 
 scene::GroupedScene scene_to_keep(const durero_scene* scene) {
@@ -110,7 +112,7 @@ durero_scene* durero_store_scene(durero_store* store, const char* revision) {
     const store::StoreReading reading(store->value);
     const store::EventNumber event = store->value.find(revision == nullptr ? "HEAD" : revision);
     return new durero_scene{written::Edited(scene::GroupedScene(store->value.state(event))),
-                            c::from_root(store->value.path().c_str())};
+                            c::from_root(store::picture_place(store->value.path()).c_str())};
   });
 }
 

@@ -25,7 +25,7 @@ std::string check_time(const std::string& said) {
 }  // namespace
 
 void add_store_path(CLI::App& command, std::string& path) {
-  command.add_option("STORE", path, "A file that store init has made")->required();
+  command.add_option("STORE", path, "A file that store init has made, or the URI of a PostgreSQL server")->required();
 }
 
 void add_revision(CLI::App& command, std::string& revision) {

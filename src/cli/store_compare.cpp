@@ -36,7 +36,7 @@ int diff_revisions(const StoreDiff& call) {
   }
   const io::SceneScript script = io::script_between(from, to);
   if (!script.beyond.empty())
-    throw io::FileError(call.store, fmt::format("no operation makes {} so", script.beyond.front()),
+    throw io::FileError(of.path(), fmt::format("no operation makes {} so", script.beyond.front()),
                         "expected --json-patch or --summary, which say every difference");
   io::print(io::script_text(script, from.scene.stage()));
   return script.steps.empty() ? 0 : 1;

@@ -14,6 +14,7 @@
 #include "durero/scene/stage.hpp"
 #include "durero/store/blame.hpp"
 #include "durero/store/event_log.hpp"
+#include "durero/store/store_path.hpp"
 #include "numbers.hpp"
 #include "store.hpp"
 
@@ -82,7 +83,7 @@ int export_scene(const StoreQuestion& question) {
   io::OutputFile out(question.out);
   store::Store of(question.store, store::StoreAccess::read);
   scene::GroupedScene scene = of.state(of.find(question.revision));
-  io::rename_pictures(scene.scene.stage(), question.store, question.out);
+  io::rename_pictures(scene.scene.stage(), store::picture_place(question.store), question.out);
   out.write(io::scene_text(scene.scene, scene.groups));
   out.commit();
   return 0;

@@ -8,6 +8,7 @@
 #include "description.hpp"
 #include "durero/contract/contract.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/store/store_path.hpp"
 #include "durero/store/verification.hpp"
 #include "progress.hpp"
 #include "store.hpp"
@@ -40,11 +41,11 @@ int verify_store(const StoreVerification& call) {
     report = store::verify(of, carry_out, [&](std::size_t more) { progress.add(more); });
   }
   std::string text;
-  for (const std::string& defect : report.defects) text += fmt::format("{}: {}\n", call.store, defect);
+  for (const std::string& defect : report.defects) text += fmt::format("{}: {}\n", of.path(), defect);
   text += store_summary(report);
   if (!call.salvage.empty())
     for (const std::string& said : store::salvage(of, report, call.salvage))
-      text += fmt::format("{}: {}\n", call.salvage, said);
+      text += fmt::format("{}: {}\n", store::shown_path(call.salvage), said);
   io::print(text);
   return report.is_whole() ? 0 : 1;
 }

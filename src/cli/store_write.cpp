@@ -49,7 +49,7 @@ int step_in_history(const std::string& path, std::optional<store::EventNumber> (
 void add_store_init(CLI::App& store, int& status) {
   auto* command = store.add_subcommand("init", "Make a new store");
   const auto call = std::make_shared<StoreImport>();
-  command->add_option("STORE", call->store, "The file that it is to be")->required();
+  command->add_option("STORE", call->store, "The file that it is to be, or postgresql://… of a server")->required();
   command->add_option("--from", call->scene, "Scene file (JSON) that it begins with; without it the empty scene");
   add_provenance(*command, call->by);
   command->footer("The store appears whole or not at all, and takes no file's place. Its first branch is main.\n\n" +

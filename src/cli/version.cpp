@@ -26,6 +26,7 @@
 #include "durero/conform/format_versions.hpp"
 #include "durero/io/json/json_writer.hpp"
 #include "durero/io/standard_output.hpp"
+#include "durero/store/store.hpp"
 
 #ifndef __has_feature
 #define __has_feature(x) 0  // Clang's, which alone tells of its sanitizers so
@@ -71,21 +72,23 @@ std::string of_parts(unsigned number, unsigned major, unsigned minor, unsigned m
 }
 
 Pairs libraries() {
-  return {{"GMP", gmp_version},
-          {"Boost", of_parts(BOOST_VERSION, 100'000, 100, 1000)},
-          {"oneTBB", fmt::format("{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR)},
-          {"Highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH)},
-          {"fmt", of_parts(FMT_VERSION, 10'000, 100, 100)},
-          {"libpng", png_get_libpng_ver(nullptr)},
-          {"OpenEXR", OPENEXR_VERSION_STRING},
-          {"libjpeg-turbo", of_parts(LIBJPEG_TURBO_VERSION_NUMBER, 1'000'000, 1000, 1000)},
-          {"RapidJSON", RAPIDJSON_VERSION_STRING},
-          {"CLI11", CLI11_VERSION},
-          {"FLINT", FLINT_VERSION},
-          {"pugixml", of_parts(PUGIXML_VERSION / 10, 100, 1)},
-          {"libedit", fmt::format("{}.{}", LIBEDIT_MAJOR, LIBEDIT_MINOR)},
-          {"SQLite", sqlite3_libversion()},
-          {"OpenSSL", OPENSSL_VERSION_STR}};
+  Pairs all{{"GMP", gmp_version},
+            {"Boost", of_parts(BOOST_VERSION, 100'000, 100, 1000)},
+            {"oneTBB", fmt::format("{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR)},
+            {"Highway", fmt::format("{}.{}.{}", HWY_MAJOR, HWY_MINOR, HWY_PATCH)},
+            {"fmt", of_parts(FMT_VERSION, 10'000, 100, 100)},
+            {"libpng", png_get_libpng_ver(nullptr)},
+            {"OpenEXR", OPENEXR_VERSION_STRING},
+            {"libjpeg-turbo", of_parts(LIBJPEG_TURBO_VERSION_NUMBER, 1'000'000, 1000, 1000)},
+            {"RapidJSON", RAPIDJSON_VERSION_STRING},
+            {"CLI11", CLI11_VERSION},
+            {"FLINT", FLINT_VERSION},
+            {"pugixml", of_parts(PUGIXML_VERSION / 10, 100, 1)},
+            {"libedit", fmt::format("{}.{}", LIBEDIT_MAJOR, LIBEDIT_MINOR)},
+            {"SQLite", sqlite3_libversion()},
+            {"OpenSSL", OPENSSL_VERSION_STR}};
+  if (const std::string libpq = store::libpq_version(); !libpq.empty()) all.emplace_back("libpq", libpq);
+  return all;
 }
 
 void write_words(io::json::Writer& out, std::string_view key, const std::vector<std::string>& words) {

@@ -1,6 +1,8 @@
 #include "database.hpp"
 
 #include "durero/io/source.hpp"
+#include "durero/store/store_path.hpp"
+#include "postgres_database.hpp"
 #include "sqlite_database.hpp"
 
 namespace durero::store {
@@ -10,9 +12,11 @@ void Database::refuse(const std::string& wrong, const std::string& expected) con
 }
 
 std::unique_ptr<Database> open_database(const std::string& path, Database::Mode mode) {
-  return open_sqlite(path, mode);
+  return is_server_uri(path) ? open_postgres(path, mode) : open_sqlite(path, mode);
 }
 
-std::unique_ptr<Database> new_database(const std::string& path) { return new_sqlite(path); }
+std::unique_ptr<Database> new_database(const std::string& path) {
+  return is_server_uri(path) ? new_postgres(path) : new_sqlite(path);
+}
 
 }  // namespace durero::store

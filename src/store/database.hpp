@@ -1,6 +1,7 @@
 #pragma once
-/// The database of a store, asked by statements that name their parameters $1, $2, … in the order in which they occur
-/// first. Errors are io::FileError, one line that names the store.
+/// The database of a store: a file of SQLite, or a schema of a PostgreSQL server. Statements that both understand stand
+/// once, with their parameters as $1, $2, … in the order in which they occur first. Errors are io::FileError, one line
+/// that names the store.
 
 #include <cstdint>
 #include <memory>
@@ -75,6 +76,8 @@ class Database {
   virtual void commit() = 0;
   /// Whether a transaction is open.
   virtual bool is_in_transaction() const noexcept = 0;
+  /// Whether nothing can be asked any more, since the server is gone.
+  virtual bool is_lost() noexcept = 0;
   /// What is wrong beneath the tables; empty where nothing is found.
   virtual std::string fault() = 0;
 
@@ -96,7 +99,7 @@ class Database {
 /// second, are done before.
 inline constexpr int patience = 120'000;
 
-/// Opens the store of a path.
+/// Opens the store of a path, or of the URI of a PostgreSQL server.
 std::unique_ptr<Database> open_database(const std::string& path, Database::Mode mode);
 
 /// A new one without tables, which nobody sees before publish().

@@ -56,6 +56,7 @@ class SqliteDatabase final : public Database {
   void begin_writing() override { run("BEGIN IMMEDIATE"); }
   void commit() override { run("COMMIT"); }
   bool is_in_transaction() const noexcept override { return sqlite3_get_autocommit(connection_.get()) == 0; }
+  bool is_lost() noexcept override { return false; }  // a file has no server
   std::string fault() override;
   void make_tables() override;
   void publish() override;

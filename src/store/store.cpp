@@ -8,6 +8,7 @@
 #include "durero/io/lines.hpp"
 #include "durero/io/pictures/picture_file.hpp"
 #include "durero/model/tipos.hpp"
+#include "durero/store/store_path.hpp"
 #include "durero/text/shown.hpp"
 #include "durero/text/whole_number.hpp"
 #include "journal.hpp"
@@ -137,7 +138,7 @@ void Store::create(const std::string& path, scene::GroupedScene scene, const std
   const std::unique_ptr<Database> database = new_database(path);
   database->make_tables();
   Records records(*database);
-  if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, path);
+  if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, picture_place(path));
   HistoryEvent event = import_event(no_event, from, by);
   append(records, event, {}, snapshot_of(scene));
   records.put_name(NameKind::branch, {std::string(first_branch), event.number});
@@ -154,6 +155,8 @@ Store::Store(const std::string& path, StoreAccess access)
 Store::~Store() = default;
 
 const std::string& Store::path() const noexcept { return journal_->database.path(); }
+
+bool Store::is_lost() noexcept { return journal_->database.is_lost(); }
 
 StoreHead Store::head() { return head_of(journal_->records); }
 
@@ -262,7 +265,7 @@ std::vector<io::ScriptStep> Store::read(const io::Source& script) {
 EventNumber Store::import(scene::GroupedScene scene, const std::string& from, const Provenance& by) {
   WriteTransaction transaction(*journal_);
   const StoreHead head = this->head();
-  if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, path());
+  if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, picture_place(path()));
   HistoryEvent event = import_event(head.event, from, by);
   append(journal_->records, event, journal_->records.hash(head.event), snapshot_of(scene));
   move_head(journal_->records, head, event.number);

@@ -56,7 +56,8 @@ def accepted(answers):
 
 
 class Killed:
-    """A store that is killed again and again, with what it must hold."""
+    """A store whose programs are killed again and again, with what it must hold."""
+    store, new = "s.store", "new.store"
 
     def __init__(self, seed):
         self.random = random.Random(seed)
@@ -64,10 +65,25 @@ class Killed:
         self.lasts = {}  # seconds that a command takes
         self.renew()
 
-    def renew(self):
+    def clear(self):
         for file in os.listdir("."):
             os.unlink(file)
-        run("init", "s.store")
+
+    def kept(self, behind):
+        return kept(self.store, behind)
+
+    def is_there(self):
+        """Whether the new store is there; a part of it is not."""
+        assert [file for file in os.listdir(".") if file.endswith(".part")] == []
+        return os.path.exists(self.new) and os.path.getsize(self.new) > 0
+
+    def forget(self):
+        if os.path.exists(self.new):
+            os.unlink(self.new)
+
+    def renew(self):
+        self.clear()
+        run("init", self.store)
         self.behind, self.way = 1, []  # the last event, and the operations up to HEAD
 
     def killed(self, *arguments, text=""):
@@ -102,8 +118,8 @@ class Killed:
                 script.append(operation(f"n{self.names}"))
                 good.append(script[-1])
         answered = [script[line - 1] for line in
-                    accepted(self.killed("edit", "s.store", "--group", str(group), text="\n".join(script) + "\n"))]
-        new = kept(behind=self.behind)
+                    accepted(self.killed("edit", self.store, "--group", str(group), text="\n".join(script) + "\n"))]
+        new = self.kept(self.behind)
         assert answered == good[:len(answered)], "an operation was answered that is none of the accepted"
         assert new == good[:len(new)], f"kept {new} of {good}, answered {answered}, group {group}"
         assert len(new) >= len(answered), f"lost: {good[len(new):len(answered)]}"
@@ -112,44 +128,42 @@ class Killed:
 
     def undo(self):
         """HEAD is where it was, or a transaction before."""
-        said = self.killed("undo", "s.store")
-        now = head_operations()
+        said = self.killed("undo", self.store)
+        now = head_operations(self.store)
         assert now == self.way[:len(now)], "an undo goes elsewhere"
         assert not said.endswith("\n") or not self.way or len(now) < len(self.way), "an undo that was answered is lost"
         self.way = now
 
     def redo(self):
-        said = self.killed("redo", "s.store")
-        now = head_operations()
+        said = self.killed("redo", self.store)
+        now = head_operations(self.store)
         assert now[:len(self.way)] == self.way, "a redo goes elsewhere"
         assert "no undo" in said or not said.endswith("\n") or len(now) > len(self.way), "a redo that was answered is lost"
         self.way = now
 
     def tag(self):
         self.names += 1
-        said = self.killed("tag", "s.store", f"t{self.names}") is not None
-        tags = dict(line.split("  ") for line in run("tag", "s.store").stdout.splitlines())
+        said = self.killed("tag", self.store, f"t{self.names}") is not None
+        tags = dict(line.split("  ") for line in run("tag", self.store).stdout.splitlines())
         assert said and set(tags.values()) <= {str(number) for number in range(self.behind + 1)}
 
     def init(self):
         """The store is there whole, or not at all, and another init goes on."""
-        if os.path.exists("new.store"):
-            os.unlink("new.store")
-        said = self.killed("init", "new.store")
-        is_there = os.path.exists("new.store") and os.path.getsize("new.store") > 0
+        self.forget()
+        said = self.killed("init", self.new)
+        is_there = self.is_there()
         assert is_there or not said, "a store that was answered is lost"
         if not is_there:
-            run("init", "new.store")
-        run("verify", "new.store")
-        assert [file for file in os.listdir(".") if file.endswith(".part")] == []
+            run("init", self.new)
+        run("verify", self.new)
 
     def go(self, kills):
         for number in range(kills):
             self.random.choices([self.edit, self.undo, self.redo, self.tag, self.init], [12, 3, 2, 1, 1])[0]()
             if number % 50 == 49:
-                run("verify", "s.store")
-                assert head_operations() == self.way
-                run("export", "s.store", "-o", "exported.json")
+                run("verify", self.store)
+                assert head_operations(self.store) == self.way
+                run("export", self.store, "-o", "exported.json")
                 with open("exported.json") as file:
                     assert sorted(element["id"] for element in json.load(file)["elementos"]) == \
                         sorted(line.split("e?=")[1].split()[0] for line in self.way)
@@ -400,4 +414,5 @@ def test_hashes_seals_and_snapshots_are_as_documented():
         assert kinds == {0, 1, 2, 3}
 
 
-sys.exit(run_tests(globals()))
+if __name__ == "__main__":
+    sys.exit(run_tests(globals()))

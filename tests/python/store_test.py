@@ -336,3 +336,8 @@ def test_a_spoiled_event_is_told_of_and_nothing_is_kept_behind_it(tmp_path: path
     torn.write_bytes(before[:5000])
     assert refused(lambda: durero.Store(torn).scene()).startswith(f"{torn}: ")
     assert torn.read_bytes() == before[:5000]
+
+
+def test_a_server_that_is_not_there_is_told_without_the_password() -> None:
+    said = refused(lambda: durero.Store("postgresql://ann:secret@/scenes?host=/nowhere&password=secret"))
+    assert said.startswith("postgresql://ann@/scenes?host=/nowhere: ") and "secret" not in said

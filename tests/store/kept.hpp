@@ -1,7 +1,9 @@
 #pragma once
 /// Stores in a folder of a test, and scripts that are run on them.
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "durero/io/json/groups_file.hpp"
@@ -36,9 +38,18 @@ inline std::string balls(int first, int behind) {
   return text;
 }
 
+/// The path of a new store: of a file, or, where DURERO_STORE_SERVER is the URI of a PostgreSQL server, of a schema
+/// there.
+inline std::string new_store(const Folder& folder) {
+  const char* const server = std::getenv("DURERO_STORE_SERVER");
+  if (server == nullptr) return folder.file("kept.store");
+  static int count = 0;
+  return fmt::format("{}&options=-csearch_path%3Dkept_{}_{}", server, ::getpid(), ++count);
+}
+
 /// A new store of the empty scene, or of a scene file's.
 struct KeptStore {
-  explicit KeptStore(const std::string& scene = "") : path(folder.file("kept.store")) {
+  explicit KeptStore(const std::string& scene = "") : path(new_store(folder)) {
     scene::GroupedScene of;
     if (!scene.empty()) of = io::read_grouped_scene(io::Source("scene.json", scene), io::Bodies::read);
     store::Store::create(path, std::move(of), "scene.json", by_ann);

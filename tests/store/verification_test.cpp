@@ -93,15 +93,15 @@ TEST_CASE("Each change of an event is found, and what stands on it is lost") {
       "UPDATE event SET time = '2026-01-31T12:00:01Z' WHERE number = 4",
       "UPDATE event SET comment = '' WHERE number = 4",
       "UPDATE event SET line = 2 WHERE number = 4",
-      "UPDATE event SET content = x'00' WHERE number = 4",
+      "UPDATE event SET content = hash WHERE number = 4",
       "UPDATE event SET begins = 0 WHERE number = 4",
       "UPDATE event SET kind = 0 WHERE number = 4",
       "UPDATE event SET kind = 7 WHERE number = 4",
       "UPDATE event SET parent = 2 WHERE number = 4",
       "UPDATE event SET parent = 0 WHERE number = 4",
       "UPDATE event SET parent = 8 WHERE number = 4",
-      "UPDATE event SET hash = zeroblob(32) WHERE number = 4",
-      "UPDATE event SET hash = x'00' WHERE number = 4",
+      "UPDATE event SET hash = (SELECT hash FROM event WHERE number = 2) WHERE number = 4",
+      "UPDATE event SET hash = content WHERE number = 4",
       "DELETE FROM event WHERE number = 4",
   };
   for (const char* sql : changes) {
@@ -166,9 +166,11 @@ TEST_CASE("Each change of a name or a snapshot is found") {
       {"DELETE FROM name WHERE kind = 2", "HEAD is missing"},
       {"DELETE FROM name WHERE name = 'main' AND kind = 0", "branch main, where HEAD is, is missing"},
       {"UPDATE name SET event = 6 WHERE kind = 3", "what to do again behind event 3 is not as it was written"},
-      {"UPDATE snapshot SET seal = zeroblob(32)", "the snapshot of event 1 is not as it was written"},
+      {"UPDATE snapshot SET seal = (SELECT hash FROM event WHERE number = 1)",
+       "the snapshot of event 1 is not as it was written"},
       {"DELETE FROM snapshot", "the snapshot of event 1 is missing"},
-      {"INSERT INTO snapshot VALUES (99, zeroblob(32), x'')", "the snapshot of event 99 has no event"},
+      {"INSERT INTO snapshot SELECT 99, seal, content FROM snapshot WHERE event = 1",
+       "the snapshot of event 99 has no event"},
   };
   for (const auto& [sql, defect] : changes) {
     INFO(sql);
@@ -210,7 +212,7 @@ TEST_CASE("Where what is before a snapshot is lost, its scene is told by it alon
   }();
   SECTION("an event is changed") { change(kept, "UPDATE event SET author = 'bob' WHERE number = 500"); }
   SECTION("an event is missing") { change(kept, "DELETE FROM event WHERE number = 2"); }
-  SECTION("the first snapshot is lost") { change(kept, "UPDATE snapshot SET seal = zeroblob(32) WHERE event = 1"); }
+  SECTION("the first snapshot is lost") { change(kept, "UPDATE snapshot SET seal = content WHERE event = 1"); }
   SECTION("the event of the snapshot is changed, but for its hash") {
     change(kept, "UPDATE event SET comment = 'no' WHERE number = 1001");
   }

@@ -1,8 +1,10 @@
 #pragma once
-/// A store keeps a scene with its whole history in one file: each edit that was accepted, with its answer, as an event
-/// that is chained to the one before. Nothing of it is ever deleted. Several programs may use it at a time: those that
-/// write wait for each other, and those that read see what was there when they began.
+/// A store keeps a scene with its whole history in one file, or in a schema of a PostgreSQL server, whose URI then
+/// stands in the place of the path: each edit that was accepted, with its answer, as an event that is chained to the
+/// one before. Nothing of it is ever deleted. Several programs may use it at a time: those that write wait for each
+/// other, and those that read see what was there when they began.
 
+#include <cstdint>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -21,9 +23,10 @@ namespace durero::store {
 struct Journal;
 
 /// What a store is opened for.
-enum class StoreAccess : bool {
-  read,   ///< it stays as it is, and one that cannot be written is read too
-  write,  ///< it is written, too
+enum class StoreAccess : std::uint8_t {
+  read,    ///< it stays as it is, and one that cannot be written is read too
+  write,   ///< it is written, too
+  follow,  ///< as read, but each question sees what others have written by then; StoreReading holds several together
 };
 
 /// The operations of a transaction, which is one step of undo.
@@ -63,6 +66,9 @@ struct StoredName {
   EventNumber event;  ///< its event
 };
 
+/// The version of libpq, which reaches PostgreSQL servers; empty in a build without it.
+std::string libpq_version();
+
 /// The branch that a new store has.
 inline constexpr std::string_view first_branch = "main";
 
@@ -80,8 +86,10 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  /// The path that it was opened by.
+  /// The path that it was opened by; a URI without its password.
   const std::string& path() const noexcept;
+  /// Whether its server is gone, so that every further call throws. Another Store may find it again.
+  bool is_lost() noexcept;
 
   /// Where the next edit goes.
   StoreHead head();

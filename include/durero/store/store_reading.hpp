@@ -1,5 +1,5 @@
 #pragma once
-/// Several questions to a store that is open for writing, which others may write between two of them.
+/// Several questions to a store that others may write between two of them.
 
 #include "durero/store/store.hpp"
 

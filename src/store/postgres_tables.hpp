@@ -1,0 +1,18 @@
+#pragma once
+/// The tables of a store in a schema of PostgreSQL.
+
+#include <libpq-fe.h>
+
+#include <string>
+
+#include "database.hpp"
+
+namespace durero::store {
+
+/// The statements that make them. Beside those of every store, `store` has the version, and is what writers lock.
+std::string statements_of_tables();
+
+/// Throws io::FileError where the current schema has no store, one of another version, or other tables than a store.
+void require_tables(const Database& of, PGconn* connection);
+
+}  // namespace durero::store
