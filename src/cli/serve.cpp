@@ -1,4 +1,4 @@
-// durero serve STORE [--host H] [--port N] [--token FILE] [--origin O] [--author A]: a store over HTTP.
+// durero serve STORE [--host H] [--port N] [--token FILE] [--origin O] [--author A] [--read-only]: a store over HTTP.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -55,7 +55,9 @@ int serve_store(ServeOptions options) {
 void add_serve(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("serve", "Edits, rays and history of a store over HTTP");
   const auto options = std::make_shared<ServeOptions>();
-  command->add_option("STORE", options->store, "Store, as durero store init makes one")->required();
+  command
+      ->add_option("STORE", options->store, "Store, as durero store init makes one, or the URI of a PostgreSQL server")
+      ->required();
   command
       ->add_option("--host", options->server.host,
                    "Address that it listens at; other than of this machine with --token")
@@ -67,13 +69,16 @@ void add_serve(CLI::App& app, int& status) {
   command->add_option("--origin", options->server.origin, "Origin of the pages that may ask from a browser");
   command->add_option("--author", options->server.author,
                       "Who edits, where an edit names nobody; without it as of durero store edit");
+  command->add_flag("--read-only", options->server.read_only,
+                    "Refuse edits, and follow those that others make, also through a replica of the store's server");
   command->footer(
       "It prints its address, and answers until it is interrupted. docs/serve.md lists what it answers. Edits that "
       "come\n"
       "at a time are made durable together. An edit whose If-Match names another scene than the last changes "
       "nothing.\n\n" +
       exit_status("it was interrupted", "", "the call or the store is bad, or the address is taken") +
-      examples({"serve room.store", "serve room.store --host 0.0.0.0 --token token.txt"}));
+      examples({"serve room.store", "serve room.store --host 0.0.0.0 --token token.txt",
+                "serve postgresql://replica/scenes --read-only"}));
   command->callback([options, &status] { status = serve_store(*options); });
 }
 

@@ -107,6 +107,10 @@ std::string event_json(const store::HistoryEvent& event) {
   return text;
 }
 
+store::StoreAccess access_for(const ServerOptions& options) {
+  return options.read_only ? store::StoreAccess::follow : store::StoreAccess::write;
+}
+
 }  // namespace
 
 bool is_loopback(const std::string& host) {
@@ -114,7 +118,8 @@ bool is_loopback(const std::string& host) {
 }
 
 struct Server::Parts {
-  Parts(const std::string& store, ServerOptions given) : options(std::move(given)), worker(store, feed) {
+  Parts(const std::string& store, ServerOptions given)
+      : options(std::move(given)), worker(store, access_for(options), feed) {
     if (!is_loopback(options.host) && options.token.empty())
       throw std::invalid_argument(
           fmt::format("{} is reached from other machines; expected a token, or 127.0.0.1", options.host));
@@ -211,8 +216,14 @@ struct Server::Parts {
       if (found == embedded::schemas().end()) return refuse(out, not_found, "there is no such schema");
       answer(out, found->second);
     });
-    http.Post("/edits", [this](const Request& in, Response& out) { edit(in, out); });
     http.Post("/hits", [this](const Request& in, Response& out) { tell_hits(in, out); });
+    if (options.read_only) {
+      http.Post("/(edits|undo|redo)", [](const Request&, Response& out) {
+        refuse(out, forbidden, "the store is only read here; expected the server that writes it");
+      });
+      return;
+    }
+    http.Post("/edits", [this](const Request& in, Response& out) { edit(in, out); });
     http.Post("/undo", [this](const Request& in, Response& out) { move(in, out, &store::Store::undo, "undone"); });
     http.Post("/redo", [this](const Request& in, Response& out) { move(in, out, &store::Store::redo, "redone"); });
   }

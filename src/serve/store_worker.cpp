@@ -27,8 +27,9 @@ const engine::Engine& SceneAt::engine() const {
   return *engine_;
 }
 
-StoreWorker::StoreWorker(const std::string& store, EditFeed& feed)
-    : store_(store, store::StoreAccess::write), feed_(feed) {
+StoreWorker::StoreWorker(std::string store, store::StoreAccess access, EditFeed& feed)
+    : path_(std::move(store)), access_(access), store_(std::make_unique<store::Store>(path_, access)), feed_(feed) {
+  if (is_followed()) followed_ = store_->head().event;
   thread_ = std::thread([this] { work(); });
 }
 
@@ -56,6 +57,26 @@ std::shared_ptr<const SceneAt> StoreWorker::scene() {
   });
 }
 
+store::Store& StoreWorker::opened() {
+  if (store_->is_lost()) {
+    scene_.reset();  // numbers of events may be others'
+    store_ = std::make_unique<store::Store>(path_, access_);
+  }
+  return *store_;
+}
+
+/// Where the store is out of reach, whoever asks is told so; HEAD is asked for again later.
+void StoreWorker::follow() {
+  try {
+    store::Store& of = opened();
+    const store::StoreReading reading(of);
+    const store::EventNumber head = of.head().event;
+    if (head != followed_) feed_.send(fmt::format(R"({{"event":{}}})", head));
+    followed_ = head;
+  } catch (const io::FileError&) {
+  }
+}
+
 void StoreWorker::put(Pending pending) {
   {
     const std::scoped_lock lock(mutex_);
@@ -65,28 +86,35 @@ void StoreWorker::put(Pending pending) {
 }
 
 void StoreWorker::work() {
+  auto due = std::chrono::steady_clock::now() + pace;
   for (;;) {
     std::deque<std::shared_ptr<PendingEdit>> edits;
     Task task;
     {
       std::unique_lock lock(mutex_);
-      arrived_.wait(lock, [&] { return ends_ || !waiting_.empty(); });
-      if (waiting_.empty()) return;
+      const auto is_awake = [&] { return ends_ || !waiting_.empty(); };
+      if (is_followed())
+        arrived_.wait_until(lock, due, is_awake);
+      else
+        arrived_.wait(lock, is_awake);
+      if (ends_ && waiting_.empty()) return;
       while (!waiting_.empty() && edits.size() < most_together) {
         auto* const edit = std::get_if<std::shared_ptr<PendingEdit>>(&waiting_.front());
         if (edit == nullptr) break;
         edits.push_back(std::move(*edit));
         waiting_.pop_front();
       }
-      if (edits.empty()) {
+      if (edits.empty() && !waiting_.empty()) {
         task = std::get<Task>(std::move(waiting_.front()));
         waiting_.pop_front();
       }
     }
-    if (task)
-      task(store_);
-    else
-      carry_out(edits);
+    if (task) task();
+    if (!edits.empty()) carry_out(edits);
+    if (is_followed() && std::chrono::steady_clock::now() >= due) {
+      follow();
+      due = std::chrono::steady_clock::now() + pace;
+    }
   }
 }
 
@@ -104,7 +132,7 @@ void StoreWorker::carry_out(std::deque<std::shared_ptr<PendingEdit>>& edits) {
   }
   std::vector<store::EditAttempt> attempts;
   try {
-    attempts = store_.edit_together(calls);
+    attempts = opened().edit_together(calls);
   } catch (...) {
     for (const auto& edit : edits) edit->answer.set_exception(std::current_exception());
     return;

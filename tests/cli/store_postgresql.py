@@ -6,10 +6,13 @@ import contextlib
 import json
 import os
 import random
+import signal
 import sqlite3
 import subprocess
 import sys
 import time
+import urllib.error
+import urllib.request
 
 home = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, home)
@@ -441,6 +444,47 @@ def test_a_server_that_stops_loses_nothing_that_was_answered():
     assert sum(stopped.stop_once() for _ in range(4)) > 0, "no edit was under way"
 
 
+class Serving:
+    """durero serve, as a program of another language asks it."""
+
+    def __init__(self, *arguments):
+        self.process = subprocess.Popen([durero, "serve", *arguments, "--port", "0"], stdout=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+
+    def ask(self, path, body=None):
+        """Status and answer."""
+        request = urllib.request.Request(self.address + path, None if body is None else json.dumps(body).encode(),
+                                         {"Content-Type": "application/json"})
+        try:
+            with urllib.request.urlopen(request, timeout=PATIENCE) as answer:
+                return answer.status, json.load(answer)
+        except urllib.error.HTTPError as error:
+            return error.code, json.load(error)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.send_signal(signal.SIGINT)
+        assert self.process.wait(PATIENCE) == 0
+        self.process.stdout.close()
+
+
+def test_a_store_is_served_and_its_server_found_again():
+    uri = new_uri()
+    run("init", uri, *AT)
+    with Serving(uri) as serving:
+        assert serving.ask("/edits", {"operations": [operation("a")]})[0] == 200
+        server.stop("immediate")
+        status, said = serving.ask("/edits", {"operations": [operation("b")]})
+        assert status == 500 and ("is out of reach" in said["error"] or "cannot be opened" in said["error"]), said
+        server.start()
+        assert serving.ask("/edits", {"operations": [operation("c")]}) == \
+            (200, {"event": 3, "answers": [{"line": 1, "ok": True, "r": "esfera_agregada"}]})
+        assert serving.ask("/hits", {"rays": [[0, 0, -5, 0, 0, 1]]})[1]["hits"][0]["elementos"] == ["a", "c"]
+    assert head_operations(uri) == [operation("a"), operation("c")]
+
+
 def long_a_writer_that_waits_in_vain_says_so():
     uri = new_uri()
     run("init", uri, *AT)
@@ -465,17 +509,43 @@ def long_100_stops_of_the_server():
     assert sum(stopped.stop_once() for _ in range(100)) > 0
 
 
-def long_a_replica_answers_reads():
+def long_a_replica_answers_reads_and_rays_at_a_consistent_state():
     uri = new_uri()
     run("init", uri, *AT)
-    run("edit", uri, "--group", "4", input="".join(operation(f"n{number}") + "\n" for number in range(100)))
+    schema = uri.rsplit("%3D", 1)[1]
     with postgresql.Server(primary=server) as replica:
-        replica.follows(server)
-        copy = replica.uri(uri.rsplit("%3D", 1)[1])
+        copy = replica.uri(schema)
+        with Serving(copy, "--read-only") as serving:
+            script = "".join(operation(f"n{number:04}") + "\n" for number in range(1, 2001))
+            with subprocess.Popen([durero, "store", "edit", uri, "--group", "4", *AT], stdin=subprocess.PIPE,
+                                  stdout=subprocess.DEVNULL, text=True) as writer:
+                writer.stdin.write(script)
+                writer.stdin.close()
+                seen, last = set(), 0
+                while writer.poll() is None:
+                    status, scene = serving.ask("/scene")
+                    assert status == 200, scene
+                    ids = [element["id"] for element in scene["elementos"]]
+                    assert ids == [f"n{number:04}" for number in range(1, len(ids) + 1)], "a reader sees what never was"
+                    assert len(ids) % 4 == 0 and len(ids) >= last, "a reader sees a part of a transaction, or goes back"
+                    status, hits = serving.ask("/hits", {"rays": [[0, 0, -5, 0, 0, 1]]})
+                    count = len(hits["hits"][0]["elementos"])
+                    assert status == 200 and count == hits["event"] - 1 and count >= len(ids), "rays see another scene"
+                    seen.add(len(ids))
+                    last = len(ids)
+            assert len(seen) > 2, "the replica does not follow"
+            replica.follows(server)
+            assert serving.ask("/")[1]["event"] == 2001
+            for path in ("/edits", "/undo", "/redo"):
+                assert serving.ask(path, {"operations": [operation("x")]}) == \
+                    (403, {"error": "the store is only read here; expected the server that writes it"})
         for command in (["log", "--json"], ["export"], ["blame"], ["verify"], ["show", "--json"]):
             assert run(command[0], copy, *command[1:]).stdout == run(command[0], uri, *command[1:]).stdout
         for command in (["edit", copy, "--op", operation("x")], ["undo", copy], ["init", replica.uri("another")]):
             assert "cannot be written: its server only reads; expected the primary server" in refused(*command)
+        said = subprocess.run([durero, "serve", copy, "--port", "0"], capture_output=True, text=True, timeout=PATIENCE)
+        assert said.returncode == 2 and said.stderr.count("\n") == 1 and "its server only reads" in said.stderr
+        run("verify", copy)
 
 
 def is_possible():

@@ -149,6 +149,38 @@ TEST_CASE("whoever watches is told of each edit, in order") {
         "id: 2\ndata: {\"event\":3,\"answers\":[{\"line\":1,\"ok\":true,\"r\":\"esfera_agregada\"}]}\n\n");
 }
 
+TEST_CASE("a server that only reads refuses edits, and follows those of others") {
+  ServerOptions reading;
+  reading.read_only = true;
+  const Served served(reading);
+  httplib::Client client = served.client();
+  for (const char* const path : {"/edits", "/undo", "/redo"}) {
+    const auto answer = client.Post(path, sphere("a"), json);
+    CHECK(status(answer) == 403);
+    CHECK(answer->body == R"({"error":"the store is only read here; expected the server that writes it"})");
+  }
+  std::string heard;
+  std::atomic<int> count = 0;
+  std::thread watcher([&] {
+    httplib::Client watching = served.client();
+    watching.Get("/events", {{"Last-Event-ID", "0"}}, [&](const char* data, std::size_t size) {
+      heard.append(data, size);
+      return ++count < 2;
+    });
+  });
+  store::Store writer(served.file(), store::StoreAccess::write);
+  for (int event = 2; event <= 3; ++event) {
+    const io::Source script("script", fmt::format("Agregar_Esfera e?=s{} centro?=(0,0,5) radio?=1\n", event));
+    writer.edit({script, 0, {"ann", "2026-01-31T12:00:00Z", ""}});
+    CHECK(client.Get("/")->body == fmt::format(R"({{"server":"durero","branch":"main","event":{}}})", event));
+    CHECK(client.Post("/hits", R"({"rays":[[0,0,0,0,0,1]]})", json)->body.find(fmt::format("\"s{}\"", event)) !=
+          std::string::npos);
+    while (count < event - 1) std::this_thread::yield();
+  }
+  watcher.join();
+  CHECK(heard == "id: 1\ndata: {\"event\":2}\n\nid: 2\ndata: {\"event\":3}\n\n");
+}
+
 TEST_CASE("fifty clients at a time lose nothing, and the store has it when the server is gone") {
   Served served;
   constexpr int clients = 50, edits = 20;

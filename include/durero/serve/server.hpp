@@ -13,12 +13,13 @@ struct ServerOptions {
   std::string token{};             ///< whoever asks must know it; empty: whoever reaches the address may ask
   std::string origin{};            ///< of the pages that may ask from a browser; empty: none may
   std::string author{};            ///< of edits that name none
+  bool read_only = false;          ///< whether edits are refused: others write the store, and this follows
 };
 
 /// Whether the address is of this machine alone. At another one a server needs a token.
 bool is_loopback(const std::string& host);
 
-/// A server of one store. It is the one that writes to it as long as it runs; others may read.
+/// A server of one store. It is the one that writes to it as long as it runs, unless it only reads; others may read.
 class Server {
  public:
   /// Opens the store and listens. Throws io::FileError where the store cannot be used, std::invalid_argument where the
