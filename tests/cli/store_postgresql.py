@@ -373,7 +373,16 @@ def test_readers_beside_a_writer_see_whole_transactions():
 
 
 class KilledOnServer(Killed):
-    """The same programs, killed, on a server."""
+    """The same programs, killed, on a server. It may have been told to keep a transaction when its program is killed, and
+    does so then: what it has kept is looked at when it has seen that the program is gone."""
+
+    def killed(self, *arguments, text=""):
+        said = super().killed(*arguments, text=text)
+        end = time.monotonic() + PATIENCE
+        while server.ask("SELECT 1 FROM pg_stat_activity WHERE application_name = 'durero'"):
+            assert time.monotonic() < end, "what a killed program held is not free"
+            time.sleep(0.005)
+        return said
 
     def clear(self):
         self.store = new_uri()
