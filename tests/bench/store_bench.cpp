@@ -1,6 +1,7 @@
 // Stores: durable edits, each beside a sync of the same disk in turn; histories carried out again; scenes opened from
 // their snapshots, beside their scene files. Times are of the clock. DURERO_STORE_EVENTS and DURERO_STORE_ELEMENTS say
-// how long the history and how large the scene is: without them 10⁵ and 10⁶.
+// how long the history and how large the scene is: without them 10⁵ and 10⁶. DURERO_STORE_SERVER is the URI of a
+// PostgreSQL server, on which the stores are made then.
 
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
@@ -29,6 +30,14 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 std::size_t asked_for(const char* name, std::size_t otherwise) {
   const char* const said = std::getenv(name);
   return said == nullptr ? otherwise : std::strtoul(said, nullptr, 10);
+}
+
+/// The path of a new store.
+std::string new_store(const test::Folder& folder) {
+  const char* const server = std::getenv("DURERO_STORE_SERVER");
+  if (server == nullptr) return folder.file("a.store");
+  static int count = 0;
+  return fmt::format("{}&options=-csearch_path%3Dbench_{}_{}", server, ::getpid(), ++count);
 }
 
 /// Additions that nobody has made yet.
@@ -71,7 +80,7 @@ double median(std::vector<double> of) {
 /// Transactions of so many edits, each in turn with a sync: `syncs` is the median of one over that of the other.
 void edits(benchmark::State& state) {
   const test::Folder folder;
-  const std::string path = folder.file("a.store");
+  const std::string path = new_store(folder);
   store::Store::create(path, {}, "", {});
   store::Store of(path, store::StoreAccess::write);
   Disk disk(folder.file("disk"));
@@ -92,7 +101,7 @@ void edits(benchmark::State& state) {
 /// All of a history carried out again and checked.
 void replay(benchmark::State& state) {
   const test::Folder folder;
-  const std::string path = folder.file("a.store");
+  const std::string path = new_store(folder);
   store::Store::create(path, {}, "", {});
   const std::size_t count = asked_for("DURERO_STORE_EVENTS", 100'000);
   {
@@ -109,7 +118,7 @@ void replay(benchmark::State& state) {
 /// A store is opened and its scene is there; `files` is that time over the one that its scene file takes.
 void open(benchmark::State& state) {
   const test::Folder folder;
-  const std::string path = folder.file("a.store");
+  const std::string path = new_store(folder);
   test::Random random(1);
   const scene::GroupedScene scene{test::random_scene(random, asked_for("DURERO_STORE_ELEMENTS", 1'000'000)), {}};
   store::Store::create(path, scene, "", {});
