@@ -26,8 +26,8 @@ class PreparedQuery {
   virtual bool step() = 0;
   /// Begins anew, with no parameters.
   virtual void reset() noexcept = 0;
-  /// Asks to the end, and begins anew.
-  void run() {
+  /// Asks to the end, and begins anew. Its error may be thrown by what is asked of the database next.
+  virtual void run() {
     while (step()) continue;
     reset();
   }
@@ -74,6 +74,8 @@ class Database {
   virtual void begin_writing() = 0;
   /// Keeps the transaction, on disk.
   virtual void commit() = 0;
+  /// Takes the transaction back.
+  virtual void rollback() noexcept = 0;
   /// Whether a transaction is open.
   virtual bool is_in_transaction() const noexcept = 0;
   /// Whether nothing can be asked any more, since the server is gone.

@@ -19,10 +19,7 @@ StoredName head_name(Records& records) {
 WriteTransaction::~WriteTransaction() {
   if (!is_open_) return;
   journal_.fold.forget();
-  try {
-    journal_.database.run("ROLLBACK");
-  } catch (const std::exception&) {  // the database has done so where it could not go on
-  }
+  journal_.database.rollback();
 }
 
 void WriteTransaction::commit() {
@@ -46,7 +43,6 @@ void move_head(Records& records, const StoreHead& head, EventNumber to) {
 }
 
 void append(Records& records, HistoryEvent& event, const Digest& parent, std::string_view snapshot) {
-  event.number = records.last() + 1;
   const bool is_import = event.kind == EventKind::import;
   if (is_import) event.content = bytes_of(digest_of(snapshot));
   event.hash = hash_of(event, parent);

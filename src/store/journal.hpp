@@ -39,8 +39,8 @@ StoreHead head_of(Records& records);
 /// The branch of HEAD, or HEAD itself, stands on that event.
 void move_head(Records& records, const StoreHead& head, EventNumber to);
 
-/// Keeps an event behind that of its parent, with its number and hash, which are made here. The snapshot of an import
-/// is its content.
+/// Keeps an event under its number, which no other has, behind that of its parent, with its hash, which is made here.
+/// The snapshot of an import is its content.
 void append(Records& records, HistoryEvent& event, const Digest& parent, std::string_view snapshot = {});
 
 }  // namespace durero::store

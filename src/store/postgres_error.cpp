@@ -21,6 +21,7 @@ constexpr const char* another_server = "expected a server that goes on; what was
 /// The states are of PostgreSQL's list (its documentation, appendix A); the first that fits counts.
 constexpr StateMeaning meanings[] = {
     {"25006", "cannot be written: its server only reads", "expected the primary server"},
+    {"23505", "was changed while it was used: {}", asked_again},
     {"40", "was changed while it was used: {}", asked_again},
     {"42501", "may not be used: {}", "expected a user that may"},
     {"53100", "cannot be written: No space left on device",

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <string_view>
 
-#include "postgres_error.hpp"
 #include "tables.hpp"
 
 namespace durero::store {
@@ -49,22 +48,19 @@ std::string statements_of_tables() {
 
 /// A table of the name that stands in another schema of the search path is none of this store: the path is this schema
 /// alone from here on.
-void require_tables(const Database& of, PGconn* connection) {
-  const auto word = [&](const char* sql) {
-    const PostgresAnswer answer = checked(of, connection, PQexec(connection, sql));
-    return std::string(PQntuples(answer.get()) == 1 ? PQgetvalue(answer.get(), 0, 0) : "");
-  };
-  const std::string schema =
-      word("SELECT set_config('search_path', quote_ident(current_schema()), false) WHERE current_schema() IS NOT NULL");
+void require_tables(const Database& of, PostgresConnection& connection) {
+  const std::string schema = connection.word(
+      "SELECT set_config('search_path', quote_ident(current_schema()), false) WHERE current_schema() IS NOT NULL");
   if (schema.empty())
-    of.refuse(fmt::format("has no schema {}", word("SHOW search_path")), "expected one that `durero store init` made");
-  if (word("SELECT to_regclass('store')").empty())
+    of.refuse(fmt::format("has no schema {}", connection.word("SHOW search_path")),
+              "expected one that `durero store init` made");
+  if (connection.word("SELECT to_regclass('store')").empty())
     of.refuse(fmt::format("has no store in schema {}", schema), "expected one that `durero store init` made");
-  const std::string version = word("SELECT version FROM store");
+  const std::string version = connection.word("SELECT version FROM store");
   std::int64_t found = 0;
   std::from_chars(version.data(), version.data() + version.size(), found);
   require_version(of, found);
-  if (word(description) != described_store) of.refuse("has other tables than a store", expected_whole);
+  if (connection.word(description) != described_store) of.refuse("has other tables than a store", expected_whole);
 }
 
 }  // namespace durero::store

@@ -1,11 +1,9 @@
 #pragma once
 /// The tables of a store in a schema of PostgreSQL.
 
-#include <libpq-fe.h>
-
 #include <string>
 
-#include "database.hpp"
+#include "postgres_connection.hpp"
 
 namespace durero::store {
 
@@ -13,6 +11,6 @@ namespace durero::store {
 std::string statements_of_tables();
 
 /// Throws io::FileError where the current schema has no store, one of another version, or other tables than a store.
-void require_tables(const Database& of, PGconn* connection);
+void require_tables(const Database& of, PostgresConnection& connection);
 
 }  // namespace durero::store

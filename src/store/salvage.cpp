@@ -64,6 +64,7 @@ class Salvager {
       event.line = 1;
       event.by.comment = "salvaged: what was before it is lost";
     }
+    event.number = ++count_;
     append(to_, event, to_.hash(event.parent), snapshot);
     if (has_snapshot && event.kind == EventKind::edit) to_.put_snapshot(event.number, snapshot);
     place(number) = event.number;
@@ -136,6 +137,7 @@ class Salvager {
   Records& records_;
   std::unique_ptr<Database> out_;
   Records to_;
+  EventNumber count_ = no_event;     // of new events
   std::vector<EventNumber> places_;  // of each event among the new ones
   std::vector<std::string> said_;
 };

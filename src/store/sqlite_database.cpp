@@ -55,6 +55,8 @@ class SqliteDatabase final : public Database {
   void begin_reading() override { run("BEGIN"); }
   void begin_writing() override { run("BEGIN IMMEDIATE"); }
   void commit() override { run("COMMIT"); }
+  /// SQLite has done so itself where it could not go on.
+  void rollback() noexcept override { sqlite3_exec(connection_.get(), "ROLLBACK", nullptr, nullptr, nullptr); }
   bool is_in_transaction() const noexcept override { return sqlite3_get_autocommit(connection_.get()) == 0; }
   bool is_lost() noexcept override { return false; }  // a file has no server
   std::string fault() override;

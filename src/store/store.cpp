@@ -51,8 +51,9 @@ class ScriptLines {
   io::Lines lines_;
 };
 
-HistoryEvent import_event(EventNumber parent, const std::string& from, const Provenance& by) {
+HistoryEvent import_event(EventNumber number, EventNumber parent, const std::string& from, const Provenance& by) {
   HistoryEvent event;
+  event.number = number;
   event.parent = parent;
   event.kind = EventKind::import;
   event.operation = from.empty() ? "nothing" : text::escaped(from);
@@ -65,6 +66,7 @@ HistoryEvent import_event(EventNumber parent, const std::string& from, const Pro
 EditResult carry_out_steps(Journal& journal, const EditCall& call, std::vector<io::ScriptStep> steps) {
   EditResult result;
   ScriptLines lines(call.script);
+  EventNumber number = journal.records.last();
   for (io::ScriptStep& step : steps) {
     const std::string operation = lines.operation(step.line);
     step.line += call.lines_before;
@@ -77,6 +79,7 @@ EditResult carry_out_steps(Journal& journal, const EditCall& call, std::vector<i
       continue;
     }
     HistoryEvent event;
+    event.number = ++number;
     event.parent = journal.fold.at();
     event.begins = result.event == no_event;
     event.line = static_cast<std::int64_t>(step.line);
@@ -139,7 +142,7 @@ void Store::create(const std::string& path, scene::GroupedScene scene, const std
   database->make_tables();
   Records records(*database);
   if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, picture_place(path));
-  HistoryEvent event = import_event(no_event, from, by);
+  HistoryEvent event = import_event(1, no_event, from, by);
   append(records, event, {}, snapshot_of(scene));
   records.put_name(NameKind::branch, {std::string(first_branch), event.number});
   records.put_name(NameKind::head, {std::string(first_branch), no_event});
@@ -266,7 +269,7 @@ EventNumber Store::import(scene::GroupedScene scene, const std::string& from, co
   WriteTransaction transaction(*journal_);
   const StoreHead head = this->head();
   if (!from.empty()) io::rename_pictures(scene.scene.stage(), from, picture_place(path()));
-  HistoryEvent event = import_event(head.event, from, by);
+  HistoryEvent event = import_event(last() + 1, head.event, from, by);
   append(journal_->records, event, journal_->records.hash(head.event), snapshot_of(scene));
   move_head(journal_->records, head, event.number);
   transaction.commit();

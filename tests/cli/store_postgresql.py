@@ -328,17 +328,23 @@ def test_a_writer_waits_for_another_and_a_reader_does_not():
 
 
 def test_what_another_program_writes_without_waiting_is_not_written_over():
-    uri = new_uri()
-    run("init", uri, *AT)
-    holding = Holding(uri, "UPDATE name SET seal = seal")
-    waiting = waiting_to_write("edit", uri, "--op", operation("a"))
-    holding.commit()
-    out, said = waiting.communicate(timeout=PATIENCE)
-    assert (waiting.returncode, out) == (2, "") and said.count("\n") == 1, (out, said)
-    assert "was changed while it was used: could not serialize access due to concurrent update; expected that" in said, said
-    assert kept(uri) == []
-    run("edit", uri, "--op", operation("a"))
-    run("verify", uri)
+    for change, back, why in [
+            ("UPDATE name SET seal = seal", "SELECT", "could not serialize access due to concurrent update"),
+            ("INSERT INTO event SELECT 3, 2, kind, begins, line, operation, answer, author, time, comment, content, hash FROM event "
+             "WHERE number = 1", "DELETE FROM event WHERE number = 3", "duplicate key value violates unique constraint")]:
+        uri = new_uri()
+        run("init", uri, *AT)
+        run("edit", uri, "--op", operation("z"))
+        holding = Holding(uri, change)
+        waiting = waiting_to_write("edit", uri, "--op", operation("a"), "--op", operation("b"))
+        holding.commit()
+        out, said = waiting.communicate(timeout=PATIENCE)
+        assert (waiting.returncode, out) == (2, "") and said.count("\n") == 1, (out, said)
+        assert f"was changed while it was used: {why}" in said and "; expected that it is asked again" in said, said
+        sql(uri, back)
+        assert kept(uri) == [operation("z")]
+        run("edit", uri, "--op", operation("a"))
+        run("verify", uri)
 
 
 def test_40_programs_edit_one_store_at_a_time():
