@@ -13,6 +13,7 @@
 #include "durero/io/standard_output.hpp"
 #include "durero/spec/spec.hpp"
 #include "durero/spec/text_check.hpp"
+#include "durero/zed/review/review.hpp"
 #include "embedded.hpp"
 #include "progress.hpp"
 #include "spec_lsp.hpp"
@@ -58,8 +59,7 @@ void refuse_error(const std::vector<zed::Defect>& defects) {
 
 void refuse_unread(const std::vector<std::string>& files, const zed::Specification& read) {
   refuse_error(read.defects);
-  if (const auto empty = spec::empty_files(files, read); !empty.empty())
-    throw io::InputError(empty.front(), {1, 1}, spec::no_paragraph, spec::any_paragraph);
+  refuse_error(zed::without_paragraphs(files, read));
 }
 
 zed::Specification specification_of(const std::vector<std::string>& files) {

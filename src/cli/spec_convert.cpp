@@ -1,4 +1,4 @@
-// durero spec convert FILE [--to latex|unicode] [-o OUT]: a Z text in the other mark-up.
+// durero spec convert FILE [--to iso|latex|unicode] [-o OUT]: a Z text in the other mark-up.
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/output_file.hpp"
@@ -16,7 +16,7 @@ struct SpecConvertOptions {
 
 zed::Form wanted(const SpecConvertOptions& options, const std::string& text) {
   if (options.form.empty()) return zed::form_of(text) == zed::Form::latex ? zed::Form::unicode : zed::Form::latex;
-  return options.form == "latex" ? zed::Form::latex : zed::Form::unicode;
+  return options.form == "unicode" ? zed::Form::unicode : zed::Form::latex;
 }
 
 int convert(const SpecConvertOptions& options) {
@@ -40,12 +40,15 @@ void add_spec_convert(CLI::App& spec, int& status) {
   const auto options = std::make_shared<SpecConvertOptions>();
   command->add_option("FILE", options->file, "Z text in LaTeX or Unicode mark-up; its parents are found beside it")
       ->required();
-  command->add_option("--to", options->form, "The mark-up to write; without it, the one that FILE is not in")
-      ->check(CLI::IsMember({"latex", "unicode"}));
+  command
+      ->add_option("--to", options->form,
+                   "The mark-up to write, of which iso is LaTeX, too; without it, the one that FILE is not in")
+      ->check(CLI::IsMember({"iso", "latex", "unicode"}));
   command->add_option("-o,--output", options->to, "File to write; without it, the standard output");
   command->footer(
       "Each paragraph keeps its tokens, labels and comments, and the prose between stays byte for byte. A text that\n"
-      "is in the mark-up already is written as it is. The text must be readable; its types are not asked for.\n\n" +
+      "is in the mark-up already is written as it is, but Spivey's Z in LaTeX is written in ISO's. The text must be "
+      "readable; its types are not asked for.\n\n" +
       exit_status("it is written", "the call is bad, or the other mark-up cannot say the text") +
       examples({"spec convert demo/birthday_book.tex", "spec convert mine.utf8 --to latex -o mine.tex"}));
   command->callback([options, &status] { status = convert(*options); });

@@ -77,7 +77,7 @@ std::string TriedConjecture::text() const {
                      trial.label.empty() ? "" : " " + trial.label, said);
 }
 
-bool TextCheck::is_read() const { return empty.empty() && !has_error(defects); }
+bool TextCheck::is_read() const { return !has_error(defects); }
 
 bool TextCheck::is_refuted() const {
   return std::ranges::any_of(conjectures,
@@ -87,7 +87,6 @@ bool TextCheck::is_refuted() const {
 std::string TextCheck::lines() const {
   std::string said;
   for (const zed::Defect& defect : defects) said += defect.text() + "\n";
-  for (const std::string& file : empty) said += fmt::format("{}:1:1: {}; {}\n", file, no_paragraph, any_paragraph);
   if (!is_read()) return said;
   for (const zed::Section& section : text->sections)
     if (!zed::is_built_in(section)) said += section_line(section, *text);
@@ -95,19 +94,11 @@ std::string TextCheck::lines() const {
   return said;
 }
 
-std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read) {
-  std::vector<std::string> empty;
-  std::ranges::copy_if(files, std::back_inserter(empty), [&](const std::string& file) {
-    return std::ranges::none_of(read.sections, [&](const zed::Section& section) { return section.file == file; });
-  });
-  return empty;
-}
-
 TextCheck check_text(const zed::Specification& read, const zed::Typing& typing, const std::vector<std::string>& files,
                      const TextCheckSetup& setup, const LabelIndex& index) {
   TextCheck check{reviewed(read, typing, setup.strict)};
   check.text = &read;
-  if (!has_error(check.defects)) check.empty = empty_files(files, read);
+  if (check.is_read()) std::ranges::move(zed::without_paragraphs(files, read), std::back_inserter(check.defects));
   if (!check.is_read()) return check;
   for (zed::Trial& trial : trials(read, typing, setup)) {
     check.taken = trial.taken;

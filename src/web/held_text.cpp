@@ -5,6 +5,7 @@
 
 #include "durero/spec/spec.hpp"
 #include "durero/spec/text_check.hpp"
+#include "durero/zed/review/review.hpp"
 #include "held.hpp"
 
 namespace durero::embedded {
@@ -50,8 +51,8 @@ void HeldText::require_right() const {
   for (const auto* defects : {&text.defects, &typing.defects})
     for (const zed::Defect& defect : *defects)
       if (defect.severity == zed::Defect::Severity::error) refuse(defect);
-  if (!own && !spec::empty_files({name}, text).empty())
-    throw io::InputError(name, {1, 1}, spec::no_paragraph, spec::any_paragraph);
+  if (own) return;
+  for (const zed::Defect& empty : zed::without_paragraphs({name}, text)) refuse(empty);
 }
 
 std::shared_ptr<const HeldText> text_of(const Asked& asked) {

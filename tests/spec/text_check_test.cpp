@@ -60,8 +60,6 @@ TEST_CASE("a file without a paragraph was meant to hold one") {
   CHECK_FALSE(check.is_read());
   CHECK(check.lines() ==
         "t.tex:1:1: no Z paragraph; expected \\begin{zed}, axdef, schema, gendef or zsection, or a box of Unicode\n");
-  CHECK(empty_files({"t.tex", "u.tex"}, read("\\begin{zed}\n N == 1\n\\end{zed}\n").text) ==
-        std::vector<std::string>{"u.tex"});
 }
 
 TEST_CASE("a constant has the value that the setup gives it, or the setup is wrong") {

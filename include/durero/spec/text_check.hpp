@@ -29,27 +29,18 @@ struct TriedConjecture {
 
 /// What there is to say of a text.
 struct TextCheck {
-  std::vector<zed::Defect> defects;            ///< in the order of the text
-  std::vector<std::string> empty{};            ///< the files without a Z paragraph; none where there is an error
+  std::vector<zed::Defect> defects;            ///< in the order of the text, then the files without a Z paragraph
   const zed::Specification* text = nullptr;    ///< the text, whose sections are right where is_read() is
   std::vector<TriedConjecture> conjectures{};  ///< none where there is an error
   zed::Valuation taken{};                      ///< the values that were taken for constants
 
-  /// Whether there is no error, and no file without a paragraph.
+  /// Whether there is no error; a file without a paragraph is one.
   bool is_read() const;
   /// Whether a conjecture is false.
   bool is_refuted() const;
   /// The lines of `durero spec check`.
   std::string lines() const;
 };
-
-/// @{ The message about a file that holds no Z.
-inline constexpr const char* no_paragraph = "no Z paragraph";
-inline constexpr const char* any_paragraph =
-    "expected \\begin{zed}, axdef, schema, gendef or zsection, or a box of Unicode";
-/// @}
-/// The files of these that gave no section, each of which was meant to hold Z.
-std::vector<std::string> empty_files(const std::vector<std::string>& files, const zed::Specification& read);
 
 /// Checks a text that was read from these files. Precondition: `typing` is zed::check(read), and both outlive the
 /// result. Throws ConstantError where a constant cannot have its value from the setup.

@@ -7,6 +7,7 @@
 
 #include "durero/text/utf8.hpp"
 #include "zed/print/block_writer.hpp"
+#include "zed/syntax/bag_toolkit.hpp"
 #include "zed/syntax/block_parser.hpp"
 #include "zed/syntax/cursor.hpp"
 #include "zed/syntax/lexer.hpp"
@@ -24,13 +25,14 @@ class TextWriter {
     for (const Block& block : blocks) {
       prose(start_of(block));
       if (!out_.empty() && out_.back() != '\n') out_ += '\n';
+      if (block.spivey) say_in_iso(block, &block == &blocks.front());
       const std::size_t from = out_.size();
       out_ += in_other_form(block, dialect(block));
       compare(block, std::string_view(out_).substr(from));
       at_ = end_of(block);
     }
     prose(text_.size());
-    if (!blocks.empty()) agree(blocks.size());
+    if (!blocks.empty()) agree(blocks.size() + added_);
     return std::move(out_);
   }
 
@@ -66,6 +68,34 @@ class TextWriter {
       }
     }
     return place;
+  }
+
+  /// Writes what Spivey's Z says without a paragraph, or does not say: the bags among the parents, and the templates of
+  /// its operators. ISO has no place for a constraint in a zed.
+  void say_in_iso(const Block& block, bool is_first) {
+    if (is_first && block.spivey->has_bags)
+      add_paragraph("section Specification parents standard_toolkit, " + std::string(bag_toolkit));
+    for (const OperatorTemplate& op : block.operators) {
+      const std::string kind = op.role == Role::function  ? "function"
+                               : op.role == Role::generic ? "generic"
+                                                          : "relation";
+      const bool binds = op.role != Role::relation && op.has_left() && op.has_right();
+      const std::string strength =
+          binds ? std::to_string(op.precedence) + (op.right ? " rightassoc " : " leftassoc ") : "";
+      add_paragraph(kind + " " + strength + "(" + op.name() + ")");
+    }
+    if (block.environment != "zed") return;
+    const Dialect by = dialect(block);
+    std::vector<ZError> mended;
+    for (const Paragraph& paragraph : parse_block("zed", lex(block, by.markup, by.operators), mended, true))
+      if (const auto* const box = std::get_if<Axiomatic>(&paragraph.form))
+        if (box->text.declarations.empty())
+          throw ZError(paragraph.place, "a predicate by itself cannot be written in ISO's mark-up",
+                       "expected it in an axdef");
+  }
+  void add_paragraph(const std::string& text) {
+    out_ += "─ " + text + " └\n";
+    ++added_;
   }
 
   Dialect dialect(const Block& block) {
@@ -135,6 +165,7 @@ class TextWriter {
   Form to_;
   const Specification& read_;
   std::size_t at_ = 0;
+  std::size_t added_ = 0;  // paragraphs that the text says otherwise
   std::string section_ = "Specification", out_;
 };
 
@@ -142,9 +173,13 @@ class TextWriter {
 
 Form form_of(std::string_view text) { return is_unicode(text) ? Form::unicode : Form::latex; }
 
+bool is_iso(std::string_view text) { return is_unicode(text) || !spivey_text(text); }
+
 std::string converted(std::string_view text, Form to, const Specification& read) {
-  if (form_of(text) == to) return std::string(text);
-  return TextWriter(text, to, read).run();
+  if (form_of(text) != to) return TextWriter(text, to, read).run();
+  if (is_iso(text)) return std::string(text);
+  const std::string unicode = TextWriter(text, Form::unicode, read).run();
+  return TextWriter(unicode, to, read_text(unicode, "the text in Unicode")).run();
 }
 
 }  // namespace durero::zed

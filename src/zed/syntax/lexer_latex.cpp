@@ -172,10 +172,13 @@ class Latex : Lexer {
       begun += letters();
     } while (over_blanks([&] { return more_of_word(begun); }));
     const Place decorated = place_;
+    const std::size_t end = at_;
     std::string behind = strokes(begun);
     const bool decorates = spivey_ != nullptr && !behind.empty() && spivey_->schemas.contains(begun);
     if (!decorates) return emit(Type::word, std::move(begun), place, std::move(behind));
     emit(Type::word, std::move(begun), place);
+    tokens_.back().to = static_cast<std::uint32_t>(end);
+    start_ = end;
     emit(Type::stroke, std::move(behind), decorated);
   }
 

@@ -148,6 +148,7 @@ class SpecificationReader {
 
   void inherit(const std::string& child, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) return;
+    if (parent == bag_toolkit) begin_bags();
     if (!started_.contains(parent)) find(parent, path);
     if (!specification_.find(parent)) no_parent(parent, place);
     const Markup& theirs = specification_.markup[parent];
@@ -155,6 +156,15 @@ class SpecificationReader {
     mine.insert(theirs.begin(), theirs.end());
     const Operators& known = specification_.operators[parent];
     specification_.operators[child].insert(known.begin(), known.end());
+  }
+
+  /// Reads the section of bags, which is the program's own, once.
+  void begin_bags() {
+    const std::string name(bag_toolkit);
+    if (started_.contains(name)) return;
+    text(std::string(bag_toolkit_text), name);
+    for (const std::string_view command : bag_commands)
+      specification_.markup[name].emplace(command, *spivey_command(command));
   }
 
   /// Says why a parent is missing: a section that was begun and has not ended is an ancestor of itself, and one whose
@@ -189,10 +199,8 @@ class SpecificationReader {
     if (!started_.insert(section.name).second)
       throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
     if (block.spivey && block.spivey->has_bags) {
-      const std::string bags(bag_toolkit);
-      if (!started_.contains(bags)) text(std::string(bag_toolkit_text), bags);
-      section.parents.push_back(bags);
-      inherit(section.name, bags, path, block.begin);
+      section.parents.emplace_back(bag_toolkit);
+      inherit(section.name, section.parents.back(), path, block.begin);
     }
     return section;
   }

@@ -32,9 +32,6 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> commands
     {"ldots", ""},
 }};
 
-constexpr std::array<std::string_view, 8> of_bags = {"bag",    "lbag",   "uplus", "uminus",
-                                                     "otimes", "bcount", "inbag", "subbageq"};
-
 /// The packages of LaTeX that typeset Spivey's Z.
 constexpr std::array<std::string_view, 5> packages = {"fuzz", "zed-csp", "oz", "zed", "zed2e"};
 /// That which typesets ISO's, of CZT.
@@ -196,7 +193,7 @@ class SignSearch {
     const auto end = std::ranges::find_if_not(rest, is_letter);
     const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
     if (std::ranges::find(own, name) != own.end()) tell("\\" + std::string(name), at);
-    found_.has_bags = found_.has_bags || std::ranges::find(of_bags, name) != of_bags.end();
+    found_.has_bags = found_.has_bags || std::ranges::find(bag_commands, name) != bag_commands.end();
     if (name == "defs") add_schema(name_before(line, at).name);
     if (rest.starts_with("begin{syntax}")) tell("\\begin{syntax}", at);
     static constexpr std::string_view schema = "begin{schema}{";

@@ -4,6 +4,7 @@
 /// Blanks separate words. `S'` decorates a schema S. `\defs` defines one, `-` may be a sign, and `%%inop` and its like
 /// declare operators. What both mark-ups write alike is read alike, so that `S~'` and `==` are read here too.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -30,6 +31,10 @@ std::shared_ptr<const SpiveyText> spivey_text(std::string_view text);
 
 /// The Unicode text of a command that ISO lacks, or has for something else; nothing of another.
 std::optional<std::string_view> spivey_command(std::string_view command);
+
+/// The commands of bags.
+inline constexpr std::array<std::string_view, 9> bag_commands = {"bag",    "lbag",   "rbag",  "uplus",   "uminus",
+                                                                 "otimes", "bcount", "inbag", "subbageq"};
 
 /// A directive of fuzz: `%%inop \foo 3`.
 struct SpiveyDirective {

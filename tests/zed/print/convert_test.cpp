@@ -1,5 +1,6 @@
 #include "durero/zed/print/convert.hpp"
 
+#include "durero/zed/types/typecheck.hpp"
 #include "support/catch.hpp"
 #include "zed/lines.hpp"
 #include "zed/syntax/source.hpp"
@@ -33,6 +34,12 @@ std::vector<std::string> prose(const std::string& text) {
   }
   add(text.size());
   return pieces;
+}
+
+/// Whether the last section has the same paragraphs as that of the other at its end.
+bool same_paragraphs_at_end(const Specification& a, const Specification& b) {
+  const auto& [left, right] = std::pair(a.sections.back().paragraphs, b.sections.back().paragraphs);
+  return left.size() >= right.size() && std::equal(right.rbegin(), right.rend(), left.rbegin());
 }
 
 bool same_sections(const Specification& a, const Specification& b) {
@@ -154,4 +161,42 @@ TEST_CASE("what the other mark-up cannot say is refused at its place") {
              Contains("prose begins a line as a box of Unicode does"));
   CHECK_THAT(refusal("\\begin{zed} [A] \\end{zed}─", Form::unicode),
              Contains("prose begins a line as a box of Unicode does"));
+}
+
+TEST_CASE("Spivey's Z is written in ISO's, in either mark-up") {
+  const std::string spivey =
+      "\\usepackage{fuzz}\n%%inop \\boxplus 3\n%%prerel \\even\n"
+      "\\begin{syntax} T & ::= & a | b \\end{syntax}\n"
+      "\\begin{axdef} \\_ \\boxplus \\_ : \\num \\cross \\num \\fun \\num \\\\ \\even \\_ : \\power \\num "
+      "\\end{axdef}\n"
+      "\\begin{schema}{S} x : \\num; b : \\bag T \\end{schema}\n"
+      "\\begin{zed} Init \\defs [ S' | x' = -1 \\boxplus 2 \\land b' = \\empty \\uplus \\lbag a \\rbag ] \\end{zed}\n";
+  REQUIRE(read_as("s.tex", spivey).ok());
+  CHECK_FALSE(is_iso(spivey));
+  const std::string unicode = written("s.tex", spivey, Form::unicode);
+  CHECK_THAT(unicode, Contains("─ section Specification parents standard_toolkit, bag_toolkit └\n"
+                               "─ function 30 leftassoc (_ boxplus _) └\n─ relation (even _) └\n─\nT   ::=   a | b\n└"));
+  CHECK_THAT(unicode, Contains("[ S ′ | x′ = - 1 boxplus 2 ∧\nb′ = ∅ ⊎ ⟦ a ⟧ ]") || Contains("[ S ′ | x′ = - 1 boxplus 2 ∧ b′"));
+  const std::string iso = written("s.tex", spivey, Form::latex);
+  CHECK(is_iso(iso));
+  CHECK_THAT(iso, Contains("\\begin{zsection}"));
+  for (const std::string& text : {unicode, iso}) {
+    const Specification again = read_as("again", text);
+    REQUIRE(again.ok());
+    CHECK(check(again).defects.empty());
+    CHECK(same_paragraphs_at_end(again, read_as("s.tex", spivey)));
+  }
+}
+
+TEST_CASE("what ISO has no place for is refused at its place") {
+  const auto refusal = [](const std::string& zed) {
+    try {
+      return written("s.tex", "\\begin{axdef} x : \\num \\end{axdef}\n\\begin{zed} " + zed + " \\end{zed} \\defs\n",
+                     Form::unicode);
+    } catch (const ZError& error) {
+      return std::to_string(error.place.line) + ": " + error.what_is_wrong;
+    }
+  };
+  CHECK(refusal("x > 3") == "2: a predicate by itself cannot be written in ISO's mark-up");
+  CHECK_THAT(refusal("R == \\{ y : \\num | y \\inrel{succ} x \\}"), Contains("\\inrel cannot be written in Unicode"));
 }

@@ -14,7 +14,10 @@ enum class Form : unsigned char { latex, unicode };
 /// Returns the mark-up that a text is read in. One without a paragraph counts as LaTeX.
 Form form_of(std::string_view text);
 
-/// Returns the text in a mark-up; one that is in it already, as it is. `read` is what reading found in the file: its
+/// Whether a text is in a mark-up of ISO, and not in Spivey's LaTeX.
+bool is_iso(std::string_view text);
+
+/// Returns the text in a mark-up; one that is in it already, as it is. Spivey's Z becomes ISO's. `read` is what reading found in the file: its
 /// directives and templates, and those of its parents. Each paragraph has the same tokens, labels and tree as before,
 /// which is asked of what was written. Prose is kept byte for byte, but that a line end stands before a box that began
 /// inside a line. Within a paragraph, comments and the lines that `\\`, `\also` and `\t` make are kept; blanks at the
