@@ -130,11 +130,13 @@ std::string Calculator::expected(const zed::Defect& defect) const {
   return defect.expected + some;
 }
 
-zed::Typing Calculator::check(zed::Term& term) const {
-  zed::Typing typing = zed::check_term(typing_, section_name, term, zed::calculator_names(), file_name);
+zed::Typing Calculator::check(zed::Term& term, const LocalNames& locals) const {
+  auto names = zed::calculator_names();
+  names.insert(names.end(), locals.types.begin(), locals.types.end());
+  zed::Typing typing = zed::check_term(typing_, section_name, term, names, file_name);
   if (typing.ok()) return typing;
   const zed::Term schema = schema_of(term);
-  zed::Typing as_schema = zed::check_term(typing_, section_name, schema, zed::calculator_names(), file_name);
+  zed::Typing as_schema = zed::check_term(typing_, section_name, schema, names, file_name);
   if (!as_schema.ok()) {
     const zed::Defect& first = typing.defects.front();
     throw zed::ZError(first.place, first.what, expected(first));
@@ -177,17 +179,34 @@ std::optional<std::string> Calculator::written_out(const zed::Term& schema, cons
   return text ? std::optional(zed::to_unicode(*text)) : std::nullopt;
 }
 
-Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps) const {
+void Calculator::add_local(LocalNames& to, const std::string& name, const std::string& typed, zed::Steps& steps) const {
+  const Notation notation = notation_of(specification_);
+  const zed::Term local = parsed(name, notation);
+  if (local->kind != zed::Kind::reference || !local->children.empty())
+    throw zed::ZError(local->place, "this is no name", "expected one, such as radio?");
+  zed::Term term = parsed(typed, notation);
+  const zed::Typing typing = check(term, to);
+  const std::optional<zed::Type> type = typing.type_of(term);
+  if (!type) throw zed::ZError(term->place, "a predicate has no value", "expected an expression");
+  const zed::Evaluator evaluator(specification_.sections, given_, &steps);
+  zed::Value value = evaluator.value(term, to.values);
+  if (value.is_open() || value.is_undefined())
+    throw zed::ZError(term->place, "this has no value", "expected an expression that has one");
+  to.types.emplace_back(local->name, type->settled());
+  to.values.emplace_back(local->name, std::move(value));
+}
+
+Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps, const LocalNames& locals) const {
   zed::Term term = parsed(typed, notation_of(specification_));
-  const zed::Typing typing = check(term);
+  const zed::Typing typing = check(term, locals);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   const std::optional<zed::Type> type = typing.type_of(term);
   if (!type) {  // it is a predicate
-    const zed::Truth truth = evaluator.holds(term);
+    const zed::Truth truth = evaluator.holds(term, locals.values);
     if (truth == zed::Truth::open) throw zed::EvaluationError(open_variable);
     return {truth == zed::Truth::yes ? "true" : "false", truth == zed::Truth::yes, evaluator.taken()};
   }
-  const zed::Value result = evaluator.value(term);
+  const zed::Value result = evaluator.value(term, locals.values);
   if (result.is_open()) throw zed::EvaluationError(open_variable);
   const bool listed = !result.set() || result.set()->members();
   if (!listed && type->is_schema_set())

@@ -141,13 +141,13 @@ std::string Calculator::explain(const std::string& typed, zed::Steps& steps) con
   return explanation_text(explained(typed, steps));
 }
 
-ExplainedTerm Calculator::explained(const std::string& typed, zed::Steps& steps) const {
+ExplainedTerm Calculator::explained(const std::string& typed, zed::Steps& steps, const LocalNames& locals) const {
   Term term = parsed(typed, notation_of(specification_));
-  const zed::Typing typing = check(term);
+  const zed::Typing typing = check(term, locals);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   Explainer explainer(evaluator, typing);
   std::vector<ExplainedTerm> whole;
-  explainer.explain(term, {}, 0, whole);
+  explainer.explain(term, locals.values, 0, whole);
   return std::move(whole.front());
 }
 

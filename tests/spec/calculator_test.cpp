@@ -146,6 +146,23 @@ TEST_CASE("an explanation is a tree, and its text a line for each part of it") {
         "      x < 3  ▸  false\n        x  ▸  3\n      x > 0  ▸  true\n        x  ▸  3\n");
 }
 
+TEST_CASE("local names have their values in a term, and its parts too") {
+  const Calculator calculator(spheres({"a", "b"}));
+  zed::Steps steps;
+  LocalNames locals;
+  calculator.add_local(locals, "e?", "b", steps);
+  calculator.add_local(locals, "radio?", "3/2", steps);
+  calculator.add_local(locals, "twice", "2 * radio?", steps);
+  CHECK(calculator.evaluate("twice + 1", steps, locals).text == "4");
+  CHECK(calculator.evaluate("e? ∈ elementos ∧ radio? ∈ Rmas", steps, locals).yes);
+  CHECK(calculator.explained("e? ∈ elementos", steps, locals).parts.at(0).value == "b");
+  CHECK_THROWS_AS(calculator.evaluate("twice", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.add_local(locals, "1", "2", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.add_local(locals, "x", "1 = 1", steps), zed::ZError);
+  CHECK_THROWS_AS(calculator.add_local(locals, "x", "1/0", steps), zed::ZError);
+  CHECK(locals.values.size() == 3);
+}
+
 TEST_CASE("a set of elements gives their names, ascending, and nothing else is such a set") {
   const Calculator calculator(spheres({"b", "a-1", "c", "radio"}));
   zed::Steps steps;

@@ -158,8 +158,9 @@ struct Exploration {
 struct StateGraph {
   /// A transition between two states, by their places among these.
   struct Edge {
-    std::size_t from, to;
-    Transition step;
+    std::size_t from;  ///< the state before
+    std::size_t to;    ///< the state after
+    Transition step;   ///< what leads there
   };
   std::vector<zed::Valuation> states;  ///< each once; the first ones are initial
   std::size_t initial = 0;             ///< how many are

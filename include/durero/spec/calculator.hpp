@@ -36,6 +36,12 @@ struct ExplainedTerm {
 /// The lines of Calculator::explain(): one for each part, below and to the right of what it is a part of.
 std::string explanation_text(const ExplainedTerm& whole);
 
+/// Names that are local to a term, such as `radio?`, with their types and values.
+struct LocalNames {
+  std::vector<std::pair<zed::Name, zed::Type>> types;  ///< in the order in which they were given
+  zed::Valuation values;                               ///< in step
+};
+
 /// Sees the whole text, and Escena's components and the elements of a scene where there is one. An element's name is
 /// written between quotation marks, `"a-b"`, or plainly where it is a word that the text leaves free. Numbers may be
 /// decimal, `0.25`, and / and √ are known. What is printed can be typed again, as an empty set bears its type, `∅[𝔸]`;
@@ -58,7 +64,10 @@ class Calculator {
   };
   /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
   /// is not decided, zed::StepsSpent where it takes more steps than it may.
-  Result evaluate(const std::string& typed, zed::Steps& steps) const;
+  Result evaluate(const std::string& typed, zed::Steps& steps, const LocalNames& locals = {}) const;
+  /// Adds a local name, such as `radio?`, with the value of a term, which may have the names before it. Throws as
+  /// evaluate() does, and zed::ZError where the name is none or the term has no value.
+  void add_local(LocalNames& to, const std::string& name, const std::string& typed, zed::Steps& steps) const;
   /// The names of the members of a finite set of elements, ascending. Throws as evaluate() does, and zed::ZError where
   /// the term is no such set.
   std::vector<std::string> names(const std::string& typed, zed::Steps& steps) const;
@@ -67,7 +76,7 @@ class Calculator {
   /// evaluate() does, but where a part is not decided, which it then says.
   std::string explain(const std::string& typed, zed::Steps& steps) const;
   /// The same as a tree.
-  ExplainedTerm explained(const std::string& typed, zed::Steps& steps) const;
+  ExplainedTerm explained(const std::string& typed, zed::Steps& steps, const LocalNames& locals = {}) const;
   /// The same with as many steps as it takes.
   Result evaluate(const std::string& typed) const {
     zed::Steps unbounded;
@@ -77,7 +86,7 @@ class Calculator {
  private:
   void declare(const model::Escena& escena);
   /// The term, or, of a connective of schemas whose components are not in scope, the schema; with its typing.
-  zed::Typing check(zed::Term& term) const;
+  zed::Typing check(zed::Term& term, const LocalNames& locals = {}) const;
   std::string spelled(const zed::AtomName& atom) const;
   std::string expected(const zed::Defect& defect) const;
   /// The schema as one text without others in it, as `pre Op`; nothing where that cannot be.
