@@ -10,7 +10,7 @@
 
 namespace durero::web {
 
-Asked::Asked(std::string_view request) : source_("call", std::string(request)), document_(source_) {
+AskedCall::AskedCall(std::string_view request) : source_("call", std::string(request)), document_(source_) {
   io::json::Reader in(document_);
   const std::size_t begin = in.offset();
   in.members("a call", [&](const io::json::Key& key) {
@@ -24,11 +24,11 @@ Asked::Asked(std::string_view request) : source_("call", std::string(request)), 
   call_ = name.string("call");
 }
 
-void Asked::refuse_call(const std::string& expected) const {
+void AskedCall::refuse_call(const std::string& expected) const {
   source_.fail(call_offset_, fmt::format("nothing answers the call {}", text::shown(call_)), expected);
 }
 
-void Asked::require(std::span<const std::string_view> keys, std::size_t required) const {
+void AskedCall::require(std::span<const std::string_view> keys, std::size_t required) const {
   for (const auto& [key, member] : members_) {
     if (key == "call" || std::ranges::find(keys, key) != keys.end()) continue;
     const std::string of_call = fmt::format("the call {}", call_);
@@ -39,14 +39,14 @@ void Asked::require(std::span<const std::string_view> keys, std::size_t required
     if (!has(key)) source_.fail(call_offset_, fmt::format("the call {} lacks {}", call_, key), "expected it");
 }
 
-std::string Asked::text(std::string_view key, std::string_view otherwise) const {
+std::string AskedCall::text(std::string_view key, std::string_view otherwise) const {
   return has(key) ? std::string(at(key).string(key)) : std::string(otherwise);
 }
 
-bool Asked::flag(std::string_view key, bool otherwise) const { return has(key) ? at(key).boolean(key) : otherwise; }
+bool AskedCall::flag(std::string_view key, bool otherwise) const { return has(key) ? at(key).boolean(key) : otherwise; }
 
-std::uint64_t Asked::whole(std::string_view key, std::uint64_t least, std::uint64_t most,
-                           std::uint64_t otherwise) const {
+std::uint64_t AskedCall::whole(std::string_view key, std::uint64_t least, std::uint64_t most,
+                               std::uint64_t otherwise) const {
   if (!has(key)) return otherwise;
   io::json::Reader in = at(key);
   return static_cast<std::uint64_t>(io::json::whole_number(in, key, static_cast<std::int64_t>(least),
@@ -54,7 +54,7 @@ std::uint64_t Asked::whole(std::string_view key, std::uint64_t least, std::uint6
                                                            fmt::format("{} to {}", least, most)));
 }
 
-std::vector<std::string> Asked::texts(std::string_view key) const {
+std::vector<std::string> AskedCall::texts(std::string_view key) const {
   std::vector<std::string> texts;
   if (!has(key)) return texts;
   io::json::Reader in = at(key);
@@ -62,7 +62,7 @@ std::vector<std::string> Asked::texts(std::string_view key) const {
   return texts;
 }
 
-io::Source Asked::part(std::string_view key) const {
+io::Source AskedCall::part(std::string_view key) const {
   io::json::Reader in = at(key);
   const bool is_object = in.kind() == io::json::TokenKind::object;
   return {std::string(key), std::string(is_object ? io::object_text(in, source_) : in.string(key))};

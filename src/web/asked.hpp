@@ -15,12 +15,12 @@
 namespace durero::web {
 
 /// The members of a call by their keys. All members throw io::InputError at what is wrong.
-class Asked {
+class AskedCall {
  public:
   /// Reads a request, which is one object of JSON with a member `call`.
-  explicit Asked(std::string_view request);
-  Asked(const Asked&) = delete;
-  Asked& operator=(const Asked&) = delete;
+  explicit AskedCall(std::string_view request);
+  AskedCall(const AskedCall&) = delete;
+  AskedCall& operator=(const AskedCall&) = delete;
 
   /// The name of what is asked.
   const std::string& call() const noexcept { return call_; }

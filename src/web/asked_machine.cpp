@@ -69,7 +69,7 @@ void read_setup_member(io::json::Reader& in, std::size_t key, AskedSetup& to) {
   }
 }
 
-AskedSetup setup_of(const Asked& asked) {
+AskedSetup setup_of(const AskedCall& asked) {
   AskedSetup setup;
   if (asked.has("setup")) {
     io::json::Reader in = asked.at("setup");
@@ -80,7 +80,7 @@ AskedSetup setup_of(const Asked& asked) {
   return setup;
 }
 
-std::shared_ptr<const spec::Machine> made_machine(const Asked& asked, const spec::Setup& setup) {
+std::shared_ptr<const spec::Machine> made_machine(const AskedCall& asked, const spec::Setup& setup) {
   const auto text = text_of(asked);
   text->require_right();
   try {
@@ -97,7 +97,7 @@ std::shared_ptr<const spec::Machine> made_machine(const Asked& asked, const spec
 
 }  // namespace
 
-AskedMachine machine_of(const Asked& asked) {
+AskedMachine machine_of(const AskedCall& asked) {
   const AskedSetup setup = setup_of(asked);
   return {made_machine(asked, setup.setup), setup.choices};
 }
@@ -106,7 +106,7 @@ void refuse_question(const std::string& wrong, const std::string& expected) {
   throw io::InputError("step", {1, 1}, wrong, expected);
 }
 
-void go_way(const Asked& asked, spec::Animation& way) {
+void go_way(const AskedCall& asked, spec::Animation& way) {
   if (!asked.has("way")) return;
   try {
     asking([&] {

@@ -19,10 +19,10 @@ struct AskedMachine {
 
 /// The machine of a call, by its keys `text`, `name` and `setup`. It is made anew for each call, as what it answers may
 /// depend on what it was asked before. Throws io::InputError.
-AskedMachine machine_of(const Asked& asked);
+AskedMachine machine_of(const AskedCall& asked);
 
 /// Goes the way of a call, its key `way`, where it is there. Throws io::InputError.
-void go_way(const Asked& asked, spec::Animation& way);
+void go_way(const AskedCall& asked, spec::Animation& way);
 
 /// Throws the error of a question about a machine that has no answer.
 [[noreturn]] void refuse_question(const std::string& wrong, const std::string& expected);

@@ -15,12 +15,12 @@
 namespace durero::web {
 namespace {
 
-std::string answer_version(const Asked& asked);
+std::string answer_version(const AskedCall& asked);
 
 /// A call by its name.
 struct CallRow {
   std::string_view name;
-  std::string (*answer)(const Asked& asked);
+  std::string (*answer)(const AskedCall& asked);
 };
 
 constexpr std::array<CallRow, 16> call_rows{{{"version", answer_version},
@@ -40,7 +40,7 @@ constexpr std::array<CallRow, 16> call_rows{{{"version", answer_version},
                                              {"surface", answer_surface},
                                              {"render_shader", answer_render_shader}}};
 
-std::string answer_version(const Asked& asked) {
+std::string answer_version(const AskedCall& asked) {
   asked.require({}, 0);
   return ObjectText()
       .member("durero", DURERO_VERSION)
@@ -49,7 +49,7 @@ std::string answer_version(const Asked& asked) {
 }
 
 std::string answer_of(std::string_view request) {
-  const Asked asked(request);
+  const AskedCall asked(request);
   const auto row = std::ranges::find(call_rows, asked.call(), &CallRow::name);
   if (row != call_rows.end()) return row->answer(asked);
   std::vector<std::string> names;

@@ -8,27 +8,27 @@
 namespace durero::web {
 
 /// @{ The text and what carries it out.
-std::string answer_text(const Asked& asked);
-std::string answer_labels(const Asked& asked);
-std::string answer_errata(const Asked& asked);
-std::string answer_operations(const Asked& asked);
+std::string answer_text(const AskedCall& asked);
+std::string answer_labels(const AskedCall& asked);
+std::string answer_errata(const AskedCall& asked);
+std::string answer_operations(const AskedCall& asked);
 /// @}
 /// @{ Scenes and their edits.
-std::string answer_check(const Asked& asked);
-std::string answer_edit(const Asked& asked);
+std::string answer_check(const AskedCall& asked);
+std::string answer_edit(const AskedCall& asked);
 /// @}
 /// @{ Rays.
-std::string answer_trace(const Asked& asked);
-std::string answer_ray(const Asked& asked);
-std::string answer_light(const Asked& asked);
-std::string answer_surface(const Asked& asked);
-std::string answer_render_shader(const Asked& asked);
+std::string answer_trace(const AskedCall& asked);
+std::string answer_ray(const AskedCall& asked);
+std::string answer_light(const AskedCall& asked);
+std::string answer_surface(const AskedCall& asked);
+std::string answer_render_shader(const AskedCall& asked);
 /// @}
 /// @{ Z.
-std::string answer_eval(const Asked& asked);
-std::string answer_zed_check(const Asked& asked);
-std::string answer_zed_run(const Asked& asked);
-std::string answer_zed_graph(const Asked& asked);
+std::string answer_eval(const AskedCall& asked);
+std::string answer_zed_check(const AskedCall& asked);
+std::string answer_zed_run(const AskedCall& asked);
+std::string answer_zed_graph(const AskedCall& asked);
 /// @}
 
 }  // namespace durero::web

@@ -118,7 +118,7 @@ bool is_printed_text(std::string_view name) { return name.ends_with(".tex") && !
 
 }  // namespace
 
-std::string answer_errata(const Asked& asked) {
+std::string answer_errata(const AskedCall& asked) {
   asked.require({}, 0);
   ArrayText printed;
   for (const auto& [name, text] : embedded::errata())

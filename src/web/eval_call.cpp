@@ -9,6 +9,7 @@
 #include "durero/spec/calculator.hpp"
 #include "durero/spec/constants.hpp"
 #include "durero/spec/refusal.hpp"
+#include "durero/text/shown.hpp"
 #include "held.hpp"
 #include "held_scene.hpp"
 #include "held_text.hpp"
@@ -17,12 +18,13 @@
 namespace durero::web {
 namespace {
 
-constexpr std::array<std::string_view, 7> eval_keys{"expression", "scene", "text", "name", "let", "steps", "explain"};
+constexpr std::array<std::string_view, 8> eval_keys{"expression", "scene", "text",    "name",
+                                                    "let",        "steps", "explain", "bindings"};
 constexpr const char* expression_name = "expression";
 constexpr std::uint64_t default_steps = 100'000'000;  // as of `durero spec eval`
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 53U;
 
-spec::Calculator calculator_of(const Asked& asked) {
+spec::Calculator calculator_of(const AskedCall& asked) {
   if (asked.has("text") || asked.has("name")) {
     const auto text = text_of(asked);
     text->require_right();
@@ -33,7 +35,7 @@ spec::Calculator calculator_of(const Asked& asked) {
 }
 
 /// What evaluates the expressions of a call: kept, as most calls ask it of the same scene or text again.
-std::shared_ptr<const spec::Calculator> calculator(const Asked& asked) {
+std::shared_ptr<const spec::Calculator> calculator(const AskedCall& asked) {
   thread_local Held<spec::Calculator> held(4);
   std::string key;
   for (const char* part : {"name", "text", "scene"}) {
@@ -61,14 +63,31 @@ std::string tree_text(const spec::ExplainedTerm& term) {
       .text();
 }
 
-std::string evaluated(const Asked& asked, const std::string& expression, zed::Steps& steps) {
+/// The local names of a call, by their values in Z.
+spec::LocalNames bindings_of(const AskedCall& asked, const spec::Calculator& of, zed::Steps& steps) {
+  spec::LocalNames locals;
+  if (!asked.has("bindings")) return locals;
+  io::json::Reader in = asked.at("bindings");
+  in.members("bindings", [&](const io::json::Key& key) {
+    const std::size_t at = in.offset();
+    try {
+      of.add_local(locals, std::string(key.name), std::string(in.string("a value")), steps);
+    } catch (const zed::ZError& error) {
+      in.fail(at, fmt::format("{}: {}", text::escaped(key.name), error.what_is_wrong), error.expected);
+    }
+  });
+  return locals;
+}
+
+std::string evaluated(const AskedCall& asked, const std::string& expression, zed::Steps& steps) {
   const auto text = calculator(asked);
+  const spec::LocalNames locals = bindings_of(asked, *text, steps);
   ObjectText answer;
   if (asked.flag("explain", false)) {
-    const spec::ExplainedTerm whole = text->explained(expression, steps);
+    const spec::ExplainedTerm whole = text->explained(expression, steps, locals);
     answer.raw("tree", tree_text(whole)).raw("lines", array_of_lines(spec::explanation_text(whole), true));
   }
-  const spec::Calculator::Result result = text->evaluate(expression, steps);
+  const spec::Calculator::Result result = text->evaluate(expression, steps, locals);
   return answer.member("value", result.text)
       .member("yes", result.yes)
       .member("steps", std::uint64_t{steps.taken()})
@@ -78,7 +97,7 @@ std::string evaluated(const Asked& asked, const std::string& expression, zed::St
 
 }  // namespace
 
-std::string answer_eval(const Asked& asked) {
+std::string answer_eval(const AskedCall& asked) {
   asked.require(eval_keys, 1);
   if (asked.has("text") && asked.has("scene"))
     asked.source().fail(asked.at("scene").offset(), "a scene is a state of the program's own text",

@@ -30,7 +30,7 @@ const engine::Engine& HeldScene::engine() const {
   return *engine_;
 }
 
-std::shared_ptr<const HeldScene> scene_of(const Asked& asked) {
+std::shared_ptr<const HeldScene> scene_of(const AskedCall& asked) {
   thread_local Held<HeldScene> held(most_scenes);
   const io::Source source = asked.part("scene");
   std::optional<io::Source> with;

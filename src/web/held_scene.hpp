@@ -33,7 +33,7 @@ class HeldScene {
 };
 
 /// The scene of a call: its key `scene`, with `with` where that is there. Throws io::InputError.
-std::shared_ptr<const HeldScene> scene_of(const Asked& asked);
+std::shared_ptr<const HeldScene> scene_of(const AskedCall& asked);
 
 /// The name of an element of the scene.
 std::string name_of(const scene::Scene& scene, scene::ElementRef element);

@@ -55,7 +55,7 @@ void HeldText::require_right() const {
   for (const zed::Defect& empty : zed::without_paragraphs({name}, text)) refuse(empty);
 }
 
-std::shared_ptr<const HeldText> text_of(const Asked& asked) {
+std::shared_ptr<const HeldText> text_of(const AskedCall& asked) {
   thread_local Held<HeldText> held(most_texts);
   if (!asked.has("text")) {
     if (asked.has("name"))

@@ -23,7 +23,7 @@ struct HeldText {
 
 /// The text of a call: its key `text`, called `name` where that is there, and `text` elsewhere; without it the
 /// program's own.
-std::shared_ptr<const HeldText> text_of(const Asked& asked);
+std::shared_ptr<const HeldText> text_of(const AskedCall& asked);
 
 /// The index of the labels of the program's own text.
 const std::string& label_table();

@@ -52,8 +52,8 @@ class ArrayText {
 };
 
 /// An array of what `made` makes of each item.
-template <class Items, class Made>
-std::string array_of(const Items& items, Made made) {
+template <class Items, class Maker>
+std::string array_of(const Items& items, Maker made) {
   ArrayText array;
   for (const auto& item : items) array.raw(made(item));
   return array.text();

@@ -19,7 +19,7 @@ using spec::MachineOperation;
 using spec::ReachedTransitions;
 using spec::Transition;
 
-constexpr std::array<std::string_view, 5> run_keys{"text", "name", "setup", "way", "step"};
+constexpr std::array<std::string_view, 6> run_keys{"text", "name", "setup", "way", "step", "look"};
 constexpr std::array<std::string_view, 5> graph_keys{"text", "name", "setup", "way", "most"};
 constexpr std::array<std::string_view, 2> step_keys{"operation", "inputs"};
 
@@ -47,7 +47,7 @@ zed::Valuation inputs_of(io::json::Reader& in, const Machine& machine, const Mac
   return inputs;
 }
 
-AskedStep step_of(const Asked& asked, const Machine& machine) {
+AskedStep step_of(const AskedCall& asked, const Machine& machine) {
   AskedStep step;
   io::json::Reader in = asked.at("step");
   in.object("step", step_keys, 1, [&](std::size_t key) {
@@ -73,7 +73,7 @@ struct FoundWays {
   std::string refused{};                        ///< the operation, or the initial schema, that leads nowhere
 };
 
-FoundWays ways_on(const Asked& asked, const Machine& machine, const spec::Animation& way, std::size_t choices) {
+FoundWays ways_on(const AskedCall& asked, const Machine& machine, const spec::Animation& way, std::size_t choices) {
   FoundWays found;
   if (way.now() == nullptr) {
     if (asked.has("step"))
@@ -100,7 +100,7 @@ std::string left_out(const std::optional<ReachedTransitions>& ways) {
 
 }  // namespace
 
-std::string answer_zed_run(const Asked& asked) {
+std::string answer_zed_run(const AskedCall& asked) {
   asked.require(run_keys, 0);
   const auto [machine, choices] = machine_of(asked);
   spec::Animation way(*machine);
@@ -112,7 +112,7 @@ std::string answer_zed_run(const Asked& asked) {
   }
   ObjectText answer;
   add_machine(answer, *machine);
-  answer.raw("operations", operations_text(*machine, way.now()))
+  answer.raw("operations", operations_text(*machine, way.now(), asked.flag("look", asked.has("text"))))
       .member("way", way.now() == nullptr ? "" : way.saved())
       .raw("states", states_text(*machine, way))
       .raw("invariant", way.now() == nullptr ? "[]" : invariant_text(*machine, *way.now()))
@@ -124,7 +124,7 @@ std::string answer_zed_run(const Asked& asked) {
   return answer.raw("conjectures", way.now() == nullptr ? "[]" : claims_text(*machine, way)).text();
 }
 
-std::string answer_zed_graph(const Asked& asked) {
+std::string answer_zed_graph(const AskedCall& asked) {
   asked.require(graph_keys, 0);
   const auto [machine, choices] = machine_of(asked);
   spec::Animation way(*machine);

@@ -1,5 +1,6 @@
 #include "machine_text.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "asked_machine.hpp"
@@ -21,6 +22,7 @@ std::string findings_text(const std::vector<zed::ConjunctTruth>& findings) {
     return ObjectText()
         .member("truth", truth_word(finding.truth))
         .member("predicate", finding.predicate)
+        .member("after", finding.strokes == "'")
         .member("label", finding.label)
         .member("line", std::uint64_t{finding.place.line})
         .text();
@@ -49,15 +51,21 @@ void add_outlook(ObjectText& to, const Machine& machine, const MachineOperation&
   }
 }
 
-void add_predicates(ObjectText& to, const Machine& machine, const MachineOperation& operation,
-                    const zed::Valuation& state) {
+/// What the state alone says of an operation; nothing where the inputs are needed to say it.
+std::vector<zed::ConjunctTruth> predicates_of(const Machine& machine, const MachineOperation& operation,
+                                              const zed::Valuation& state) {
   try {
-    to.raw("predicates", findings_text(machine.preconditions(state, operation, {})));
-  } catch (const zed::EvaluationError&) {  // the inputs may be needed to say
-    to.raw("predicates", "[]");
+    return machine.preconditions(state, operation, {});
+  } catch (const zed::EvaluationError&) {
+    return {};
   } catch (const zed::StepsSpent&) {
-    to.raw("predicates", "[]");
+    return {};
   }
+}
+
+void add_refusal(ObjectText& to, const std::vector<zed::ConjunctTruth>& predicates) {
+  const auto refused = std::ranges::find(predicates, Truth::no, &zed::ConjunctTruth::truth);
+  to.raw("refused", refused == predicates.end() ? "null" : json_of(refused->predicate));
 }
 
 }  // namespace
@@ -74,15 +82,17 @@ void add_machine(ObjectText& to, const Machine& machine) {
       .raw("components", names_text(machine, machine.components()));
 }
 
-std::string operations_text(const Machine& machine, const zed::Valuation* state) {
+std::string operations_text(const Machine& machine, const zed::Valuation* state, bool look) {
   return array_of(machine.operations(), [&](const MachineOperation& operation) {
     ObjectText text;
     text.member("name", operation.name)
         .raw("inputs", names_text(machine, operation.inputs))
         .raw("outputs", names_text(machine, operation.outputs));
     if (state != nullptr) {
-      add_outlook(text, machine, operation, *state);
-      add_predicates(text, machine, operation, *state);
+      const auto predicates = predicates_of(machine, operation, *state);
+      if (look) add_outlook(text, machine, operation, *state);
+      add_refusal(text, predicates);
+      if (look) text.raw("predicates", findings_text(predicates));
     }
     return text.text();
   });

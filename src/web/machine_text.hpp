@@ -15,8 +15,9 @@ std::string_view truth_word(zed::Truth truth);
 
 /// Adds what a machine is: its state, its initial schema, its given sets and its components.
 void add_machine(ObjectText& to, const spec::Machine& machine);
-/// Its operations; from a state, where that is not null, whether they may go on, and their predicates.
-std::string operations_text(const spec::Machine& machine, const zed::Valuation* state);
+/// Its operations; from a state, where that is not null, the predicate by which the state alone refuses each. With
+/// `look` a way to go on is looked for as well, and all predicates are told.
+std::string operations_text(const spec::Machine& machine, const zed::Valuation* state, bool look);
 /// Values by the names of components.
 std::string values_text(const spec::Machine& machine, const zed::Valuation& values);
 /// A step with the state behind it, and the components that are other than in `before`, where that is not null.

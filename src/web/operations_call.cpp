@@ -113,7 +113,7 @@ std::string operation_json(const io::OperationWords& operation, std::span<const 
 
 }  // namespace
 
-std::string answer_operations(const Asked& asked) {
+std::string answer_operations(const AskedCall& asked) {
   asked.require(operations_keys, 0);
   std::optional<written::Text> text;
   if (asked.has("with")) text.emplace(asked.part("with"));

@@ -28,13 +28,13 @@ using number::Dyadic;
 constexpr std::array<std::string_view, 3> trace_keys{"scene", "rays", "with"};
 constexpr std::array<std::string_view, 4> ray_keys{"scene", "p", "v", "on"};
 
-std::vector<scene::Query> rays_of(const Asked& asked, const scene::Scene& scene) {
+std::vector<scene::Query> rays_of(const AskedCall& asked, const scene::Scene& scene) {
   io::json::Reader in = asked.at("rays");
   if (in.kind() == io::json::TokenKind::string) return io::read_rays(asked.part("rays"), scene);
   return io::read_json_rays(in, scene);
 }
 
-scene::Query query_of(const Asked& asked, const scene::Scene& scene) {
+scene::Query query_of(const AskedCall& asked, const scene::Scene& scene) {
   io::json::Reader p = asked.at("p"), v = asked.at("v");
   scene::Query query{model::Rayo(model::Punto(p.vec3("p")), model::Vector(io::read_json_direction(v))), {}};
   if (asked.has("on")) {
@@ -225,7 +225,7 @@ bool is_finite_hit(const scene::Hit& hit) {
 
 }  // namespace
 
-std::string answer_trace(const Asked& asked) {
+std::string answer_trace(const AskedCall& asked) {
   asked.require(trace_keys, 2);
   const auto held = scene_of(asked);
   const std::vector<scene::Query> rays = rays_of(asked, held->scene());
@@ -235,7 +235,7 @@ std::string answer_trace(const Asked& asked) {
   return ObjectText().raw("hits", lines.text()).text();
 }
 
-std::string answer_ray(const Asked& asked) {
+std::string answer_ray(const AskedCall& asked) {
   asked.require(ray_keys, 3);
   const auto held = scene_of(asked);
   const scene::Scene& scene = held->scene();
@@ -249,7 +249,7 @@ std::string answer_ray(const Asked& asked) {
       .text();
 }
 
-std::string answer_light(const Asked& asked) {
+std::string answer_light(const AskedCall& asked) {
   asked.require(ray_keys, 3);
   const auto held = scene_of(asked);
   const scene::Scene& scene = held->scene();

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 2> check_keys{"scene", "with"};
 constexpr std::array<std::string_view, 5> edit_keys{"scene", "operations", "with", "audit", "scenes"};
 
-io::SceneCheck checked_scene(const Asked& asked) {
+io::SceneCheck checked_scene(const AskedCall& asked) {
   const io::Source scene = asked.part("scene");
   if (!asked.has("with")) return io::check_scene(scene);
   const written::Text text(asked.part("with"));
@@ -31,14 +31,14 @@ std::string check_lines(const io::SceneCheck& check) {
   return array_of(check.errors, [](const io::InputError& error) { return json_of(error.what()); });
 }
 
-std::unique_ptr<io::EditedScene> edited_scene(const Asked& asked) {
+std::unique_ptr<io::EditedScene> edited_scene(const AskedCall& asked) {
   const io::Source scene = asked.part("scene");
   if (!asked.has("with")) return std::make_unique<io::EditedScene>(io::read_grouped_scene(scene, io::Bodies::read));
   return std::make_unique<written::Edited>(scene, std::make_shared<const written::Text>(asked.part("with")));
 }
 
 /// The operations of a call as a script: a text, or an array of lines and objects.
-io::Source script_of(const Asked& asked) {
+io::Source script_of(const AskedCall& asked) {
   io::json::Reader in = asked.at("operations");
   const bool is_text = in.kind() == io::json::TokenKind::string;
   return {"operations", is_text ? std::string(in.string("operations")) : io::read_json_script(in, asked.source())};
@@ -60,7 +60,7 @@ void carry_out(io::EditedScene& edited, const io::ScriptStep& step, bool each_sc
 
 }  // namespace
 
-std::string answer_check(const Asked& asked) {
+std::string answer_check(const AskedCall& asked) {
   asked.require(check_keys, 1);
   const io::SceneCheck check = checked_scene(asked);
   std::string json = io::check_json(check);
@@ -72,7 +72,7 @@ std::string answer_check(const Asked& asked) {
       .text();
 }
 
-std::string answer_edit(const Asked& asked) {
+std::string answer_edit(const AskedCall& asked) {
   asked.require(edit_keys, 2);
   std::optional<contract::scoped_semantic> audit;
   if (asked.flag("audit", false)) audit.emplace(contract::cost::audit, contract::evaluation_semantic::enforce);

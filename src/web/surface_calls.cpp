@@ -34,7 +34,7 @@ std::string types_text(const written::Text& text) {
 }
 
 /// The rays of the scene's camera, in a picture of that size or, without one, of the scene's own.
-scene::PrimaryRays camera_rays(const Asked& asked, const scene::Scene& scene,
+scene::PrimaryRays camera_rays(const AskedCall& asked, const scene::Scene& scene,
                                std::optional<scene::Resolution> resolution) {
   const scene::Stage& stage = scene.stage();
   if (!stage.camera)
@@ -52,7 +52,7 @@ std::string grid_hit(const HeldScene& held, const scene::Hit& hit) {
       .text();
 }
 
-std::string grid_text(const Asked& asked, const HeldScene& held, scene::Resolution size) {
+std::string grid_text(const AskedCall& asked, const HeldScene& held, scene::Resolution size) {
   const scene::PrimaryRays rays = camera_rays(asked, held.scene(), size);
   std::vector<scene::Query> queries;
   for (std::uint32_t y = 0; y < size.height; ++y)
@@ -61,7 +61,7 @@ std::string grid_text(const Asked& asked, const HeldScene& held, scene::Resoluti
                   [&](const scene::Hit& hit) { return grid_hit(held, hit); });
 }
 
-shader::ShaderOutput output_of(const Asked& asked) {
+shader::ShaderOutput output_of(const AskedCall& asked) {
   const std::string writes = asked.text("writes", shader::shader_outputs[0]);
   for (std::size_t i = 0; i < shader::shader_outputs.size(); ++i)
     if (shader::shader_outputs[i] == writes) return static_cast<shader::ShaderOutput>(i);
@@ -86,7 +86,7 @@ std::string uniforms(const shader::ShaderView& view) {
 
 }  // namespace
 
-std::string answer_surface(const Asked& asked) {
+std::string answer_surface(const AskedCall& asked) {
   asked.require(surface_keys, 1);
   ObjectText answer;
   answer.raw("types", types_text(written::Text(asked.part("with"))));
@@ -102,7 +102,7 @@ std::string answer_surface(const Asked& asked) {
       .text();
 }
 
-std::string answer_render_shader(const Asked& asked) {
+std::string answer_render_shader(const AskedCall& asked) {
   asked.require(shader_keys, 1);
   const auto held = scene_of(asked);
   const shader::ShaderOutput output = output_of(asked);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <variant>
+#include <set>
 
 #include "calls.hpp"
 #include "durero/spec/label_index.hpp"
@@ -68,7 +68,8 @@ ObjectText section_head(const zed::Section& section) {
   return text;
 }
 
-/// The axioms that each theorem rests on, by its name: proofs/assumptions.txt, a line `NAME: AXIOM AXIOM` each.
+/// The axioms that each theorem rests on, by its name: proofs/assumptions.txt, a line `NAME: AXIOM AXIOM` or `NAME:
+/// none` each.
 const std::map<std::string, std::vector<std::string>>& axioms() {
   static const std::map<std::string, std::vector<std::string>> all = [] {
     std::map<std::string, std::vector<std::string>> read;
@@ -79,12 +80,19 @@ const std::map<std::string, std::vector<std::string>>& axioms() {
       auto& of = read[std::string(line.substr(0, line.find(':')))];
       while (line.find(' ') != line.npos) {
         line.remove_prefix(line.find(' ') + 1);
-        of.emplace_back(line.substr(0, line.find(' ')));
+        if (const std::string_view axiom = line.substr(0, line.find(' ')); axiom != "none") of.emplace_back(axiom);
       }
     }
     return read;
   }();
   return all;
+}
+
+/// Every axiom that a theorem rests on.
+std::string all_axioms() {
+  std::set<std::string> all;
+  for (const auto& [theorem, of] : axioms()) all.insert(of.begin(), of.end());
+  return array_of_texts(all);
 }
 
 std::string theorem_text(const spec::LabelPlace& at) {
@@ -117,7 +125,7 @@ std::string label_text(const spec::LabelIndex& index, const zed::Section& sectio
 
 }  // namespace
 
-std::string answer_text(const Asked& asked) {
+std::string answer_text(const AskedCall& asked) {
   asked.require(text_keys, 0);
   const auto& sections = spec::text().sections;
   if (!asked.has("file"))
@@ -132,7 +140,7 @@ std::string answer_text(const Asked& asked) {
   return section_head(*section).raw("parts", parts_text(*section)).text();
 }
 
-std::string answer_labels(const Asked& asked) {
+std::string answer_labels(const AskedCall& asked) {
   asked.require(labels_keys, 0);
   const std::string of = asked.text("of", "");
   static const spec::LabelIndex& index = *new spec::LabelIndex(label_table());  // no end of the program takes it apart
@@ -145,7 +153,7 @@ std::string answer_labels(const Asked& asked) {
   if (labels.text() == "[]")
     asked.source().fail(asked.at("of").offset(), "the text has no label of " + text::shown(of),
                         "expected a label, or a name that the text declares with labels");
-  return ObjectText().raw("labels", labels.text()).text();
+  return ObjectText().raw("labels", labels.text()).raw("axioms", all_axioms()).text();
 }
 
 }  // namespace durero::web

@@ -47,7 +47,7 @@ std::string section_text(const zed::Section& section) {
       .text();
 }
 
-spec::TextCheck checked_text(const Asked& asked, const HeldText& text) {
+spec::TextCheck checked_text(const AskedCall& asked, const HeldText& text) {
   const spec::TextCheckSetup setup{asked.texts("let"), static_cast<std::size_t>(asked.whole("states", 0, 1'000'000, 8)),
                                    asked.flag("strict", false), text.own};
   const std::vector<std::string> files = text.own ? std::vector<std::string>{} : std::vector{text.name};
@@ -60,7 +60,7 @@ spec::TextCheck checked_text(const Asked& asked, const HeldText& text) {
 
 }  // namespace
 
-std::string answer_zed_check(const Asked& asked) {
+std::string answer_zed_check(const AskedCall& asked) {
   asked.require(check_text_keys, 0);
   const auto text = text_of(asked);
   const spec::TextCheck check = checked_text(asked, *text);

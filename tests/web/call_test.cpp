@@ -118,9 +118,11 @@ TEST_CASE("the text has its files, and a file its prose and its paragraphs, a li
 
 TEST_CASE("a label has its clause, its tests and its theorem with the axioms that it rests on") {
   const std::string label = asked(R"({"call":"labels","of":"Init.conj.1"})");
-  CHECK_THAT(label, StartsWith(R"({"labels":[{"label":"Init.conj.1","predicate":"⊢? ∃ Escena ' • Init",)") &&
-                        Contains(R"("theorems":[{"name":"Init_exists","place":"proofs/)") &&
-                        Contains(R"("status":"proved")"));
+  CHECK_THAT(label,
+             StartsWith(R"({"labels":[{"label":"Init.conj.1","predicate":"⊢? ∃ Escena ' • Init",)") &&
+                 Contains(R"("theorems":[{"name":"Init_exists","place":"proofs/)") &&
+                 Contains(R"("status":"proved")") &&
+                 EndsWith(R"("Classical_Prop.classic","FunctionalExtensionality.functional_extensionality_dep"]})"));
   CHECK_THAT(asked(R"({"call":"labels","of":"Escena"})"),
              Contains(R"("label":"Escena.inv.1")") && Contains(R"("label":"Escena.inv.9")") && !Contains("Init"));
   CHECK_THAT(asked(R"({"call":"labels"})"), Contains("reduccion.def.2"));
@@ -276,6 +278,23 @@ TEST_CASE("an expression has its value, and its parts as a tree") {
       StartsWith(R"({"value":"8",)"));
 }
 
+TEST_CASE("a name may be local to an expression, with a value that has the names before it") {
+  const std::string rest = R"(,"expression":"e? ∈ elementos ∧ mi_radio e? < radio? ∧ centro?.y = radio?","bindings":)";
+  CHECK_THAT(of_scene("eval", rest + R"({"e?":"ball","radio?":"3/2","centro?":"⦉x == 0, y == radio?, z == 0⦊"})"),
+             StartsWith(R"({"value":"true","yes":true,)"));
+  CHECK_THAT(of_scene("eval",
+                      rest + R"({"e?":"\"tube\"","radio?":"1/4","centro?":"⦉x == 0, y == 0, z == 0⦊"},"explain":true)"),
+             Contains(R"({"term":"e? ∈ elementos","value":"true")") &&
+                 Contains(R"({"term":"mi_radio e? < radio?","value":"false")"));
+  CHECK_THAT(error_of(of_scene("eval", rest + R"({"e?":"nadie"})")),
+             Contains("e?: nadie is not declared; expected a declared name"));
+  CHECK_THAT(error_of(of_scene("eval", rest + R"({"1":"2"})")),
+             EndsWith("1: this is no name; expected one, such as radio?"));
+  CHECK_THAT(error_of(of_scene("eval", rest + R"({"e?":"1 = 1"})")),
+             EndsWith("e?: a predicate has no value; expected an expression"));
+  CHECK_THAT(error_of(of_scene("eval", rest + R"({"e?":"1/0"})")), Contains("e?: this has no value"));
+}
+
 TEST_CASE("an expression that cannot be evaluated is refused at its place") {
   CHECK_THAT(error_of(call(R"({"call":"eval","expression":"1 + nadie"})")),
              StartsWith("expression:1:5: nadie is not declared; "));
@@ -336,6 +355,17 @@ TEST_CASE("a machine begins, goes on by the way that it was told, and lists what
   CHECK_THAT(again, Contains(R"("refused":"AddBirthday cannot go on here")"));
 }
 
+TEST_CASE("of an operation it is told what refuses it, and whether it may go on where that is looked for") {
+  const std::string looked = about_book("zed.run", "");
+  CHECK_THAT(looked, Contains(R"("enabled":"yes","example":"AddBirthday  date? = DATE1; name? = ann","refused":null,)"
+                              R"("predicates":[{"truth":"true",)"));
+  const std::string not_looked = about_book("zed.run", R"(,"look":false)");
+  CHECK_THAT(not_looked, Contains(R"({"name":"AddBirthday",)") && Contains(R"("refused":null})") &&
+                             !Contains("enabled") && !Contains("predicates"));
+  const std::string own = asked(R"({"call":"zed.run"})");
+  CHECK_THAT(own, StartsWith(R"({"state":"Escena","init":"Init",)") && !Contains("enabled"));
+}
+
 TEST_CASE("what a machine cannot be asked is refused at its place") {
   const std::string way = json_of(text_of_member(about_book("zed.run", ""), "way"));
   const auto step = [&](const std::string& of) {
@@ -370,7 +400,8 @@ TEST_CASE("a surface of a text is met by a grid of rays, and its type is told") 
   CHECK(asked(fmt::format(R"({{"call":"surface","with":{}}})", torus)) == types + "}");
   const std::string grid = asked(fmt::format(R"({{"call":"surface","with":{},"scene":{},"width":3,"height":2}})", torus,
                                              json_of(file_text("demo/surfaces/torus.json"))));
-  CHECK_THAT(grid, StartsWith(types + R"(,"width":3,"height":2,"hits":[{"e":"floor",)") && Contains(R"({"e":"ring",)"));
+  CHECK_THAT(grid, StartsWith(types + R"(,"width":3,"height":2,"hits":[{"e":"floor","t":14.442056704564095,)") &&
+                       Contains(R"({"e":"ring",)"));
   CHECK_THAT(error_of(call(fmt::format(R"({{"call":"surface","with":{},"scene":{},"width":0}})", torus, scene))),
              EndsWith("width is 0; expected 1 to 512"));
   CHECK_THAT(
@@ -391,6 +422,22 @@ TEST_CASE("a scene becomes a shader with the names of its elements and its unifo
              EndsWith("no shader writes \"x\"; expected color, answer or doubts"));
   CHECK(error_of(call(R"({"call":"render_shader","scene":{"format":"durero-scene","version":1,"elementos":[]}})"))
             .starts_with("scene:1:1: "));
+}
+
+TEST_CASE("what is kept is kept by the whole text") {
+  for (int turn = 0; turn < 2; ++turn)
+    for (int radius = 1; radius < 5; ++radius) {
+      CHECK_THAT(
+          asked(fmt::format(R"({{"call":"trace","scene":{{"format":"durero-scene","version":1,"elementos":[{{"id":)"
+                            R"("a","tipo":"esfera","centro":[0,0,0],"radio":{}}}]}},"rays":[[0,0,9,0,0,-1]]}})",
+                            radius)),
+          Contains(fmt::format("\"t\":{},", 9 - radius)));
+      CHECK_THAT(asked(fmt::format(R"({{"call":"zed.run","text":"\\begin{{schema}}{{S}} n : \\nat \\end{{schema}} )"
+                                   R"(\\begin{{schema}}{{Init}} S \\where n = {} \\end{{schema}} )"
+                                   R"(\\begin{{schema}}{{Op}} \\Delta S \\end{{schema}}"}})",
+                                   radius)),
+                 Contains(fmt::format(R"("values":{{"n":"{}"}})", radius)));
+    }
 }
 
 TEST_CASE("an answer does not depend on what was asked before") {
