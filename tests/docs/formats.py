@@ -12,8 +12,12 @@ the program takes, prints and refuses. A comment before a block or a table says 
   <!-- words [PREFIX.] NAME OLD NEW COMMAND… -->   the words in the first column are those that the reader knows: in the file
                                    NEW stands for OLD, with a word for its @. Where it is none of them, the error lists
                                    all of them, and no others. Several such comments may stand before one table
+  <!-- call -->                    the block is a call, which web_call beside DURERO answers
+  <!-- answers -->                 the block is the answer to the last call. An object with the key … has further members, an
+                                   array that ends in "…" further items, and a text that ends in … goes on
 
 --write puts what the program says into the pages."""
+import json
 import os
 import pathlib
 import re
@@ -24,9 +28,9 @@ import tempfile
 
 durero, root, writes = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.argv[2])), "--write" in sys.argv
 PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/edits.md", "docs/formats/rays.md",
-         "docs/formats/results.md", "docs/formats/conform.md", "docs/formats/others.md",
+         "docs/formats/results.md", "docs/formats/conform.md", "docs/formats/others.md", "docs/formats/call.md",
          "docs/spec-tool.md", "docs/scenes.md", "docs/store.md", "docs/mesh-audit.md", "docs/scene-differences.md"]
-PART = re.compile(r"((?:<!-- words [^\n]* -->\n)*)<!-- (file|run|prints|refused|errors|defects|words)( [^\n]*)? -->\n"
+PART = re.compile(r"((?:<!-- words [^\n]* -->\n)*)<!-- (file|run|prints|refused|errors|defects|words|call|answers)( [^\n]*)? -->\n"
                   r"(```\w*\n(.*?)```\n|((?:\|[^\n]*\n)+))", re.S)
 NO_WORD = "zqxj"
 counts, bad, known_words, probes = {}, 0, set(), 0
@@ -131,11 +135,40 @@ def check_words(table, arguments):
     pathlib.Path(name).write_text(text)
 
 
+def is_answer(shown, said):
+    """Whether the answer of a page, which may leave out parts, is what was said."""
+    if isinstance(shown, dict) and isinstance(said, dict):
+        keys = shown.keys() - {"…"}
+        return (keys < said.keys() if "…" in shown else keys == said.keys()) and all(
+            is_answer(shown[key], said[key]) for key in keys)
+    if isinstance(shown, list) and isinstance(said, list):
+        goes_on = shown[-1:] == ["…"]
+        items = shown[:-1] if goes_on else shown
+        return (len(items) < len(said) if goes_on else len(items) == len(said)) and all(map(is_answer, items, said))
+    if isinstance(shown, str) and isinstance(said, str) and shown.endswith("…") and shown != said:
+        return said.startswith(shown[:-1]) and len(said) > len(shown)
+    return type(shown) is type(said) and shown == said
+
+
+def check_call(kind, block):
+    global answer
+    counts[kind] = counts.get(kind, 0) + 1
+    if kind == "call":
+        line = json.dumps(json.loads(block), ensure_ascii=False, separators=(",", ":")) + "\n"
+        done = subprocess.run([pathlib.Path(durero).parent / "web_call"], capture_output=True, text=True, check=True, input=line)
+        answer = json.loads(done.stdout)
+    elif not is_answer(json.loads(block), answer):
+        fail(f"the page shows\n{block}and web_call answers\n{json.dumps(answer, ensure_ascii=False)}")
+
+
 def check_part(match):
     global last
     more, kind, words, part, block, table = match.groups()
     words = (words or "").strip()
     text = match.group(0)
+    if kind in ("call", "answers"):
+        check_call(kind, block)
+        return text
     if kind == "words":
         for arguments in [*re.findall(r"<!-- words ([^\n]*) -->", more), words]:
             check_words(table, shlex.split(arguments))
@@ -174,4 +207,5 @@ with tempfile.TemporaryDirectory() as folder:
         if writes:
             (root / name).write_text(checked, encoding="utf-8")
 print(f"docs/formats: {counts}, {probes} words tried, {bad} failures")
-sys.exit(bad > 0 or counts.get("errors", 0) < 80 or counts.get("file", 0) < 15 or counts.get("prints", 0) < 6 or counts.get("words", 0) < 12)
+sys.exit(bad > 0 or counts.get("errors", 0) < 80 or counts.get("file", 0) < 15 or counts.get("prints", 0) < 6 or counts.get("words", 0) < 12
+         or counts.get("answers", 0) < 16)
