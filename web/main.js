@@ -3,7 +3,7 @@ import { el, fill, find } from "./dom.js";
 import { facts, on_facts, scene_names, start_facts, update_ray } from "./facts.js";
 import { start_exercises } from "./exercises.js";
 import { crossing_now, start_inspector } from "./inspector.js";
-import { start_operations } from "./operations.js";
+import { show_refusal, start_operations } from "./operations.js";
 import { start_own } from "./own.js";
 import { start_printed } from "./printed.js";
 import { start_shader } from "./shader_view.js";
@@ -227,6 +227,7 @@ async function fill_views(trouble, began) {
   start_operations(list.operations ?? [], refused);
   await start_facts();
   await start_text(list.operations ?? []);
+  if (!state.label) show_refusal();
   update_ray();
   start_walk();
   start_own();
@@ -234,7 +235,8 @@ async function fill_views(trouble, began) {
   start_surface();
   start_shader();
   await start_printed();
-  find("said").textContent = trouble.length ? `${say("address_trouble")} ${trouble.join(", ")}` : "";
+  if (trouble.length) find("said").textContent = `${say("address_trouble")} ${trouble.join(", ")}`;
+  else if (find("said").textContent === say("starting")) find("said").textContent = "";
   find("built").textContent = `Durero ${version} · ${say("ready_in")} ${Math.round(performance.now() - began)} ms`;
   document.body.dataset.ready = "1";
 }

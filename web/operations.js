@@ -101,6 +101,12 @@ function refused_element() {
   const ghost = /^Agregar/.test(operation_name(state.ops[i - 1])) ? { ...parts, id: parts.e, tipo: tipo === "elemento" ? String(parts.t ?? "").replace("soy_", "") : tipo, why: answer.violated } : null;
   return { ghost, named: present ? parts.e : null };
 }
+// show_refusal brings the clause that refused the step into the text.
+export function show_refusal() {
+  const answer = facts.answers[state.step - 1];
+  if (state.step > 0 && answer && !answer.ok) show_label(answer.violated);
+}
+
 export function start_operations(list, refused) {
   operations = list;
   on_refused = refused;
@@ -108,8 +114,8 @@ export function start_operations(list, refused) {
     if (what !== "scene" && what !== "error") return;
     render();
     on_refused(refused_element());
+    show_refusal();
     const answer = facts.answers[state.step - 1];
-    if (what === "scene" && state.step > 0 && answer && !answer.ok) show_label(answer.violated);
     if (state.step > 0 && answer) find("said").textContent = answer.ok ? `${state.ops[state.step - 1]}: ${answer.r}` : `${say("refused")}: ${answer.violated} ${answer.predicate}`;
   });
   on_change(keys => { if (keys.has("lang")) render(); });
