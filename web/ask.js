@@ -4,7 +4,8 @@
 let engine = null;
 
 function start_worker(address) {
-  const worker = new Worker(address), waiting = new Map();
+  const worker = new Worker(address),
+    waiting = new Map();
   let last = 0;
   const ready = new Promise((done, failed) => {
     worker.onmessage = ({ data }) => {
@@ -17,10 +18,11 @@ function start_worker(address) {
   });
   return {
     ready,
-    call: question => new Promise(done => {
-      waiting.set(++last, done);
-      worker.postMessage({ id: last, question });
-    }),
+    call: question =>
+      new Promise(done => {
+        waiting.set(++last, done);
+        worker.postMessage({ id: last, question });
+      }),
   };
 }
 
@@ -28,11 +30,19 @@ function start_worker(address) {
 const quick_calls = new Set(["version", "operations", "edit", "ray", "light", "trace"]);
 function worker_engine(text) {
   const address = URL.createObjectURL(new Blob([text, worker_end], { type: "text/javascript" }));
-  const quick = start_worker(address), slow = start_worker(address);
-  return { ready: quick.ready, call: question => call_when_ready(quick_calls.has(question.call) ? quick : slow, question) };
+  const quick = start_worker(address),
+    slow = start_worker(address);
+  return {
+    ready: quick.ready,
+    call: question => call_when_ready(quick_calls.has(question.call) ? quick : slow, question),
+  };
 }
 async function call_when_ready(worker, question) {
-  try { await worker.ready; } catch (trouble) { return { error: `call:1:1: ${trouble.message}` }; }
+  try {
+    await worker.ready;
+  } catch (trouble) {
+    return { error: `call:1:1: ${trouble.message}` };
+  }
   return worker.call(question);
 }
 
@@ -61,9 +71,13 @@ export const ask = question => engine.call(question);
 
 // latest asks one question at a time: while one is on its way only the newest of the others is kept.
 export function latest(answered) {
-  let on_its_way = false, next = null;
+  let on_its_way = false,
+    next = null;
   async function send(question) {
-    if (on_its_way) { next = question; return; }
+    if (on_its_way) {
+      next = question;
+      return;
+    }
     on_its_way = true;
     const answer = await ask(question);
     on_its_way = false;
@@ -72,7 +86,12 @@ export function latest(answered) {
     if (following) send(following);
     answered(answer, question, following !== null);
   }
-  return { send, drop: () => { next = null; } };
+  return {
+    send,
+    drop: () => {
+      next = null;
+    },
+  };
 }
 
 // once asks the same question one time.

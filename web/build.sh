@@ -6,8 +6,8 @@ set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 root=$(dirname -- "$here")
 out=${1:?build.sh: expected the folder to write to} engine=${2-}
-modules="vectors numbers dom words ask address ztext values marked shapes drawing stage state facts text_panel inspector operations surface printed
-  walk machine own exercises shader_view main"
+modules="vectors numbers dom words ask address ztext values marked shapes window drawing stage state facts text_panel names
+  exact_view decided_view inspector operations picture surface printed walk machine own exercises shader_view main"
 mkdir -p "$out"
 
 # script: every module in a scope of its own. What it exports is kept under its name, and its imports are taken from there.
@@ -20,6 +20,7 @@ script() {
     awk -v name="$module" -v earlier="$earlier" '
       function fail(why) { print "build.sh: " name ".js:" NR ": " why >"/dev/stderr"; failed = 1; exit 1 }
       BEGIN { print "modules." name " = (() => {" }
+      /^import / { while ($0 !~ /;$/ && (getline more) > 0) { sub(/^ +/, "", more); $0 = $0 " " more } gsub(/,? +\}/, " }") }
       /^import / {
         if ($0 !~ /^import \{ [a-z0-9_, ]* \} from "\.\/[a-z_]*\.js";$/) fail("an import of another form")
         from = $0; sub(/^.*"\.\//, "", from); sub(/\.js";$/, "", from)

@@ -28,9 +28,15 @@ export const find = id => document.getElementById(id);
 export function fill(holder, ...children) {
   const held = holder.contains(document.activeElement) ? document.activeElement.dataset.key : null;
   const scrolled = [...holder.querySelectorAll(".scroll[id]")].map(e => [e.id, e.scrollTop]);
-  holder.replaceChildren(...children.flat(Infinity).filter(child => child !== null && child !== undefined && child !== false));
-  for (const [id, top] of scrolled) { const again = find(id); if (again) again.scrollTop = top; }
-  if (held) [...holder.querySelectorAll("[data-key]")].find(e => e.dataset.key === held)?.focus({ preventScroll: true });
+  holder.replaceChildren(
+    ...children.flat(Infinity).filter(child => child !== null && child !== undefined && child !== false),
+  );
+  for (const [id, top] of scrolled) {
+    const again = find(id);
+    if (again) again.scrollTop = top;
+  }
+  if (held)
+    [...holder.querySelectorAll("[data-key]")].find(e => e.dataset.key === held)?.focus({ preventScroll: true });
 }
 
 // later calls f once after the calls have stopped for that many milliseconds.

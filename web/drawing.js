@@ -107,9 +107,15 @@ function attribute(gl, place, width, stride, offset) {
 }
 
 export function make_drawing(canvas) {
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, premultipliedAlpha: false, preserveDrawingBuffer: true });
+  const gl = canvas.getContext("webgl2", {
+    antialias: true,
+    alpha: true,
+    premultipliedAlpha: false,
+    preserveDrawingBuffer: true,
+  });
   if (!gl) return null;
-  const surfaces = program(gl, surface_vertex, surface_fragment), lines = program(gl, line_vertex, line_fragment);
+  const surfaces = program(gl, surface_vertex, surface_fragment),
+    lines = program(gl, line_vertex, line_fragment);
   const dots = program(gl, dot_vertex, dot_fragment);
   let models = [];
 
@@ -120,9 +126,13 @@ export function make_drawing(canvas) {
       buffers.forEach(buffer => gl.deleteBuffer(buffer));
     }
     models = meshes.map(mesh => {
-      const array = gl.createVertexArray(), buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
+      const array = gl.createVertexArray(),
+        buffers = [gl.createBuffer(), gl.createBuffer(), gl.createBuffer()];
       gl.bindVertexArray(array);
-      [["position", mesh.positions], ["normal", mesh.normals]].forEach(([name, values], i) => {
+      [
+        ["position", mesh.positions],
+        ["normal", mesh.normals],
+      ].forEach(([name, values], i) => {
         gl.bindBuffer(gl.ARRAY_BUFFER, buffers[i]);
         gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(values), gl.STATIC_DRAW);
         attribute(gl, surfaces.attribute(name), 3, 0, 0);
@@ -145,7 +155,7 @@ export function make_drawing(canvas) {
       gl.depthMask(!clear);
       for (const model of models) {
         const look = { ...looks, colour: model.colour, ...look_of(model) };
-        if ((look.alpha < 1) !== clear || look.alpha === 0) continue;
+        if (look.alpha < 1 !== clear || look.alpha === 0) continue;
         gl.uniform3fv(surfaces.uniform("colour"), look.colour);
         gl.uniform1f(surfaces.uniform("alpha"), look.alpha);
         gl.uniform1f(surfaces.uniform("glow"), look.glow);
@@ -157,14 +167,16 @@ export function make_drawing(canvas) {
     gl.depthMask(true);
   }
 
-  const line_buffer = gl.createBuffer(), line_array = gl.createVertexArray();
+  const line_buffer = gl.createBuffer(),
+    line_array = gl.createVertexArray();
   gl.bindVertexArray(line_array);
   gl.bindBuffer(gl.ARRAY_BUFFER, line_buffer);
   attribute(gl, lines.attribute("from"), 3, 12, 0);
   attribute(gl, lines.attribute("to"), 3, 12, 3);
   attribute(gl, lines.attribute("side"), 2, 12, 6);
   attribute(gl, lines.attribute("tint"), 4, 12, 8);
-  const dot_buffer = gl.createBuffer(), dot_array = gl.createVertexArray();
+  const dot_buffer = gl.createBuffer(),
+    dot_array = gl.createVertexArray();
   gl.bindVertexArray(dot_array);
   gl.bindBuffer(gl.ARRAY_BUFFER, dot_buffer);
   attribute(gl, dots.attribute("place"), 3, 8, 0);
@@ -172,7 +184,14 @@ export function make_drawing(canvas) {
   attribute(gl, dots.attribute("big"), 1, 8, 7);
   gl.bindVertexArray(null);
 
-  const corners = [[0, -1], [0, 1], [1, -1], [1, -1], [0, 1], [1, 1]];
+  const corners = [
+    [0, -1],
+    [0, 1],
+    [1, -1],
+    [1, -1],
+    [0, 1],
+    [1, 1],
+  ];
   function draw_lines(list, both, size, faint) {
     gl.useProgram(lines.made);
     gl.bindVertexArray(line_array);
@@ -188,7 +207,9 @@ export function make_drawing(canvas) {
     }
     for (const [key, members] of groups) {
       const [wide, dashes] = key.split("/").map(Number);
-      const values = members.flatMap(({ from, to, tint }) => corners.flatMap(corner => [...from, ...to, ...corner, ...tint]));
+      const values = members.flatMap(({ from, to, tint }) =>
+        corners.flatMap(corner => [...from, ...to, ...corner, ...tint]),
+      );
       gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(values), gl.STREAM_DRAW);
       gl.uniform1f(lines.uniform("wide"), wide);
       gl.uniform1f(lines.uniform("dashes"), dashes);
@@ -202,16 +223,25 @@ export function make_drawing(canvas) {
     gl.bindBuffer(gl.ARRAY_BUFFER, dot_buffer);
     gl.uniformMatrix4fv(dots.uniform("both"), false, both);
     gl.uniform1f(dots.uniform("faint"), faint);
-    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(list.flatMap(d => [...d.place, ...d.tint, d.big * scale])), gl.STREAM_DRAW);
+    gl.bufferData(
+      gl.ARRAY_BUFFER,
+      new Float32Array(list.flatMap(d => [...d.place, ...d.tint, d.big * scale])),
+      gl.STREAM_DRAW,
+    );
     gl.drawArrays(gl.POINTS, 0, list.length);
   }
 
   // draw shows all: what a surface hides of the lines and dots is faint.
   function draw({ view, lens, ball, look_of, line_list, dot_list }) {
     const scale = Math.min(2, globalThis.devicePixelRatio || 1);
-    const width = Math.max(1, Math.round(canvas.clientWidth * scale)), height = Math.max(1, Math.round(canvas.clientHeight * scale));
-    if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-    const both = product(lens, view), size = [width, height];
+    const width = Math.max(1, Math.round(canvas.clientWidth * scale)),
+      height = Math.max(1, Math.round(canvas.clientHeight * scale));
+    if (canvas.width !== width || canvas.height !== height) {
+      canvas.width = width;
+      canvas.height = height;
+    }
+    const both = product(lens, view),
+      size = [width, height];
     gl.viewport(0, 0, width, height);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -219,7 +249,11 @@ export function make_drawing(canvas) {
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     draw_surfaces(view, lens, ball, look_of);
-    const thick = line_list.map(line => ({ ...line, wide: (line.wide ?? 2) * scale, dashes: (line.dashes ?? 0) * scale }));
+    const thick = line_list.map(line => ({
+      ...line,
+      wide: (line.wide ?? 2) * scale,
+      dashes: (line.dashes ?? 0) * scale,
+    }));
     gl.disable(gl.DEPTH_TEST);
     draw_lines(thick, both, size, 0.28);
     draw_dots(dot_list, both, 0.4, scale);

@@ -2,17 +2,36 @@ import { ask, latest } from "./ask.js";
 import { on_change, state } from "./state.js";
 
 // What the engine answers about the state: the scene after each step, the ray, the shadow rays. Answers alone stand here.
-export const facts = { scenes: [], answers: [], refusals: [], scene_text: "", scene: null, ray: null, light: null, error: null };
+export const facts = {
+  scenes: [],
+  answers: [],
+  refusals: [],
+  scene_text: "",
+  scene: null,
+  ray: null,
+  light: null,
+  error: null,
+};
 const listeners = [];
 export const on_facts = listener => listeners.push(listener);
 const tell = what => listeners.forEach(listener => listener(what));
 
-export const scene_names = { first: "first.json", still: "still-life.json", mirrors: "mirrors.json", balls: "shader.json" };
-export const base_text = () => state.scene === "own" ? state.own : documents[scene_names[state.scene] ?? "first.json"];
+export const scene_names = {
+  first: "first.json",
+  still: "still-life.json",
+  mirrors: "mirrors.json",
+  balls: "shader.json",
+};
+export const base_text = () =>
+  state.scene === "own" ? state.own : documents[scene_names[state.scene] ?? "first.json"];
 
 // picture_of reads a scene for the picture. Its exact numbers stay in the text, which the engine reads.
 function picture_of(text) {
-  try { return JSON.parse(text); } catch { return null; }
+  try {
+    return JSON.parse(text);
+  } catch {
+    return null;
+  }
 }
 
 let asked_scene = 0;
@@ -25,7 +44,12 @@ async function update_scene() {
     tell("error");
     return;
   }
-  Object.assign(facts, { scenes: answer.scenes, answers: answer.answers, refusals: answer.refusals ?? [], error: null });
+  Object.assign(facts, {
+    scenes: answer.scenes,
+    answers: answer.answers,
+    refusals: answer.refusals ?? [],
+    error: null,
+  });
   pick_step();
 }
 
@@ -44,7 +68,10 @@ const rays = latest((answer, question, stale) => {
   tell("ray");
   if (!stale) lights.send({ ...question, call: "light" });
 });
-const lights = latest(answer => { facts.light = answer; tell("light"); });
+const lights = latest(answer => {
+  facts.light = answer;
+  tell("light");
+});
 
 export function update_ray() {
   if (!facts.scene_text) return;

@@ -3,7 +3,8 @@ import { el } from "./dom.js";
 
 // section_of is what stands below a heading, up to the next of its rank or above.
 export function section_of(text, heading) {
-  const lines = text.split("\n"), at = lines.findIndex(line => line.replace(/^#+ /, "").startsWith(heading) && line.startsWith("#"));
+  const lines = text.split("\n"),
+    at = lines.findIndex(line => line.replace(/^#+ /, "").startsWith(heading) && line.startsWith("#"));
   if (at < 0) return "";
   const rank = /^#+/.exec(lines[at])[0].length;
   let end = lines.findIndex((line, i) => i > at && /^#+ /.test(line) && /^#+/.exec(line)[0].length <= rank);
@@ -15,8 +16,17 @@ export function section_of(text, heading) {
 export function rows_of(text) {
   const rows = [];
   for (const line of text.split("\n")) {
-    if (!line.startsWith("|")) { if (rows.length) break; continue; }
-    rows.push(line.slice(1).replace(/\|\s*$/, "").split(/(?<!\\)\|/).map(cell => cell.trim().replaceAll("\\|", "|")));
+    if (!line.startsWith("|")) {
+      if (rows.length) break;
+      continue;
+    }
+    rows.push(
+      line
+        .slice(1)
+        .replace(/\|\s*$/, "")
+        .split(/(?<!\\)\|/)
+        .map(cell => cell.trim().replaceAll("\\|", "|")),
+    );
   }
   return rows.slice(2);
 }
@@ -26,9 +36,22 @@ export function all_rows(text) {
   const rows = [];
   let head = true;
   for (const line of text.split("\n")) {
-    if (!line.startsWith("|")) { head = true; continue; }
-    if (/^\|[\s|:-]+\|?\s*$/.test(line)) { head = false; continue; }
-    if (!head) rows.push(line.slice(1).replace(/\|\s*$/, "").split(/(?<!\\)\|/).map(cell => cell.trim()));
+    if (!line.startsWith("|")) {
+      head = true;
+      continue;
+    }
+    if (/^\|[\s|:-]+\|?\s*$/.test(line)) {
+      head = false;
+      continue;
+    }
+    if (!head)
+      rows.push(
+        line
+          .slice(1)
+          .replace(/\|\s*$/, "")
+          .split(/(?<!\\)\|/)
+          .map(cell => cell.trim()),
+      );
   }
   return rows;
 }

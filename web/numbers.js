@@ -21,8 +21,10 @@ export const next_down = x => -next_up(-x);
 // hexadecimal writes a binary64 as C's %a does.
 export function hexadecimal(x) {
   if (!Number.isFinite(x)) return String(x);
-  const b = bits_of(x), sign = b >> 63n ? "-" : "";
-  const exponent = Number((b >> 52n) & 0x7ffn), fraction = b & 0xfffffffffffffn;
+  const b = bits_of(x),
+    sign = b >> 63n ? "-" : "";
+  const exponent = Number((b >> 52n) & 0x7ffn),
+    fraction = b & 0xfffffffffffffn;
   if (exponent === 0 && fraction === 0n) return sign + "0x0p+0";
   const digits = fraction.toString(16).padStart(13, "0").replace(/0+$/, "");
   const power = exponent === 0 ? -1022 : exponent - 1023;
@@ -31,16 +33,24 @@ export function hexadecimal(x) {
 
 // fraction_of gives a binary64 as numerator and denominator.
 export function fraction_of(x) {
-  const b = bits_of(x), exponent = Number((b >> 52n) & 0x7ffn), fraction = b & 0xfffffffffffffn;
+  const b = bits_of(x),
+    exponent = Number((b >> 52n) & 0x7ffn),
+    fraction = b & 0xfffffffffffffn;
   let numerator = exponent === 0 ? fraction : fraction | (1n << 52n);
   if (x < 0 || Object.is(x, -0)) numerator = -numerator;
   let power = (exponent === 0 ? 1 : exponent) - 1075;
-  while (power < 0 && numerator !== 0n && numerator % 2n === 0n) { numerator /= 2n; ++power; }
+  while (power < 0 && numerator !== 0n && numerator % 2n === 0n) {
+    numerator /= 2n;
+    ++power;
+  }
   if (numerator === 0n) return [0n, 1n];
   return power < 0 ? [numerator, 1n << BigInt(-power)] : [numerator << BigInt(power), 1n];
 }
 
-export const greatest_divisor = (a, b) => { while (b) [a, b] = [b, a % b]; return a < 0n ? -a : a; };
+export const greatest_divisor = (a, b) => {
+  while (b) [a, b] = [b, a % b];
+  return a < 0n ? -a : a;
+};
 
 // rational reads "-3/4", "0.125", "1e-3" or a whole number.
 export function rational(text) {
@@ -80,20 +90,24 @@ export function quadratic_text(x, y, delta) {
 export function short(x, places = 3) {
   if (typeof x === "string") return x;
   if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
-  const said = Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.toExponential(2) : String(Number(x.toFixed(places)));
+  const said =
+    Math.abs(x) >= 1e6 || (x !== 0 && Math.abs(x) < 1e-4) ? x.toExponential(2) : String(Number(x.toFixed(places)));
   return said.replace("-", "−");
 }
 
 // written is the shortest text that reads back to the same binary64, as a scene has it.
-export const written = x => Object.is(x, -0) ? "-0" : String(x);
+export const written = x => (Object.is(x, -0) ? "-0" : String(x));
 
 // on_grid puts a dragged coordinate on multiples of 1/64, so that its exact numbers stay short.
 export const on_grid = x => Math.round(x * 64) / 64;
 
 // place_between gives how far the exact decimal lies from the binary64 below it to the one above, from 0 to 1.
 export function place_between(digits, low, high) {
-  const at = rational(digits), [ln, ld] = fraction_of(low), [hn, hd] = fraction_of(high);
+  const at = rational(digits),
+    [ln, ld] = fraction_of(low),
+    [hn, hd] = fraction_of(high);
   if (!at) return null;
-  const whole = hn * ld - ln * hd, part = (at[0] * ld - ln * at[1]) * hd;
+  const whole = hn * ld - ln * hd,
+    part = (at[0] * ld - ln * at[1]) * hd;
   return whole === 0n ? null : Number((part * 1000000n) / (whole * at[1])) / 1e6;
 }
