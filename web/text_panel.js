@@ -279,7 +279,11 @@ function box(part) {
   const framed = ["schema", "axiom", "generic"].includes(part.kind);
   return el(
     "div",
-    { class: `zbox ${part.kind} ${part.names?.includes(state.para) ? "chosen" : ""}`, id: here ? "z-" + here : null },
+    {
+      "class": `zbox ${part.kind} ${part.names?.includes(state.para) ? "chosen" : ""}`,
+      "data-names": (part.names ?? []).join(" "),
+      "id": here ? "z-" + here : null,
+    },
     framed ? el("h3", { class: "zname" }, part.kind === "schema" ? here : "") : null,
     declares.map(l => predicate(l, here)),
     framed && declares.length && rest.length ? el("hr") : null,
@@ -362,7 +366,9 @@ async function load_file() {
 // reveal brings the chosen paragraph, or the clause that fails, into sight.
 function reveal() {
   const scroll = find("text-scroll");
-  const target = document.getElementById("p-" + state.label) ?? document.getElementById("z-" + state.para);
+  const target =
+    document.getElementById("p-" + state.label) ??
+    [...document.querySelectorAll("#text .zbox")].find(box => box.dataset.names.split(" ").includes(state.para));
   if (!target || !scroll) return;
   const top = target.getBoundingClientRect().top - scroll.getBoundingClientRect().top + scroll.scrollTop - 30;
   scroll.scrollTo({ top, behavior: "instant" });
@@ -393,7 +399,8 @@ export async function start_text(operations) {
   files = text.files;
   for (const entry of index.labels) {
     labels.set(entry.label, entry);
-    if (entry.paragraph) names.set(entry.paragraph, entry.text.replace(/:\d+$/, ""));
+    const file = entry.text.replace(/:\d+$/, "");
+    for (const name of [entry.paragraph, entry.label.split(".")[0]]) if (name) names.set(name, file);
   }
   opened = state.label;
   on_change(keys => {
@@ -416,4 +423,13 @@ export async function start_text(operations) {
     show_name(link.dataset.name);
   });
   await load_file();
+  collect_names();
+}
+
+// collect_names learns where each name is declared, so that it leads there.
+async function collect_names() {
+  for (const { file } of files)
+    for (const { names: declared } of (await answered({ call: "text", file })).parts)
+      for (const name of declared ?? []) names.set(name, file);
+  render();
 }

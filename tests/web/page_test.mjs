@@ -145,6 +145,21 @@ test("a clause is evaluated in the scene, with its parts", async () => {
   await picture("explained");
 });
 
+test("a name leads to its paragraph, in whichever file and box it stands", async () => {
+  await open("");
+  for (const name of ["potencia_cilindro", "Punto", "Primera_Interseccion"]) {
+    await type("#seek", name);
+    await page.evaluate("document.querySelector('[role=search]').requestSubmit()");
+    await page.until(`document.querySelector(".zbox.chosen")?.textContent.includes("${name}")`);
+    const [panel, box] = await page.evaluate(
+      "['#text-scroll', '.zbox.chosen'].map(s => { const b = document.querySelector(s).getBoundingClientRect(); return [b.top, b.bottom]; })",
+    );
+    assert.ok(box[0] < panel[1] && box[1] > panel[0], `${name} is at ${box}, and its panel at ${panel}`);
+  }
+  await page.evaluate("dureroPage.change({ file: 'spec/escena.tex', para: 'Escena', label: '' })");
+  await page.until("[...document.querySelectorAll('#z-Escena a')].some(a => a.textContent === 'Punto')");
+});
+
 test("what the pointer is over in the text is marked in the picture", async () => {
   const seen = () =>
     page.evaluate(
