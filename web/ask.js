@@ -32,6 +32,7 @@ function worker_engine(text) {
   const address = URL.createObjectURL(new Blob([text, worker_end], { type: "text/javascript" }));
   const quick = start_worker(address),
     slow = start_worker(address);
+  slow.ready.catch(() => {}); // whoever asks it is told
   return {
     ready: quick.ready,
     call: question => call_when_ready(quick_calls.has(question.call) ? quick : slow, question),
@@ -54,7 +55,7 @@ const worker_end = `
     self.postMessage({ id: data.id, answer });
   };
   self.postMessage({ ready: true });
-}, trouble => self.postMessage({ failed: String(trouble) }));`;
+}, trouble => self.postMessage({ failed: trouble.message ?? String(trouble) }));`;
 
 // start_engine finds the engine, and waits until it answers.
 export async function start_engine() {

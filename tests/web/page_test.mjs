@@ -1,7 +1,7 @@
 // The whole page in Chromium, with the native engine in the place of the WebAssembly: what a reader does, and what is seen.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { after, before, test } from "node:test";
@@ -373,6 +373,32 @@ test("a drag's frame, beside an empty one", async () => {
     measured.drag <= 16 + 8 * measured.empty,
     "a drag's frame takes 16 ms at most, and more where an empty one takes long too",
   );
+});
+
+test("an engine that does not start, or does not answer, is told of", async () => {
+  const own = await start_browser(process.env.DURERO_CHROMIUM),
+    folder = join(out, "failing");
+  mkdirSync(folder, { recursive: true });
+  const engines = [
+    ["async function start() { throw new Error('no memory'); }", /no memory/],
+    ["async function start() {} function call() { return { error: 'call:1:1: tired' }; }", /call:1:1: tired/],
+    ["", /without its engine/],
+  ];
+  try {
+    for (const [body, said] of engines) {
+      writeFileSync(join(folder, "engine.js"), body);
+      execFileSync("sh", [join(root, "web/build.sh"), folder, ...(body ? [join(folder, "engine.js")] : [])]);
+      await own.ask("Page.navigate", { url: "about:blank" });
+      await own.ask("Page.navigate", { url: `file://${folder}/index.html` });
+      assert.match(
+        await own.until("(t => t?.includes(': ') && t)(document.querySelector('#said')?.textContent)"),
+        said,
+      );
+    }
+    assert.deepEqual(own.errors, []);
+  } finally {
+    await own.close();
+  }
 });
 
 test(
