@@ -13,7 +13,7 @@ const scenes = {
   cubic: "cubic.json",
 };
 let scene = null,
-  size = [64, 40],
+  size = [32, 20],
   shown = null;
 
 const text_now = () => state.stext || documents[`${state.surface}.tex`] || documents["torus.tex"];
@@ -82,7 +82,7 @@ const channel = latest((answer, question, stale) => {
   const met = answer.hits.filter(Boolean).length;
   said.className = "good";
   said.textContent = `${say("surface_types")}: ${answer.types.map(t => t.tipo).join(", ")}. ${met} ${say("of")} ${answer.hits.length} ${say("rays_meet")}.`;
-  if (!stale && question.width < 200 && state.view === "surface") refine(question);
+  if (!stale && question.width < 256 && state.view === "surface") refine(question);
 });
 const refine = later(question => {
   if (state.view === "surface" && question.with === text_now())
