@@ -129,8 +129,7 @@ void EditedText::edit(EditorPosition from, EditorPosition to, std::string_view n
   part(to);  // the first position stays where it is: what is parted stands behind it, or is the same character
   const std::size_t begin = part(from), end = std::max(begin, byte_of(to));
   text_.replace(begin, end - begin, now);
-  join(begin + now.size());
-  join(begin);
+  join(begin);  // what was put in has no halves
   index();
 }
 

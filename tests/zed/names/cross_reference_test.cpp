@@ -43,6 +43,12 @@ TEST_CASE("schemas as predicates and bindings tie the names of the scope") {
         Places{"2:1*", "5:8", "6:19"});
 }
 
+TEST_CASE("schemas of one signature share the components of their bindings, once a binding is used") {
+  const std::string two = "┌ P\n‸x, y : ℕ\n└\n┌ Q\nx, y : ℕ\n└\n";
+  CHECK(places_of_marked(two) == Places{"2:1*"});
+  CHECK(places_of_marked(two + "─\n⊢? ∀ q : Q • q.x > 1\n└\n") == Places{"2:1*", "5:1*", "8:16"});
+}
+
 TEST_CASE("joined schemas meet in the state between, and quantified ones in what is bound") {
   CHECK(places_of_marked("┌ S\n‸x : ℕ\n└\n─\nA == [ΔS | x' = x + 1]\nB == A ⨟ A\nC == ∃ x : ℕ • S\n└\n") ==
         Places{"2:1*", "5:12", "5:17", "7:8*"});
