@@ -201,25 +201,35 @@ void TextAnswers::formatting(const JsonValue& params, JsonWriter& to) {
 
 namespace {
 
+constexpr std::int64_t error_severity = 1, warning_severity = 2, information_severity = 3;
+
 std::int64_t severity_of(const zed::Defect& defect) {
-  constexpr std::int64_t error = 1, warning = 2, information = 3;
   switch (defect.severity) {
     case zed::Defect::Severity::error:
-      return error;
+      return error_severity;
     case zed::Defect::Severity::warning:
-      return warning;
+      return warning_severity;
     case zed::Defect::Severity::opinion:
-      return information;
+      return information_severity;
   }
-  return error;
+  return error_severity;
 }
 
 /// What is wrong, and what is expected, as `durero spec check` says it behind the place.
-std::string message_of(const zed::Defect& defect) {
+std::string message_of(zed::Defect defect) {
+  defect.severity = zed::Defect::Severity::error;  // the weight is told apart
   const std::string line = defect.text();
   const std::string place = fmt::format(":{}:{}: ", defect.place.line, defect.place.column);
   const std::size_t at = line.find(place);
   return at == line.npos ? line : line.substr(at + place.size());
+}
+
+/// The counterexample of a conjecture, as `durero spec check` gives it behind the place.
+std::string message_of(const zed::Trial& trial) {
+  const std::string label = trial.label.empty() ? "" : " " + trial.label;
+  std::string message = fmt::format("conjecture{} is false, as in this state:\n{}", label, trial.counterexample);
+  if (message.ends_with('\n')) message.pop_back();
+  return message;
 }
 
 /// The end of what stands at a byte: of a word, or of one character.
@@ -239,24 +249,30 @@ std::size_t end_of_word(const std::string& text, std::size_t from) {
 
 }  // namespace
 
+void TextAnswers::diagnostic(const EditedText& text, zed::Place place, std::int64_t severity,
+                             const std::string& message, JsonWriter& to) const {
+  const std::size_t from = text.byte_of(place);
+  to.StartObject();
+  to.Key("range");
+  range(text, from, end_of_word(text.text(), from), to);
+  put(to, "severity", severity);
+  put(to, "source", "durero");
+  put(to, "message", message);
+  to.EndObject();
+}
+
 void TextAnswers::diagnostics(const std::string& path, JsonWriter& to) {
   const OpenFile& file = *workspace_.find(path);
+  GroupAnalysis& analysis = workspace_.analysis(path);
   to.StartObject();
   put(to, "uri", file.uri);
   put(to, "version", file.version);
   to.Key("diagnostics");
   to.StartArray();
-  for (const zed::Defect& defect : workspace_.analysis(path).defects()) {
-    if (defect.file != path) continue;
-    const std::size_t from = file.text.byte_of(defect.place);
-    to.StartObject();
-    to.Key("range");
-    range(file.text, from, end_of_word(file.text.text(), from), to);
-    put(to, "severity", severity_of(defect));
-    put(to, "source", "durero");
-    put(to, "message", message_of(defect));
-    to.EndObject();
-  }
+  for (const zed::Defect& defect : analysis.defects())
+    if (defect.file == path) diagnostic(file.text, defect.place, severity_of(defect), message_of(defect), to);
+  for (const zed::Trial& trial : analysis.refuted())
+    if (trial.file == path) diagnostic(file.text, trial.place, error_severity, message_of(trial), to);
   to.EndArray();
   to.EndObject();
 }

@@ -32,7 +32,8 @@ class TextAnswers {
   void formatting(const JsonValue& params, JsonWriter& to);
   void document_symbol(const JsonValue& params, JsonWriter& to);
   /// @}
-  /// Writes the parameters of the notification that tells the defects of an open file.
+  /// Writes the parameters of the notification that tells the defects of an open file, and its conjectures that were
+  /// found false.
   void diagnostics(const std::string& path, JsonWriter& to);
 
  private:
@@ -47,6 +48,8 @@ class TextAnswers {
   RequestedPlace place_of(const JsonValue& params);
   const zed::Occurrence* occurrence_at(const RequestedPlace& asked);
   void range(const EditedText& text, std::size_t from, std::size_t to, JsonWriter& writer) const;
+  void diagnostic(const EditedText& text, zed::Place place, std::int64_t severity, const std::string& message,
+                  JsonWriter& to) const;
   void symbols(const RequestedPlace& asked, const std::vector<zed::OutlineEntry>& entries, const std::string& within,
                JsonWriter& to);
   void location(const GroupAnalysis& in, const std::string& path, const zed::Occurrence& of, JsonWriter& to);

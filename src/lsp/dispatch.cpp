@@ -254,6 +254,7 @@ void ServerSession::did_change(const JsonValue& params) {
   if (const JsonValue* version = find_member(document, "version"); version && version->IsInt64())
     file->version = version->GetInt64();
   workspace_.edited();
+  untried_.clear();  // what was found was of another text
   for (const auto& [open, each] : workspace_.files()) untold_.insert(open);
   told_.erase(path);  // the client waits for the defects of this version, be they the same
 }
@@ -264,6 +265,7 @@ void ServerSession::did_close(const JsonValue& params) {
   workspace_.close(path);
   told_.erase(path);
   untold_.erase(path);
+  untried_.erase(path);
   sent_.push_back(message_of([&](JsonWriter& to) {
     put(to, "method", "textDocument/publishDiagnostics");
     to.Key("params");
@@ -280,10 +282,35 @@ void ServerSession::did_close(const JsonValue& params) {
 /// Texts beside the open ones may be others now.
 void ServerSession::files_changed() {
   workspace_.reread();
-  for (const auto& [path, file] : workspace_.files()) untold_.insert(path);
+  for (const auto& [path, file] : workspace_.files()) {
+    untold_.insert(path);
+    untried_.insert(path);
+  }
 }
 
 void ServerSession::tell() {
+  if (untold_.empty()) {
+    try_conjecture();
+  } else {
+    tell_defects();
+  }
+}
+
+void ServerSession::try_conjecture() {
+  const std::string path = *untried_.begin();
+  GroupAnalysis& analysis = workspace_.analysis(path);
+  const std::size_t before = analysis.refuted().size();
+  bool more = false;
+  try {
+    more = analysis.try_next(path);
+  } catch (const std::bad_alloc&) {  // it is not tried, and the next is
+    more = true;
+  }
+  if (!more) untried_.erase(path);
+  if (analysis.refuted().size() > before) untold_.insert(path);
+}
+
+void ServerSession::tell_defects() {
   for (const std::string& path : std::exchange(untold_, {})) {
     if (!workspace_.find(path)) continue;
     std::string message = message_of([&](JsonWriter& to) {

@@ -37,9 +37,9 @@ class ServerSession {
   void handle(const ClientMessage& message);
   /// Sends an error as the answer to a request; without an id, as that to a message of which none is known.
   void refuse(const JsonValue* id, const RpcError& error);
-  /// Says whether the defects of some text are to be told.
-  bool has_untold() const { return !untold_.empty(); }
-  /// Tells them.
+  /// Says whether the defects of some text are to be told, or its conjectures to be tried.
+  bool has_untold() const { return !untold_.empty() || !untried_.empty(); }
+  /// Tells all defects; or, where these are told, tries one conjecture of a text that was opened or saved.
   void tell();
   std::vector<std::string> take_sent() { return std::exchange(sent_, {}); }
   bool is_over() const { return over_; }
@@ -55,6 +55,8 @@ class ServerSession {
   void did_change(const JsonValue& params);
   void did_close(const JsonValue& params);
   void files_changed();
+  void tell_defects();
+  void try_conjecture();
   void log(const std::string& message);
 
   std::string version_;
@@ -63,6 +65,7 @@ class ServerSession {
   TextAnswers answers_;
   std::vector<std::string> sent_;
   std::set<std::string> untold_;             // the paths of open files of which newer defects are to be told
+  std::set<std::string> untried_;            // and those of which a conjecture may be untried
   std::map<std::string, std::string> told_;  // what was told last, by path
   bool initialized_ = false, shut_down_ = false, over_ = false;
 };

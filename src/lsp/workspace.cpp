@@ -1,6 +1,7 @@
 #include "lsp/workspace.hpp"
 
 #include <utility>
+#include <variant>
 
 #include "durero/zed/review/review.hpp"
 #include "lsp/file_uri.hpp"
@@ -22,6 +23,37 @@ const zed::CrossReference& GroupAnalysis::names() {
   return *names_;
 }
 
+namespace {
+
+/// About an eighth of a second for a conjecture, as 10^8 steps take about a minute.
+constexpr std::uint64_t most_steps_of_trial = 200000;
+
+/// Leaves one conjecture in a specification: that of a file which has so many before it. False where there is none.
+bool leave_conjecture(zed::Specification& in, const std::string& file, std::size_t before) {
+  std::size_t passed = 0;
+  bool left = false;
+  for (zed::Section& section : in.sections)
+    std::erase_if(section.paragraphs, [&](const zed::Paragraph& paragraph) {
+      if (!std::holds_alternative<zed::Conjecture>(paragraph.form)) return false;
+      const bool meant = section.file == file && passed++ == before;
+      left = left || meant;
+      return !meant;
+    });
+  return left;
+}
+
+}  // namespace
+
+bool GroupAnalysis::try_next(const std::string& file) {
+  zed::Specification one = checked_.read;
+  if (!checked_.ok() || !leave_conjecture(one, file, tried_[file]++)) return false;
+  zed::TrialBounds bounds;
+  bounds.steps = most_steps_of_trial;
+  for (zed::Trial& trial : zed::try_conjectures(one, checked_.typing, {}, bounds))
+    if (!trial.counterexample.empty()) refuted_.push_back(std::move(trial));
+  return true;
+}
+
 void Workspace::open(const std::string& path, OpenFile file) {
   files_.insert_or_assign(path, std::move(file));
   reread();
@@ -34,6 +66,8 @@ void Workspace::close(const std::string& path) {
 
 void Workspace::reread() {
   folders_.clear();
+  std::erase(earlier_, nullptr);  // those that were taken up again
+  for (auto& known : analyses_) earlier_.push_back(std::move(known));
   analyses_.clear();
 }
 
@@ -52,7 +86,10 @@ GroupAnalysis& Workspace::analysis(const std::string& path) {
   FolderTexts beside = at->second;
   for (const auto& [other, file] : files_)
     if (other.substr(0, other.rfind('/') + 1) == folder) beside[other] = file.text.text();
-  return *analyses_.emplace_back(std::make_unique<GroupAnalysis>(group_of(path, own, beside)));
+  std::map<std::string, std::string> group = group_of(path, own, beside);
+  for (auto& known : earlier_)
+    if (known && known->checked().texts == group) return *analyses_.emplace_back(std::move(known));
+  return *analyses_.emplace_back(std::make_unique<GroupAnalysis>(std::move(group)));
 }
 
 EditedText Workspace::text_of(const GroupAnalysis& in, const std::string& path, PositionUnit unit) const {

@@ -9,6 +9,7 @@
 
 #include "durero/zed/names/cross_reference.hpp"
 #include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/trial/trial.hpp"
 #include "lsp/edited_text.hpp"
 #include "lsp/text_group.hpp"
 
@@ -30,9 +31,15 @@ class GroupAnalysis {
   /// The defects of the group, as `durero spec check` gives them.
   const std::vector<zed::Defect>& defects();
   const zed::CrossReference& names();
+  /// Tries the next conjecture of a file, where the group has no error; says whether there was one.
+  bool try_next(const std::string& file);
+  /// The conjectures that were found false so far.
+  const std::vector<zed::Trial>& refuted() const { return refuted_; }
 
  private:
   zed::CheckedTexts checked_;
+  std::map<std::string, std::size_t> tried_;  // of each file, how many conjectures
+  std::vector<zed::Trial> refuted_;
   std::optional<std::vector<zed::Defect>> defects_;
   std::optional<zed::CrossReference> names_;
 };
@@ -43,10 +50,13 @@ class Workspace {
 
   void open(const std::string& path, OpenFile file);
   void close(const std::string& path);
-  /// Files may have changed on the disk.
+  /// Files may have changed on the disk. What is known of a group whose texts are the same stays known.
   void reread();
   /// An open file was edited.
-  void edited() { analyses_.clear(); }
+  void edited() {
+    analyses_.clear();
+    earlier_.clear();
+  }
 
   /// Returns an open file, or null.
   OpenFile* find(const std::string& path);
@@ -63,6 +73,7 @@ class Workspace {
   std::map<std::string, OpenFile> files_;                 // by path
   std::map<std::string, FolderTexts> folders_;            // as they were last read, by the path of the folder
   std::vector<std::unique_ptr<GroupAnalysis>> analyses_;  // of the texts as they are
+  std::vector<std::unique_ptr<GroupAnalysis>> earlier_;   // of texts that may be others now
 };
 
 }  // namespace durero::lsp

@@ -98,6 +98,7 @@ def test_messages_in_pieces_and_many_at_once():
 
 def test_defects_are_those_of_spec_check():
     for name, text in (("u.utf8", UNICODE), ("w.utf8", UNICODE.replace("n? : ℕ", "n? : M; m? : ℕ")), ("l.tex", LATEX),
+                       ("f.utf8", "─\nT ::= a | b\nU == T\n⊢? ∀ x : U • x = a % U.conj.1\n└\n"),
                        ("b.tex", LATEX.replace(r"\nat", r"\nat \\ (")), ("p.tex", "Only prose.\n")):
         pathlib.Path(name).write_text(text, encoding="utf-8")
         path = os.path.abspath(name)
@@ -107,6 +108,21 @@ def test_defects_are_those_of_spec_check():
         assert told(client, path, 1) == want, (told(client, path, 1), want)
         assert bool(want) == (name not in ("u.utf8", "l.tex")), want
         assert client.end() == (0, "")
+
+
+def test_a_false_conjecture_is_told():
+    text = "─\nT ::= a | b\n⊢? ∀ x : T • x = a ∨ x ≠ b % T.conj.1\n└\n"
+    pathlib.Path("c.utf8").write_text(text, encoding="utf-8")
+    said = subprocess.run([DURERO, "spec", "check", "--quiet", "c.utf8"], capture_output=True, text=True, check=False)
+    assert said.returncode == 1 and "c.utf8:3:1: conjecture T.conj.1 is false, as in this state:\n  x = b" in said.stdout
+    client = LspClient(DURERO, {})
+    client.open("untitled:c", text)
+    while not client.diagnostics.get("untitled:c", {}).get("diagnostics"):
+        client.next()
+    (defect,) = client.diagnostics["untitled:c"]["diagnostics"]
+    assert defect["message"] == "conjecture T.conj.1 is false, as in this state:\n  x = b", defect
+    assert defect["range"]["start"] == {"line": 2, "character": 0} and defect["severity"] == 1
+    assert client.end() == (0, "")
 
 
 def test_the_files_of_spec_are_checked_together():

@@ -109,6 +109,29 @@ TEST_CASE("defects are told as spec check gives them, and again when they change
              Contains(R"("diagnostics":[])"));
 }
 
+TEST_CASE("conjectures are tried when a text is opened or saved, and those found false are told") {
+  TestClient client;
+  client.start();
+  const std::string text = "─\\nT ::= a | b\\n⊢? ∀ x : T • x = x\\n⊢? ∀ x : T • x = a ∨ x ≠ b % T.conj.2\\n└\\n";
+  CHECK_THAT(client.open("a.tex", text), Contains("conjecture T.conj.2 is false, as in this state:\\n  x = b") &&
+                                             !Contains("T.conj.1") && Contains(R"("start":{"line":3,"character":0})"));
+  CHECK_THAT(
+      client.tell(
+          "textDocument/didChange",
+          R"({"textDocument":{"uri":"file:///f/a.tex","version":2},"contentChanges":[{"range":{"start":{"line":2,"character":18},"end":{"line":2,"character":18}},"text":" "}]})"),
+      Contains(R"("version":2,"diagnostics":[])"));
+  CHECK_THAT(client.tell("textDocument/didSave", R"({"textDocument":{"uri":"file:///f/a.tex"}})"),
+             Contains("conjecture T.conj.2 is false"));
+  CHECK(client.tell("textDocument/didSave", R"({"textDocument":{"uri":"file:///f/other.tex"}})").empty());
+}
+
+TEST_CASE("the weight of a defect is told apart from its message") {
+  TestClient client;
+  client.start();
+  CHECK_THAT(client.open("a.tex", "─\\nT ::= a\\nU == T\\n└\\n"),
+             Contains(R"("severity":2,"source":"durero","message":"a is declared and never used; expected a use)"));
+}
+
 TEST_CASE("a change that cannot be carried out changes nothing") {
   TestClient client;
   client.start();
