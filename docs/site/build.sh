@@ -21,13 +21,8 @@ failed() { tail -n 40 "$log" >&2; echo "site: $1; the whole log is $log" >&2; ex
 "$python" "$here/tree.py" "$durero" "$root" "$tree"
 "$python" -m sphinx -q -W --keep-going -E -b html -d "$tree.doctrees" -c "$here" "$tree" "$out" >>"$log" 2>&1 || failed 'not built'
 
-# Debian's theme asks a server for its first style sheet by an absolute path.
-theme=$out/_static/styles/furo.css
-sed 's|url(/javascript/normalize.css/normalize.css)|url(../normalize.css)|' "$theme" >"$tree.css"
-cmp -s "$theme" "$tree.css" || cp /usr/share/javascript/normalize.css/normalize.css "$out/_static/normalize.css"
-mv "$tree.css" "$theme"
 mv "$tree.reference/html" "$out/cpp"
-"$python" "$here/cpp.py" "$out"
+"$python" "$here/repairs.py" "$out"
 [ ! -f "$root/build/page/index.html" ] || cp -R "$root/build/page" "$out/page"
 rm -rf "$tree" "$tree.doctrees" "$tree.reference" "$out/.buildinfo" "$out/objects.inv"
 echo "$out/index.html"

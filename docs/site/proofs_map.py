@@ -30,7 +30,8 @@ PART = """# {title}
 
 {count} of [the final theorems](/maps/proofs.md), stated in `proofs/{file}`. From left to right: the stems of the Z text whose labels are
 discharged, the files of `proofs/` in which the work is done, the theorems, and the files of the program that
-[the chain](/docs/proofs.md) holds by them.
+[the chain](/docs/proofs.md) holds by them. The labels of a theorem are those that the lemmas in its proof discharge; of a lemma that discharges
+none, those of the lemmas that its own proof rests on.
 
 {picture}
 
@@ -117,6 +118,8 @@ def picture_of(root, part, members):
         for file, _ in theorem.lemmas:
             graph.node(file, file, "file", f"repository:proofs/{file}")
             graph.edge(file, theorem.name)
+        for name in theorem.finals:
+            graph.edge(name, theorem.name)
         for label, (file, _) in theorem.labels.items():
             stem = stem_of(root, label)
             graph.node(stem, stem, "stem", f"repository:{stem}")
@@ -155,6 +158,8 @@ def items(root, theorem):
     if theorem.lemmas:
         yield "**Proved by:** " + ", ".join(f"`{name}` of [{file}](repository:proofs/{file}#L-{line_of(root, file, name)})"
                                             for file, name in theorem.lemmas) + "."
+    if theorem.finals:
+        yield "**Rests on:** " + ", ".join(f"`{name}`" for name in theorem.finals) + "."
     yield "**Assumes:** its hypotheses above, and the axioms " + ", ".join(f"`{axiom.split('.')[-1]}`" for axiom in theorem.axioms) + "."
     for start, end, _, assumes in arrows(root).get(theorem.name, []):
         yield f"**Holds in [the chain](/docs/proofs.md):** from {start} to {end}" + (f"; assuming {assumes}" if assumes else "") + "."

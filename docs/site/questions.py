@@ -20,6 +20,8 @@ def rows(root):
 
 def item(question, page, anchor, answer):
     page = {"README": "index"}.get(page, page)
+    answer = f"… {answer}" if answer[0].islower() else answer
+    answer = answer if answer.endswith((".", "!", "?")) else f"{answer} …"
     return f"**{question}**\n: {answer} [More](site:{page}.html{'#' + anchor if anchor else ''})\n"
 
 

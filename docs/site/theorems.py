@@ -23,6 +23,7 @@ class Theorem:
     text: str
     given: str  # the variables and hypotheses of the section of Coq that it stands in
     lemmas: list  # (file, name) of what its proof refers to
+    finals: list  # the final theorems that its proof refers to
     labels: dict = dataclasses.field(default_factory=dict)  # of each the lemma that discharges it
     axioms: list = dataclasses.field(default_factory=list)
     says: str = ""
@@ -63,7 +64,7 @@ def lemmas(root):
     return found
 
 
-def referred(root, proof, imported):
+def referred(root, proof, near):
     """The lemmas of other files that a proof of Main*.v refers to."""
     known, found = lemmas(root), []
     for module, name in re.findall(r"\b(?:([A-Z]\w*)\.)?([A-Za-z_]\w*)", proof):
@@ -71,7 +72,7 @@ def referred(root, proof, imported):
         if module:
             files = [file for file in files if file == f"{module}.v"]
         else:
-            files = [file for file in files if file.removesuffix(".v") in imported][-1:]
+            files = [file for file in files if file.removesuffix(".v") in near][-1:]
         found += [(file, name) for file in files]
     return list(dict.fromkeys(found))
 
@@ -88,6 +89,15 @@ def discharged(root):
     return found
 
 
+@functools.cache
+def final_names(root):
+    return {match[3] for file in FILES for match in THEOREM.finditer((root / "proofs" / file).read_text(encoding="utf-8"))}
+
+
+def finals_in(root, proof, name):
+    return [word for word in dict.fromkeys(re.findall(r"\w+", proof)) if word in final_names(root) and word != name]
+
+
 def stated(text):
     """The labels of the axioms and conjectures that a statement names."""
     return [re.sub(r"_(axiom|conj)_(\d+)$", r".\1.\2", word) for word in re.findall(r"\b\w+_(?:axiom|conj)_\d+\b", text)]
@@ -95,15 +105,13 @@ def stated(text):
 
 def of_file(root, file):
     text = (root / "proofs" / file).read_text(encoding="utf-8")
-    imported = set(re.findall(r"\w+", " ".join(re.findall(r"^Import (.*?)\.$", text, re.S | re.M))))
-    imported |= set(re.findall(r"\w+", " ".join(re.findall(r"Require Import (.*?)\.$", text, re.S | re.M))))
     for match in THEOREM.finditer(text):
         comment, statement, name, proof = match.groups()
         before = text[:match.start()]
         parts = PART.findall(before)
         part = re.sub(r"^\d+\. ", "", parts[-1]) if parts else file
         yield Theorem(name, file, before.count("\n") + comment.count("\n") + 1, part, comment.rstrip(), statement.rstrip(),
-                      context(before), referred(root, proof, imported))
+                      context(before), referred(root, proof, imported(text)), finals_in(root, proof, name))
 
 
 def shared_end(a, b):
@@ -124,17 +132,23 @@ def sentences(root, names):
     return says
 
 
+def imported(text):
+    """The modules whose names a file uses without a prefix."""
+    return set(re.findall(r"\w+", " ".join(re.findall(r"^(?:From \w+ )?(?:Require )?(?:Import|Export) (.*?)\.$", text, re.S | re.M))))
+
+
 @functools.cache
 def references(root):
     """Of each lemma, (file, name), the lemmas of these files that its proof refers to."""
     known, found = lemmas(root), {}
     for file in sorted((root / "proofs").glob("*.v")):
         text = file.read_text(encoding="utf-8")
+        near = {f"{module}.v" for module in imported(text)}
         for name, body in re.findall(rf"^ *{STATED} (\w+)(.*?)(?:Qed|Defined)\.", text, re.S | re.M):
             of = found.setdefault((file.name, name), [])
             for module, word in re.findall(r"\b(?:([A-Z]\w*)\.)?([A-Za-z_]\w*)", body):
                 files = known.get(word, [])
-                mine = [f"{module}.v"] if module else [file.name] if file.name in files else files if len(files) == 1 else []
+                mine = [f"{module}.v"] if module else [file.name] if file.name in files else [other for other in files if other in near][-1:]
                 of += [(other, word) for other in mine if other in files and (other, word) != (file.name, name)]
     return found
 

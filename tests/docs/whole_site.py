@@ -75,6 +75,13 @@ def dead_links(site):
                 yield f"{page}: {target} has no such anchor"
 
 
+def scripts_of_servers(site):
+    """No script may be imported by another, since a page that is read from a file gets none so."""
+    for file in sorted(site.files):
+        if file.startswith("_static/") and file.endswith(".js") and re.search(r"^import\b", (folder / file).read_text(encoding="utf-8"), re.M):
+            yield f"{file}: it imports another script"
+
+
 def other_hosts(site):
     for page, text in site.pages.items():
         for element, target in LINK.findall(text):
@@ -169,6 +176,8 @@ def luminance(colour):
 def illegible(site):
     schemes = [dict(re.findall(r"--(share\d(?:-text)?): (#\w{6})", block)) for block in site.style.split("}")]
     schemes = [scheme for scheme in schemes if scheme]
+    if site.style.count("prefers-color-scheme: dark") < 3:
+        yield "the theme, the site or the code lacks its colours for readers who prefer the dark"
     if len(schemes) != 3:
         yield f"the shares have {len(schemes)} schemes of colours; expected light, dark and dark by choice"
     for scheme in schemes:
@@ -223,7 +232,7 @@ def unindexed(site):
                 yield f"docs/site/questions.tsv: {question}: the search knows no {word}"
 
 
-RULES = [dead_links, other_hosts, lost_pages, gallery, lost_shares, lost_theorems, lost_commands, illegible, unanswered, unindexed]
+RULES = [dead_links, scripts_of_servers, other_hosts, lost_pages, gallery, lost_shares, lost_theorems, lost_commands, illegible, unanswered, unindexed]
 
 
 def searched(site):
@@ -283,7 +292,7 @@ def unseen(site):
         "a style sheet of another host": (other_hosts, site._replace(style=site.style + "@import url(//example.org/x.css);")),
         "a style sheet of a server": (other_hosts, site._replace(style=site.style + "@import url(/x.css);")),
         "a page that is lost": (lost_pages, site._replace(pages={page: text for page, text in site.pages.items() if page != "docs/seeds.html"})),
-        "a picture without its call": (gallery, without(site, "demo/gallery/README.html", r"whitted\.json")),
+        "a picture without its call": (gallery, without(site, "demo/gallery/README.html", r"whitted\.json(?=<span class=\"w\">)")),
         "a cell that is lost": (lost_shares, without(site, "maps/findings.html", r'<td class="share\d">', "<td>")),
         "a cell that leads elsewhere": (lost_shares, without(site, "maps/findings.html", r'(<td class="share\d"><a href="[^"]*?)-tiny"', r'\1-generic"')),
         "a cell of another colour": (lost_shares, without(site, "maps/findings.html", r'<td class="share7">', '<td class="share1">')),
