@@ -11,8 +11,10 @@ from markdown_links import resolved, rewritten
 
 say = logging.getLogger(__name__)
 
-# Where a page has a picture that the site makes of it.
-BESIDE = {"docs/findings": "[The tables of this page as a map](/maps/findings.md): each cell leads to its failures.",
+# What stands below the title of a page: where the site has a picture of it, or what is made for the site.
+BESIDE = {"index": "[Questions](/questions.md) · [Findings as maps](/maps/findings.md) · [The proofs as a picture](/maps/proofs.md) · "
+                   "[Gallery](/demo/gallery/README.md) · [All pages](/docs/README.md)",
+          "docs/findings": "[The tables of this page as a map](/maps/findings.md): each cell leads to its failures.",
           "docs/proofs": "[The chain as a picture](/maps/proofs.md): each node leads to the text of its theorems and to their labels."}
 # A folder has a page where the site has one of it.
 FOLDERS = {"schemas": "/reference/schemas.md"}

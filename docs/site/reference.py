@@ -21,7 +21,7 @@ CPP = """# The library in C++ and C
 {layers}
 
 The names of a layer stand in the namespace of its name: `durero::scene` is of `durero/scene/`. C has one header,
-[`durero/c/durero.h`](repository:include/durero/c/durero.h).
+[`durero/c/durero.h`](site:cpp/durero_8h.html).
 """
 PYTHON = """# The Python package
 
