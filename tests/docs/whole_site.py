@@ -6,7 +6,7 @@
   and a node that leads there; each command of the program has its help.
 - The text of each colour of a share is legible on it, in light and in dark, and the colours go one way from light to dark.
 - Each question of docs/site/questions.tsv is answered by the words that it names, in the section that it names, and its search finds
-  that page among the first ten results, where a Chromium is there to search.
+  that page among the first ten results. No page is wider than a phone. These two need Chromium, and are skipped where there is none.
 
 Each of these rules then sees a fault that is planted in a copy of the site in memory."""
 import collections
@@ -15,28 +15,29 @@ import json
 import pathlib
 import posixpath
 import re
-import shutil
 import subprocess
 import sys
-import tempfile
 import urllib.parse
+
+import in_browser
 
 durero, root, folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), pathlib.Path(sys.argv[3]).resolve()
 LINK = re.compile(r"<(\w+)\b[^>]*?\s(?:href|src)=\"([^\"]*)\"")
 ANCHOR = re.compile(r"\s(?:id|name)=\"([^\"]*)\"")
 NOWHERE = ("javascript:", "data:", "mailto:")
 LEGIBLE = 4.5  # the contrast that WCAG 2 asks of text
-BROWSER = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync",
-           "--no-first-run", "--allow-file-access-from-files"]
 
-Site = collections.namedtuple("Site", "pages files style index")
+PHONE = 390  # pixels of a style sheet, across a phone
+
+Site = collections.namedtuple("Site", "pages files style scripts index")
 
 
 def read_site():
     pages = {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8") for path in folder.rglob("*.html")}
     files = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
     style = "".join(path.read_text(encoding="utf-8") for path in sorted((folder / "_static").rglob("*.css")))
-    return Site(pages, files, style, (folder / "searchindex.js").read_text(encoding="utf-8"))
+    scripts = {path.name: path.read_text(encoding="utf-8") for path in sorted((folder / "_static").rglob("*.js"))}
+    return Site(pages, files, style, scripts, (folder / "searchindex.js").read_text(encoding="utf-8"))
 
 
 def markup(text):
@@ -76,10 +77,10 @@ def dead_links(site):
 
 
 def scripts_of_servers(site):
-    """No script may be imported by another, since a page that is read from a file gets none so."""
-    for file in sorted(site.files):
-        if file.startswith("_static/") and file.endswith(".js") and re.search(r"^import\b", (folder / file).read_text(encoding="utf-8"), re.M):
-            yield f"{file}: it imports another script"
+    """No script may be imported by another, since a page that is read from a file may import none."""
+    for name, script in site.scripts.items():
+        if re.search(r"^(import|export)\b", script, re.M):
+            yield f"_static/{name}: it imports another script, or is one to import"
 
 
 def other_hosts(site):
@@ -235,39 +236,34 @@ def unindexed(site):
 RULES = [dead_links, scripts_of_servers, other_hosts, lost_pages, gallery, lost_shares, lost_theorems, lost_commands, illegible, unanswered, unindexed]
 
 
-def searched(site):
-    """Of each question the first ten pages that the site's own search finds, in a browser and from files."""
-    browser = shutil.which("chromium")
-    if not browser:
-        return None
-    tools = (folder / "_static/searchtools.js").read_text(encoding="utf-8")
-    shows = "_displayNextItem(results, results.length, searchTerms, highlightTerms);"
-    assert tools.count(shows) == 1, "searchtools.js shows its results in another way"
-    tools = tools.replace(shows, "FOUND.push(results.slice(-10).reverse().map((item) => item[0] + item[2]));")
-    data = (folder / "_static/language_data.js").read_text(encoding="utf-8")
-    page = f"""<input name="q"><div id="search-progress"></div><pre id="out"></pre><script>
-        const FOUND = [], SPHINX_HIGHLIGHT_ENABLED = false, _ = (text) => text;
-        const DOCUMENTATION_OPTIONS = {{}}; const _ready = () => 0;</script>
-        <script>{data}</script><script>{tools}</script><script>{site.index}</script><script>
-        for (const words of {json.dumps([row[4] for row in questions()])}) {{
-          document.querySelector("input").value = words; Search.query(words); }}
-        document.getElementById("out").textContent = JSON.stringify(FOUND);</script>"""
-    with tempfile.TemporaryDirectory() as place:
-        file = pathlib.Path(place) / "search.html"
-        file.write_text(page, encoding="utf-8")
-        said = subprocess.run([browser, *BROWSER, f"--user-data-dir={place}/profile", "--dump-dom", file.as_uri()],
-                              capture_output=True, encoding="utf-8", timeout=300, check=False).stdout
-    found = re.search(r'<pre id="out">(.*?)</pre>', said, re.S)
-    return json.loads(html.unescape(found[1])) if found and found[1] else []
+def too_wide(site):
+    """Pages of each kind that one would have to push aside on a phone."""
+    pages = [page for page in sorted(site.pages) if not page.startswith(("cpp/", "files/", "maps/systems/", "page/"))]
+    pages += sorted(page for page in site.pages if page.startswith("maps/systems/"))[:6]
+    wide = folder.with_suffix(".wide.html")  # a planted fault
+    wide.write_text(f'<!doctype html><body style="margin: 0"><p style="width: {PHONE + 1}px">wide</p>', encoding="utf-8")
+    found = in_browser.widths([path.as_uri() for path in [wide, *(folder / page for page in pages)]], PHONE)
+    wide.unlink()
+    if found is None:
+        print("skipped: no chromium: no page is looked at on a phone")
+        return
+    if len(found) != len(pages) + 1 or found[0] != PHONE + 1:
+        yield f"a phone shows {len(found)} of {len(pages) + 1} pages, the first of them {found[:1]} pixels wide, and not {PHONE + 1}"
+    for page, width in zip(pages, found[1:]):
+        if width > PHONE:
+            yield f"{page}: {width} pixels wide, where a phone has {PHONE}"
 
 
 def unfound(site):
-    found = searched(site)
+    found = in_browser.searched(folder, site.index, [row[4] for row in questions()])
     if found is None:
         print("skipped: no chromium: nothing is searched for")
         return
     if len(found) != len(list(questions())):
         yield "the search does not end"
+    results = re.search(r'<ul class="search">.*?</ul>', in_browser.shown((folder / "search.html").as_uri() + "?q=verdicts") or "", re.S)
+    if not results or 'href="docs/conformance.html#verdicts"' not in results[0]:
+        yield f"search.html, read from a file, finds no verdicts: {results and results[0]}"
     for (question, page, _, _, search), results in zip(questions(), found):
         if page not in [result.partition("#")[0] for result in results]:
             yield f"docs/site/questions.tsv: {question}: {search!r} finds {results}, and not {page}"
@@ -291,6 +287,7 @@ def unseen(site):
         "an address that is none": (other_hosts, without(site, "index.html", r"</article>", '<a href="https://nowhere">x</a></article>')),
         "a style sheet of another host": (other_hosts, site._replace(style=site.style + "@import url(//example.org/x.css);")),
         "a style sheet of a server": (other_hosts, site._replace(style=site.style + "@import url(/x.css);")),
+        "a script that imports another": (scripts_of_servers, site._replace(scripts={"x.js": 'import x from "./y.js";\n'})),
         "a page that is lost": (lost_pages, site._replace(pages={page: text for page, text in site.pages.items() if page != "docs/seeds.html"})),
         "a picture without its call": (gallery, without(site, "demo/gallery/README.html", r"whitted\.json(?=<span class=\"w\">)")),
         "a cell that is lost": (lost_shares, without(site, "maps/findings.html", r'<td class="share\d">', "<td>")),
@@ -311,7 +308,7 @@ def main():
     if sys.argv[4:] != ["built"]:
         subprocess.run(["sh", root / "docs/site/build.sh", durero, root, folder], check=True)
     site = read_site()
-    wrong = [*faults(site), *unfound(site)] or [f"not seen: {what}" for what in unseen(site)]
+    wrong = [*faults(site), *unfound(site), *too_wide(site)] or [f"not seen: {what}" for what in unseen(site)]
     outside = {target for text in site.pages.values() for target in re.findall(r'<a\b[^>]*href="(https?:[^"]*)"', text)}
     print("\n".join(wrong[:60]) or f"{len(site.pages)} pages, {sum(1 for _ in links(site))} links, none dead, {len(outside)} addresses "
           f"of other hosts, {len(list(questions()))} questions, and every fault that was planted is seen")
