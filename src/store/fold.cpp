@@ -7,6 +7,7 @@
 
 #include "durero/io/source.hpp"
 #include "durero/text/shown.hpp"
+#include "rows_back.hpp"
 #include "snapshot.hpp"
 
 namespace durero::store {
@@ -14,6 +15,11 @@ namespace {
 
 /// How many edits are read at a time.
 constexpr std::size_t run_length = 1024;
+
+struct ReadOrigins {
+  Records& of;
+  std::vector<EventOrigin> operator()(EventNumber first, EventNumber last) const { return of.origins(first, last); }
+};
 
 }  // namespace
 
@@ -36,27 +42,36 @@ void Fold::advance(const HistoryEvent& to) {
 
 void Fold::move_to(EventNumber to, const std::set<EventNumber>& spoiled) {
   std::vector<EventNumber> way;  // from the last event back to the first that is not there yet
+  RowsBack<EventOrigin, ReadOrigins> origins(ReadOrigins{records_});
   EventNumber from = to;
   try {
     while (from != at_) {
-      const EventOrigin origin = records_.origin(from);
+      const EventOrigin* const near = origins.find(from);
+      const EventOrigin origin = near == nullptr ? records_.origin(from) : *near;
       if (origin.has_snapshot && !spoiled.contains(from)) break;
       if (origin.kind == EventKind::import || origin.parent == no_event) refuse(from, "has no snapshot that is whole");
       way.push_back(from);
       from = origin.parent;
     }
     if (from != at_) put(from, records_.hash(from), scene_of(records_.snapshot(from), records_.database().path()));
-    std::vector<HistoryEvent> run;
-    while (!way.empty()) {
-      run.clear();
-      for (; !way.empty() && run.size() < run_length; way.pop_back())
-        run.push_back(records_.required_event(way.back()));
-      apply(run);
-    }
+    while (!way.empty()) apply(next_run(way));
   } catch (...) {
     forget();
     throw;
   }
+}
+
+/// The next events of a way, which ends where the first stands. Those whose numbers follow each other are read at once.
+std::vector<HistoryEvent> Fold::next_run(std::vector<EventNumber>& way) const {
+  const EventNumber first = way.back();
+  std::size_t length = 0;
+  for (; !way.empty() && length < run_length && way.back() == first + static_cast<EventNumber>(length); ++length)
+    way.pop_back();
+  std::vector<HistoryEvent> run = records_.events(first, first + static_cast<EventNumber>(length) - 1);
+  for (std::size_t i = 0; i < length; ++i)
+    if (i == run.size() || run[i].number != first + static_cast<EventNumber>(i))
+      refuse(first + static_cast<EventNumber>(i), "is missing");
+  return run;
 }
 
 void Fold::require_hash(const HistoryEvent& event, const Digest& parent) const {

@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "durero/store/carry_out.hpp"
 #include "records.hpp"
@@ -52,6 +53,7 @@ class Fold {
   void require_hash(const HistoryEvent& event, const Digest& parent) const;
   void apply_one(const HistoryEvent& event, io::ScriptStep step, const CarryOut& by);
   std::vector<io::ScriptStep> read(std::span<const HistoryEvent> run) const;
+  std::vector<HistoryEvent> next_run(std::vector<EventNumber>& way) const;
   [[noreturn]] void refuse(EventNumber event, const std::string& wrong) const;
 
   Records& records_;

@@ -46,9 +46,9 @@ std::string title_of(NameKind kind, std::string_view name) {
 Records::Records(Database& database)
     : database_(of_store(database)),
       event_(database.prepare("SELECT number, parent, kind, begins, line, operation, answer, author, time, comment, "
-                              "content, hash FROM event WHERE number = $1")),
-      origin_(database.prepare("SELECT parent, kind, EXISTS (SELECT 1 FROM snapshot WHERE event = $1) FROM event "
-                               "WHERE number = $1")),
+                              "content, hash FROM event WHERE number BETWEEN $1 AND $2 ORDER BY number")),
+      origin_(database.prepare("SELECT number, parent, kind, EXISTS (SELECT 1 FROM snapshot WHERE event = number) "
+                               "FROM event WHERE number BETWEEN $1 AND $2 ORDER BY number")),
       hash_(database.prepare("SELECT hash FROM event WHERE number = $1")),
       last_(database.prepare("SELECT coalesce(max(number), 0) FROM event")),
       put_(database.prepare("INSERT INTO event VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, $11, $12)")),
@@ -62,29 +62,36 @@ Records::Records(Database& database)
                                  "DO UPDATE SET event = excluded.event, seal = excluded.seal")),
       remove_name_(database.prepare("DELETE FROM name WHERE kind = $1 AND name = $2")) {}
 
-HistoryEvent Records::read_event() {
+HistoryEvent Records::read_event(const PreparedQuery& from) const {
   HistoryEvent event;
-  event.number = event_->integer(0);
-  event.parent = event_->integer(1);
-  const std::int64_t kind = event_->integer(2);
+  event.number = from.integer(0);
+  event.parent = from.integer(1);
+  const std::int64_t kind = from.integer(2);
   event.kind = static_cast<EventKind>(kind);
-  event.begins = event_->integer(3) != 0;
-  event.line = event_->integer(4);
-  event.operation = event_->bytes(5);
-  event.answer = event_->bytes(6);
-  event.by = {std::string(event_->bytes(7)), std::string(event_->bytes(8)), std::string(event_->bytes(9))};
-  event.content = event_->bytes(10);
+  event.begins = from.integer(3) != 0;
+  event.line = from.integer(4);
+  event.operation = from.bytes(5);
+  event.answer = from.bytes(6);
+  event.by = {std::string(from.bytes(7)), std::string(from.bytes(8)), std::string(from.bytes(9))};
+  event.content = from.bytes(10);
   const bool is_known = kind == std::int64_t{0} || kind == std::int64_t{1};  // the two of EventKind
-  if (!is_known || event.parent < no_event || event.parent >= event.number ||
-      !copy_digest(event_->bytes(11), event.hash))
+  if (!is_known || event.parent < no_event || event.parent >= event.number || !copy_digest(from.bytes(11), event.hash))
     database_.refuse(fmt::format("event {} is spoiled", event.number), expected_whole);
   return event;
 }
 
 std::optional<HistoryEvent> Records::event(EventNumber number) {
   const QueryScope scope(*event_);
-  if (!event_->bind(1, number).step()) return std::nullopt;
-  return read_event();
+  if (!event_->bind(1, number).bind(2, number).step()) return std::nullopt;
+  return read_event(*event_);
+}
+
+std::vector<HistoryEvent> Records::events(EventNumber first, EventNumber last) {
+  const QueryScope scope(*event_);
+  std::vector<HistoryEvent> all;
+  event_->bind(1, first).bind(2, last);
+  while (event_->step()) all.push_back(read_event(*event_));
+  return all;
 }
 
 HistoryEvent Records::required_event(EventNumber number) {
@@ -99,13 +106,26 @@ HistoryEvent Records::checked_event(EventNumber number) {
   return event;
 }
 
-EventOrigin Records::origin(EventNumber number) {
-  const QueryScope scope(*origin_);
-  if (!origin_->bind(1, number).step()) database_.refuse(fmt::format("event {} is missing", number), expected_whole);
-  const EventNumber parent = origin_->integer(0);
+EventOrigin Records::read_origin(const PreparedQuery& from) const {
+  const EventNumber number = from.integer(0), parent = from.integer(1);
   if (parent < no_event || parent >= number)
     database_.refuse(fmt::format("event {} is spoiled", number), expected_whole);
-  return {parent, origin_->integer(1) == 0 ? EventKind::import : EventKind::edit, origin_->integer(2) != 0};
+  return {number, parent, from.integer(2) == 0 ? EventKind::import : EventKind::edit, from.integer(3) != 0};
+}
+
+EventOrigin Records::origin(EventNumber number) {
+  const QueryScope scope(*origin_);
+  if (!origin_->bind(1, number).bind(2, number).step())
+    database_.refuse(fmt::format("event {} is missing", number), expected_whole);
+  return read_origin(*origin_);
+}
+
+std::vector<EventOrigin> Records::origins(EventNumber first, EventNumber last) {
+  const QueryScope scope(*origin_);
+  std::vector<EventOrigin> all;
+  origin_->bind(1, first).bind(2, last);
+  while (origin_->step()) all.push_back(read_origin(*origin_));
+  return all;
 }
 
 Digest Records::hash(EventNumber number) {

@@ -45,6 +45,7 @@ std::string title_of(NameKind kind, std::string_view name);
 
 /// How the scene of an event is made.
 struct EventOrigin {
+  EventNumber number;
   EventNumber parent;
   EventKind kind;
   bool has_snapshot;
@@ -61,8 +62,13 @@ class Records {
   HistoryEvent required_event(EventNumber number);
   /// The same, held against its hash. Throws io::FileError also where it is not as it was written.
   HistoryEvent checked_event(EventNumber number);
+  /// Events of numbers from the first to the last, ascending, as they are found. Throws io::FileError where one of them
+  /// cannot be read.
+  std::vector<HistoryEvent> events(EventNumber first, EventNumber last);
   /// What an event is made from. Throws io::FileError where there is no such event.
   EventOrigin origin(EventNumber number);
+  /// What the events of numbers from the first to the last are made from, ascending, as events().
+  std::vector<EventOrigin> origins(EventNumber first, EventNumber last);
   /// The hash of an event, as it is stored: of no_event 32 zeros.
   Digest hash(EventNumber number);
   /// The greatest number of an event.
@@ -87,7 +93,8 @@ class Records {
   Database& database() noexcept { return database_; }
 
  private:
-  HistoryEvent read_event();
+  HistoryEvent read_event(const PreparedQuery& from) const;
+  EventOrigin read_origin(const PreparedQuery& from) const;
   Digest seal_of(NameKind kind, const NamedEvent& named);
   void require_seal(const Digest& seal, std::string_view stored, const std::string& what);
 

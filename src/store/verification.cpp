@@ -75,11 +75,12 @@ class Verifier {
   }
 
   void take(EventNumber number) {
+    if (number > ahead_) read_ahead(number);
     std::optional<HistoryEvent> event;
     bool has_snapshot = false;
     const bool is_read = attempt([&] {
-      event = records_.event(number);
-      has_snapshot = records_.has_snapshot(number);
+      event = is_read_ahead_ ? next_ahead(number) : records_.event(number);
+      has_snapshot = is_read_ahead_ ? snapshots_.contains(number) : records_.has_snapshot(number);
     });
     if (event) greatest_ = number;
     if (!is_read || !event) {
@@ -96,6 +97,27 @@ class Verifier {
     if (!run_.empty() && event->parent != run_.back().number) flush();
     run_.push_back(*std::move(event));
     if (has_snapshot || run_.size() == verified_at_once) flush(has_snapshot);
+  }
+
+  /// Reads the next events at once. Where one of them cannot be read, each is read for itself.
+  void read_ahead(EventNumber number) {
+    ahead_ = number + static_cast<EventNumber>(verified_at_once) - 1;
+    next_ = 0;
+    snapshots_.clear();
+    try {
+      events_ = records_.events(number, ahead_);
+      for (const EventOrigin& origin : records_.origins(number, ahead_))
+        if (origin.has_snapshot) snapshots_.insert(origin.number);
+      is_read_ahead_ = true;
+    } catch (const io::FileError&) {
+      is_read_ahead_ = false;
+    }
+  }
+
+  /// The event of a number that has come behind those before.
+  std::optional<HistoryEvent> next_ahead(EventNumber number) {
+    if (next_ == events_.size() || events_[next_].number != number) return std::nullopt;
+    return std::move(events_[next_++]);
   }
 
   /// Carries the run out; its last event may have a snapshot.
@@ -195,6 +217,11 @@ class Verifier {
   StoreReport report_;
   std::vector<HistoryEvent> run_;  // edits that follow each other, none but the last with a snapshot
   std::vector<EventNumber> missing_;
+  EventNumber ahead_ = no_event;  // the last that was read ahead
+  bool is_read_ahead_ = false;
+  std::vector<HistoryEvent> events_;  // read ahead
+  std::size_t next_ = 0;              // of these
+  std::set<EventNumber> snapshots_;   // which of these have one
   std::set<EventNumber> spoiled_;
   EventNumber greatest_ = no_event;
 };
