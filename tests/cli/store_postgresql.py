@@ -6,6 +6,8 @@ import contextlib
 import json
 import os
 import random
+import re
+import shlex
 import signal
 import sqlite3
 import subprocess
@@ -118,6 +120,21 @@ def test_a_history_is_the_same_in_a_file_and_on_a_server():
     rows = rows_of_file("f.store")
     assert rows == rows_of_server(uri)
     assert len(rows["event"]) > 1100 and len(rows["snapshot"]) == 3 and len(rows["name"]) > 4
+
+
+def test_the_page_says_what_is_printed():
+    """docs/store.md: its file, and the calls that stand there with their answers."""
+    serve()
+    with open(os.path.join(home, os.pardir, os.pardir, "docs", "store.md"), encoding="utf-8") as file:
+        page = file.read()
+    with open("first.json", "w") as file:
+        file.write(re.search("<!-- file first.json -->\n```json\n(.*?)```", page, re.DOTALL)[1])
+    calls = re.findall(r"^    \$ durero (.*)\n((?:    [^$].*\n)+)", page, re.MULTILINE)
+    assert len(calls) == 2
+    for call, answer in calls:
+        words = shlex.split(call.replace("postgresql://ann@db.example/scenes?", server.uri() + "&"))
+        done = subprocess.run([durero, *words], capture_output=True, text=True, timeout=PATIENCE)
+        assert done.returncode == 0 and "".join(f"    {line}\n" for line in done.stdout.splitlines()) == answer, (call, done)
 
 
 def test_bytes_that_are_no_text_are_kept():

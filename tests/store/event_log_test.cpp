@@ -2,6 +2,7 @@
 #include "durero/store/event_log.hpp"
 
 #include "kept.hpp"
+#include "store/database.hpp"
 #include "support/catch.hpp"
 
 using namespace durero;
@@ -37,6 +38,52 @@ TEST_CASE("a log goes from a revision to the first event, or through all") {
   CHECK(log_of(of, {"left", 2}) == "3 left,2,");
   CHECK(log_of(of, {"HEAD", 1, true}) == "4 HEAD main,");
   CHECK_THROWS_AS(log_of(of, {"nowhere"}), io::FileError);
+}
+
+TEST_CASE("a long log, which is read by runs, has each event of its way") {
+  const KeptStore kept;
+  store::Store of = kept.open();
+  edit(of, test::balls(0, 3000));
+  of.add_branch("early", "HEAD");
+  of.undo();
+  edit(of, test::balls(3000, 3100));
+  of.go_to("early");
+  edit(of, ball(9000));
+  std::string main = "3101 main,", early = "3102 HEAD early,", all = early + main;
+  for (int number = 3100; number > 3001; --number) main += std::to_string(number) + ",";
+  for (int number = 3100; number > 3001; --number) all += std::to_string(number) + ",";
+  for (int number = 3001; number > 1; --number) early += std::to_string(number) + ",";
+  for (int number = 3001; number > 1; --number) all += std::to_string(number) + ",";
+  CHECK(log_of(of, {"main"}) == main + "1,");
+  CHECK(log_of(of, {"early"}) == early + "1,");
+  CHECK(log_of(of, {"HEAD", 0, true}) == all + "1,");
+  store::tell_log(of, {}, [&](const store::HistoryEvent& event, const std::vector<std::string>&) {
+    CHECK(event.hash == of.event(event.number).hash);
+  });
+}
+
+TEST_CASE("a log ends at an event that is not as it was written, and none beside its way disturbs it") {
+  const KeptStore kept;
+  {
+    store::Store of = kept.open();
+    edit(of, ball(1));
+    of.undo();
+    edit(of, ball(2) + ball(3));
+  }
+  const auto change = [&](const char* sql) { store::open_database(kept.path, store::Database::Mode::write)->run(sql); };
+  const auto whole_log = [&](bool all = false) {
+    store::Store of = kept.open(store::StoreAccess::read);
+    return log_of(of, {"HEAD", 0, all});
+  };
+  change("UPDATE event SET hash = content, parent = 9 WHERE number = 2");  // it cannot be read at all
+  CHECK(whole_log() == "4 HEAD main,3,1,");
+  CHECK_THROWS_WITH(whole_log(true), Catch::Contains("event 2 is spoiled"));
+  store::Store of = kept.open(store::StoreAccess::read);
+  CHECK(test::text_at(of).find("\"s3\"") != std::string::npos);
+  change("UPDATE event SET author = 'eve' WHERE number = 3");
+  CHECK_THROWS_WITH(whole_log(), Catch::Contains("event 3 is not as it was written"));
+  change("DELETE FROM event WHERE number = 3");
+  CHECK_THROWS_WITH(whole_log(), Catch::Contains("event 3 is missing"));
 }
 
 TEST_CASE("an event is a line of JSON, which says what it is") {
