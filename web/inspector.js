@@ -158,7 +158,7 @@ function light_block() {
         el(
           "li",
           {},
-          el("strong", {}, `${say("light")} ${light.light}`),
+          el("strong", {}, `${say("light")} ${light.light ?? light.directional_light}`),
           " ",
           light.visible
             ? el("span", { class: "lit" }, say("visible"))

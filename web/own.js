@@ -189,6 +189,7 @@ function operation_card(o) {
                 "li",
                 { class: p.truth === "false" ? "fault" : "quiet" },
                 el("span", { class: "z" }, z_nodes(p.predicate)),
+                p.after ? el("span", { class: "quiet" }, ` ${say("in_the_state_after")}`) : null,
                 p.label ? el("code", { class: "quiet" }, ` ${p.label}`) : null,
               ),
             ),

@@ -5,6 +5,7 @@ import { crossing_now } from "./inspector.js";
 import { make_stage } from "./stage.js";
 import { change, on_change, state } from "./state.js";
 import { show_name } from "./text_panel.js";
+import { add, times, unit } from "./vectors.js";
 import { say } from "./words.js";
 
 // The picture's panel: which scene it shows, what was answered about it, and what the pointer is over.
@@ -165,12 +166,14 @@ function told(answer) {
     crossings.map(c => c.elemento).join(", ")
   );
 }
+// show_lights hands over each light with its shadow ray. A directional light is as far as the picture needs.
 function show_lights() {
-  const { light } = facts;
-  const positions = (facts.scene?.lights ?? []).map((l, i) => ({ place: l.position, visible: true, from: null, i }));
-  for (const one of light?.lights ?? []) {
-    const blocked = one.crossings?.find(c => c.point && number(c.t?.binary64) < 1);
-    const shown = positions[one.light];
+  const positions = (facts.scene?.lights ?? []).map(l => ({ place: l.position, visible: true, from: null }));
+  for (const one of facts.light?.lights ?? []) {
+    const directional = one.directional_light !== undefined;
+    const blocked = one.crossings?.find(c => c.point && (directional || number(c.t?.binary64) < 1));
+    if (directional) positions.push({ place: add(one.p, times(unit(one.v), 8)) });
+    const shown = directional ? positions.at(-1) : positions[one.light];
     if (shown) Object.assign(shown, { visible: one.visible, from: one.p, blocked: blocked ? place_of(blocked) : null });
   }
   stage.set_model({ lights: positions });

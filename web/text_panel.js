@@ -4,7 +4,7 @@ import { facts, on_facts } from "./facts.js";
 import { change, on_change, state } from "./state.js";
 import { nodes_of } from "./marked.js";
 import { say } from "./words.js";
-import { input_values, parts_of, ray_values, with_values } from "./values.js";
+import { input_values, parts_of, ray_values, values_in } from "./values.js";
 import { indented, kind_of, marks_of, tokens } from "./ztext.js";
 
 // The Z text: its paragraphs, a line a predicate with its label, and beside each what is proved, tested and evaluated here.
@@ -216,7 +216,8 @@ async function explain(line) {
   const here = here_now(),
     answer = await ask({
       call: "eval",
-      expression: with_values(line.text, known_values()),
+      expression: line.text,
+      bindings: values_in(line.text, known_values()),
       scene: facts.scene_text,
       explain: true,
       steps: 3000000,

@@ -17,7 +17,7 @@ export const z_exact = ({ x, y, delta }) =>
   y === "0" ? z_rational(x) : `${z_rational(x)} + (${z_rational(y)}) * √(${delta})`;
 const triple = (p, write) => `⦉x == ${write(p[0])}, y == ${write(p[1])}, z == ${write(p[2])}⦊`;
 export const z_point = p => triple(p, z_number);
-export const z_set = names => `{${names.map(z_name).join(", ")}}`;
+export const z_set = names => (names.length ? `{${names.map(z_name).join(", ")}}` : "∅[Elemento]");
 export const z_name = name => (/^[A-Za-z]\w*$/.test(name) ? name : JSON.stringify(name));
 export const z_ray = (p, v) => `⦉p == ${z_point(p)}, v == ${z_point(v)}⦊`;
 
@@ -75,8 +75,9 @@ export function ray_values({ p, v, on }, answer, names) {
   return made;
 }
 
-// with_values puts before a predicate the values of those names that stand in it.
-export function with_values(text, values) {
-  const named = [...new Set(tokens(text))].filter(token => Object.hasOwn(values, token));
-  return named.length ? `let ${named.map(name => `${name} == ${values[name]}`).join("; ")} • (${text})` : text;
+// values_in keeps the values of those names that stand in a predicate.
+export function values_in(text, values) {
+  return Object.fromEntries(
+    [...new Set(tokens(text))].filter(token => Object.hasOwn(values, token)).map(name => [name, values[name]]),
+  );
 }

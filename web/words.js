@@ -126,6 +126,7 @@ export const words = {
   here_holds: ["holds here", "aquí se cumple"],
   hold_against: ["hold against the exact hits", "comparar con los exactos"],
   in_shadow_of: ["hidden by", "tapada por"],
+  in_the_state_after: ["in the state after", "en el estado posterior"],
   inspector: ["Inspector", "Inspector"],
   lift: ["a lift", "un ascensor"],
   keep_scene: ["keep as a file", "guardar como archivo"],

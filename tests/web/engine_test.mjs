@@ -123,8 +123,15 @@ test("each predicate of a hit is true of the exact answer, and of a wrong one so
     Promise.all(
       lines.map(
         async l =>
-          (await engine.call({ call: "eval", expression: values.with_values(l.text, given), scene, steps: 3000000 }))
-            .value,
+          (
+            await engine.call({
+              call: "eval",
+              expression: l.text,
+              bindings: values.values_in(l.text, given),
+              scene,
+              steps: 3000000,
+            })
+          ).value,
       ),
     );
   const right = values.ray_values(ray, answer, names);
@@ -154,7 +161,8 @@ test("the clauses of an operation are evaluated with its inputs", async () => {
     ["centro?.x = 0", "true"],
   ])
     assert.equal(
-      (await answered({ call: "eval", expression: values.with_values(predicate, given), scene })).value,
+      (await answered({ call: "eval", expression: predicate, bindings: values.values_in(predicate, given), scene }))
+        .value,
       value,
       predicate,
     );
