@@ -27,7 +27,7 @@ function start_worker(address) {
 }
 
 // worker_engine has two workers: a ray that is dragged does not wait for a predicate that takes long.
-const quick_calls = new Set(["version", "operations", "edit", "ray", "light", "trace"]);
+const quick_calls = new Set(["edit", "ray", "light", "trace"]);
 function worker_engine(text) {
   const address = URL.createObjectURL(new Blob([text, worker_end], { type: "text/javascript" }));
   const quick = start_worker(address),

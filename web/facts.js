@@ -11,6 +11,7 @@ export const facts = {
   ray: null,
   light: null,
   error: null,
+  first: null, // when the first ray was answered
 };
 const listeners = [];
 export const on_facts = listener => listeners.push(listener);
@@ -64,6 +65,7 @@ function pick_step() {
 
 const rays = latest((answer, question, stale) => {
   facts.ray = answer;
+  facts.first ??= performance.now();
   facts.asked = question;
   tell("ray");
   if (!stale) lights.send({ ...question, call: "light" });

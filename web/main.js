@@ -1,6 +1,6 @@
 import { answered, start_engine } from "./ask.js";
 import { el, fill, find } from "./dom.js";
-import { facts, on_facts, start_facts, update_ray } from "./facts.js";
+import { facts, on_facts, start_facts } from "./facts.js";
 import { start_exercises } from "./exercises.js";
 import { start_inspector } from "./inspector.js";
 import { show_refusal, start_operations } from "./operations.js";
@@ -154,12 +154,12 @@ async function start() {
 // fill_views starts what the engine answers for.
 async function fill_views(trouble, began) {
   start_inspector(() => stage_now().frame());
-  const [version, list] = await Promise.all([answered({ call: "version" }), answered({ call: "operations" })]);
-  start_operations(list.operations ?? [], show_refused);
+  const asked = Promise.all([answered({ call: "version" }), answered({ call: "operations" })]);
   await start_facts();
-  await start_text(list.operations ?? []);
+  const [version, list] = await asked;
+  start_operations(list.operations, show_refused);
+  await start_text(list.operations);
   if (!state.label) show_refusal();
-  update_ray();
   start_walk();
   start_own();
   start_exercises();
@@ -169,7 +169,7 @@ async function fill_views(trouble, began) {
   if (trouble.length) find("said").textContent = `${say("address_trouble")} ${trouble.join(", ")}`;
   else if (find("said").textContent === say("starting")) find("said").textContent = "";
   find("built").textContent =
-    `Durero ${version.durero} · ${say("ready_in")} ${Math.round(performance.now() - began)} ms`;
+    `Durero ${version.durero} · ${say("first_answer_in")} ${Math.round(facts.first - began)} ms`;
   document.body.dataset.ready = "1";
 }
 globalThis.dureroPage = {

@@ -304,21 +304,25 @@ export function show_refusal() {
   if (state.step > 0 && answer && !answer.ok) show_label(answer.violated);
 }
 
+// show_step shows the step that was asked, and says how it was answered.
+function show_step() {
+  render();
+  on_refused(refused_element());
+  show_refusal();
+  const answer = facts.answers[state.step - 1];
+  if (state.step === 0 || !answer) return;
+  const refused = `${say("refused")}: ${answer.violated} ${answer.predicate}`;
+  find("said").textContent = answer.ok ? `${state.ops[state.step - 1]}: ${answer.r}` : refused;
+}
+
 export function start_operations(list, refused) {
   operations = list;
   on_refused = refused;
   on_facts(what => {
-    if (what !== "scene" && what !== "error") return;
-    render();
-    on_refused(refused_element());
-    show_refusal();
-    const answer = facts.answers[state.step - 1];
-    if (state.step > 0 && answer)
-      find("said").textContent = answer.ok
-        ? `${state.ops[state.step - 1]}: ${answer.r}`
-        : `${say("refused")}: ${answer.violated} ${answer.predicate}`;
+    if (what === "scene" || what === "error") show_step();
   });
   on_change(keys => {
     if (keys.has("lang")) render();
   });
+  show_step();
 }
