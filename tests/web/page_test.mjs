@@ -410,8 +410,8 @@ test(
     try {
       execFileSync("sh", [join(root, "web/build.sh"), folder, process.env.DURERO_ENGINE]);
       await own.ask("Page.navigate", { url: `file://${folder}/index.html` });
-      await own.until("dureroPage?.facts?.ray || document.querySelector('#said').textContent.includes(':')");
-      const first = await own.evaluate("performance.now()");
+      await own.until("globalThis.dureroPage?.facts?.ray || document.querySelector('#said')?.textContent.includes(':')");
+      const first = await own.until("globalThis.dureroPage?.facts?.first");
       await own.until("document.body?.dataset.ready === '1'");
       await own.drag(await own.middle("#handle-target"), [-60, 30]);
       await own.until(
