@@ -34,11 +34,12 @@ BLOCK = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.S | re.M)
 Block = collections.namedtuple("Block", "page line language text marked")
 Row = collections.namedtuple("Row", "page begins how what")
 SMALL = "96x54"
+FOLDERS = ["", "docs/**/", "spec/**/", "proofs/**/", "demo/**/", "systems/**/", "campaigns/**/", "tests/**/"]
 
 
 def read_pages():
-    listed = subprocess.run(["git", "ls-files", "*.md"], cwd=root, check=True, capture_output=True, encoding="utf-8").stdout.split()
-    return {path: (root / path).read_text(encoding="utf-8") for path in listed}
+    files = [path for pattern in FOLDERS for path in sorted(root.glob(f"{pattern}*.md"))]
+    return {path.relative_to(root).as_posix(): path.read_text(encoding="utf-8") for path in files}
 
 
 def blocks(pages):

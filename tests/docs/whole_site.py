@@ -99,8 +99,8 @@ def other_hosts(site):
 
 
 def repository_pages():
-    listed = subprocess.run(["git", "ls-files", "*.md"], cwd=root, check=True, capture_output=True, encoding="utf-8").stdout.split()
-    return [path for path in listed if path.startswith(("docs/", "spec/", "proofs/", "demo/")) or "/" not in path]
+    return [path.relative_to(root).as_posix() for folder in ("", "docs/**/", "spec/**/", "proofs/**/", "demo/**/")
+            for path in root.glob(f"{folder}*.md")]
 
 
 def lost_pages(site):
