@@ -133,3 +133,12 @@ function(durero_embed_labels TARGET)
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DEPENDS ${labelled} ${PROJECT_SOURCE_DIR}/cmake/label_index.sh VERBATIM)
   durero_embed(${TARGET} labels ${CMAKE_CURRENT_BINARY_DIR}/embedded ${index})
 endfunction()
+
+# What calls answer of texts that they carry (docs/formats/call.md).
+function(durero_embed_for_calls TARGET)
+  file(GLOB printed CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/spec/impresa/*.tex
+    ${PROJECT_SOURCE_DIR}/spec/impresa/dibujo/*.tex ${PROJECT_SOURCE_DIR}/spec/impresa/dibujo/*.json)
+  durero_embed(${TARGET} errata ${PROJECT_SOURCE_DIR}/spec ${PROJECT_SOURCE_DIR}/spec/erratas.md ${printed})
+  durero_embed(${TARGET} assumptions ${PROJECT_SOURCE_DIR}/proofs ${PROJECT_SOURCE_DIR}/proofs/assumptions.txt)
+  durero_embed_labels(${TARGET})
+endfunction()

@@ -5,7 +5,7 @@
 namespace durero::scene {
 
 NameIndex::hash_type NameIndex::hash(std::string_view name) noexcept {
-  const std::size_t wide = std::hash<std::string_view>{}(name);
+  const std::uint64_t wide = std::hash<std::string_view>{}(name);
   return static_cast<hash_type>(wide ^ (wide >> 32));
 }
 

@@ -1,0 +1,1 @@
+# CMake asks for a file of the system's name; it has nothing to say.

@@ -1,0 +1,3 @@
+#pragma once
+/// oneTBB gives its headers two names.
+#include "tbb/parallel_for.h"
