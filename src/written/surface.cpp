@@ -54,11 +54,21 @@ std::optional<std::vector<Condition>> pieces_of(const Condition& of) {
   __builtin_unreachable();  // a kind is one of its enumerators
 }
 
+/// xⁿ, rounded once: the power of a library of C is near that, and another on another machine. A square is one product.
+double rounded_power(double x, unsigned n) {
+  if (!std::isfinite(x)) return std::pow(x, n);
+  if (n < 3) return n == 0 ? 1 : n == 1 ? x : x * x;
+  const number::Dyadic base = x;
+  number::Dyadic product = base;
+  for (unsigned i = 1; i < n; ++i) product *= base;
+  return number::round_to_binary64(product);
+}
+
 double value_at(const Formula& formula, const glm::dvec3& w) {
   double sum = 0;
   for (const auto& [exponents, coefficient] : formula.terms())
-    sum += number::round_to_binary64(coefficient) * std::pow(w.x, exponents[0]) * std::pow(w.y, exponents[1]) *
-           std::pow(w.z, exponents[2]);
+    sum += number::round_to_binary64(coefficient) * rounded_power(w.x, exponents[0]) *
+           rounded_power(w.y, exponents[1]) * rounded_power(w.z, exponents[2]);
   return sum;
 }
 
