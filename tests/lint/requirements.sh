@@ -25,4 +25,5 @@ same reference reference_packages
 same site site_packages
 same document spec_packages
 same packages package_packages
+same page page_packages
 exit "$bad"
