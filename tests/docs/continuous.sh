@@ -37,7 +37,7 @@ run() { # run WANTED_STATUS
 }
 
 run 0
-printf '%s\n' lint page test 'test --systems' 'test --asan --readers' | cmp -s - "$tmp/calls" || fail "other calls: $(cat "$tmp/calls")"
+printf '%s\n' lint test 'test --systems' 'test --page' 'test --asan --readers' | cmp -s - "$tmp/calls" || fail "other calls: $(cat "$tmp/calls")"
 [ "$(tail -n 1 "$tmp/said")" = 'Total Test time (real) =  1 sec' ] || fail "CTest's closing lines do not end the output"
 printf '%s\n' CI HOME LANG PATH >"$tmp/wanted"
 grep -vE '^(PWD|DURERO_SPD|OLDPWD|SHLVL|_|[A-Z_]*(CA|CERT|SSL|CCACHE)[A-Z_]*|(http|https|no)_proxy)$' "$tmp/environment" |
