@@ -47,12 +47,12 @@ foreach(layer text contract number algebra polygon mesh zed model scene spec sur
   if(layer STREQUAL io)  # what reads and writes scenes, rays and hits
     list(FILTER sources EXCLUDE REGEX "/src/io/(mesh|mitsuba|nff|pbrt|placed|pov|radiance|written|pictures)/")
     list(FILTER sources EXCLUDE REGEX
-      "/src/io/(exported_files|formats|file_lock|output_file|scene_folder|spool|standard_output|temporary|rays/hits_file)[.]cpp$")
+      "/src/io/(exported_files|formats|file_lock|output_file|scene_folder|spool|standard_output|temporary|rays/hits_file)\\.cpp$")
   elseif(layer STREQUAL render)  # what a shader is made of
-    list(FILTER sources INCLUDE REGEX "/src/render/(still_scene|light/(directions|followed))[.]cpp$")
+    list(FILTER sources INCLUDE REGEX "/src/render/(still_scene|light/(directions|followed))\\.cpp$")
   endif()
   # What GMP and FLINT do in these, the sources of this folder do.
-  list(FILTER sources EXCLUDE REGEX "/src/(number/(integers|memory)|algebra/coefficient)[.]cpp$")
+  list(FILTER sources EXCLUDE REGEX "/src/(number/(integers|memory)|algebra/coefficient)\\.cpp$")
   add_library(durero_of_${layer} OBJECT ${sources})
   target_link_libraries(durero_of_${layer} PRIVATE durero_module)
   durero_united(durero_of_${layer} 12)

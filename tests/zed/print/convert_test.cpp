@@ -174,9 +174,11 @@ TEST_CASE("Spivey's Z is written in ISO's, in either mark-up") {
   REQUIRE(read_as("s.tex", spivey).ok());
   CHECK_FALSE(is_iso(spivey));
   const std::string unicode = written("s.tex", spivey, Form::unicode);
-  CHECK_THAT(unicode, Contains("─ section Specification parents standard_toolkit, bag_toolkit └\n"
-                               "─ function 30 leftassoc (_ boxplus _) └\n─ relation (even _) └\n─\nT   ::=   a | b\n└"));
-  CHECK_THAT(unicode, Contains("[ S ′ | x′ = - 1 boxplus 2 ∧\nb′ = ∅ ⊎ ⟦ a ⟧ ]") || Contains("[ S ′ | x′ = - 1 boxplus 2 ∧ b′"));
+  CHECK_THAT(unicode,
+             Contains("─ section Specification parents standard_toolkit, bag_toolkit └\n"
+                      "─ function 30 leftassoc (_ boxplus _) └\n─ relation (even _) └\n─\nT   ::=   a | b\n└"));
+  CHECK_THAT(unicode,
+             Contains("[ S ′ | x′ = - 1 boxplus 2 ∧\nb′ = ∅ ⊎ ⟦ a ⟧ ]") || Contains("[ S ′ | x′ = - 1 boxplus 2 ∧ b′"));
   const std::string iso = written("s.tex", spivey, Form::latex);
   CHECK(is_iso(iso));
   CHECK_THAT(iso, Contains("\\begin{zsection}"));

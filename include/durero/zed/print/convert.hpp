@@ -17,13 +17,13 @@ Form form_of(std::string_view text);
 /// Whether a text is in a mark-up of ISO, and not in Spivey's LaTeX.
 bool is_iso(std::string_view text);
 
-/// Returns the text in a mark-up; one that is in it already, as it is. Spivey's Z becomes ISO's. `read` is what reading found in the file: its
-/// directives and templates, and those of its parents. Each paragraph has the same tokens, labels and tree as before,
-/// which is asked of what was written. Prose is kept byte for byte, but that a line end stands before a box that began
-/// inside a line. Within a paragraph, comments and the lines that `\\`, `\also` and `\t` make are kept; blanks at the
-/// beginning of a line and line ends that only TeX's sources have are not. So what is written in Unicode is the same
-/// again after a way to LaTeX and back.
-/// Precondition: the text was read without a defect. Throws ZError at what the other mark-up cannot say.
+/// Returns the text in a mark-up; one that is in it already, as it is. Spivey's Z becomes ISO's. `read` is what reading
+/// found in the file: its directives and templates, and those of its parents. Each paragraph has the same tokens,
+/// labels and tree as before, which is asked of what was written. Prose is kept byte for byte, but that a line end
+/// stands before a box that began inside a line. Within a paragraph, comments and the lines that `\\`, `\also` and `\t`
+/// make are kept; blanks at the beginning of a line and line ends that only TeX's sources have are not. So what is
+/// written in Unicode is the same again after a way to LaTeX and back. Precondition: the text was read without a
+/// defect. Throws ZError at what the other mark-up cannot say.
 std::string converted(std::string_view text, Form to, const Specification& read);
 
 }  // namespace durero::zed

@@ -1,6 +1,6 @@
 #pragma once
-/// In the place of GMP's numbers: Boost's own integers and fractions, with 64-bit limbs too. Their sums, products and texts
-/// are the same.
+/// In the place of GMP's numbers: Boost's own integers and fractions, with 64-bit limbs too. Their sums, products and
+/// texts are the same.
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/rational_adaptor.hpp>
 #include <cstddef>
