@@ -1,7 +1,7 @@
 #!/bin/sh
 # The edges of the build are the true ones: a target of CMakeLists.txt names the layers that its files include, and no
 # others. (What a layer sees through another it includes all the same, and names.)
-# The program is two targets of the one folder src/cli; a part is a second target of its layer's folder.
+# The commands are two targets of the one folder src/cli; a part is a second target of its layer's folder.
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
 
 # LAYER USED, one a line: from the includes, and from CMakeLists.txt.
@@ -16,7 +16,7 @@ sed 's/#.*//' CMakeLists.txt | tr '\n' ' ' | sed 's/)/)\n/g' |
          sub(/.*durero_part\(/, ""); sub(/\).*/, ""); listed = 0
          for (i = 2; i <= NF; ++i) if ($i == "OF") layer[$1] = $(i + 1); else if ($i == "DEPENDS") listed = 1
            else if (listed) print layer[$1], $i }
-       /(^| )target_link_libraries\(durero(_commands)? / {
+       /(^| )target_link_libraries\(durero_(commands|cli) / {
          for (i = 1; i <= NF; ++i) if (sub(/^durero::/, "", $i)) { sub(/\)/, "", $i); print "cli", $i in layer ? layer[$i] : $i } }' |
   sort -u >"$tmp/named"
 {
