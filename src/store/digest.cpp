@@ -1,7 +1,12 @@
 #include "durero/store/digest.hpp"
 
 #include <fmt/format.h>
+#ifdef DURERO_DIGEST_ALONE
+#define OPENSSL_SUPPRESS_DEPRECATED
+#include <openssl/sha.h>
+#else
 #include <openssl/evp.h>
+#endif
 
 #include <new>
 
@@ -21,6 +26,17 @@ FieldDigest& FieldDigest::add(std::string_view field) {
 
 Digest FieldDigest::digest() const { return digest_of(fields_); }
 
+#ifdef DURERO_DIGEST_ALONE
+/// The functions of this algorithm, which OpenSSL keeps for programs that carry no other (cmake/Static.cmake).
+Digest digest_of(std::string_view bytes) {
+  SHA256_CTX context;
+  Digest digest{};
+  if (SHA256_Init(&context) != 1 || SHA256_Update(&context, bytes.data(), bytes.size()) != 1 ||
+      SHA256_Final(reinterpret_cast<unsigned char*>(digest.data()), &context) != 1)
+    throw std::bad_alloc();
+  return digest;
+}
+#else
 /// The algorithm is looked up once: that takes longer than the digest of an event.
 Digest digest_of(std::string_view bytes) {
   static EVP_MD* const sha256 = EVP_MD_fetch(nullptr, "SHA256", nullptr);
@@ -30,5 +46,6 @@ Digest digest_of(std::string_view bytes) {
     throw std::bad_alloc();
   return digest;
 }
+#endif
 
 }  // namespace durero::store

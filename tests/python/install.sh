@@ -12,7 +12,9 @@ fail() { tail -n 30 "$work/log"; echo "install: $*"; exit 1; }
 
 "$bin/python" -m build --sdist --outdir "$work" "$root" >"$work/log" 2>&1 || fail "no sdist"
 tar -tzf "$work"/durero-*.tar.gz | sed 's#^[^/]*/##' | sort >"$work/files"
-! grep -E "^(tests|proofs|campaigns|systems|demo|debian|schemas|docs/[^p]|\.ci|x\$)" "$work/files" || fail "the sdist has these too"
+! grep -E "^(campaigns|demo|debian|release|docs/[^p]|\.ci|x\$)" "$work/files" || fail "the sdist has these too"
+# Of the tests and the proofs, the sources in which the command finds the labels of the Z text.
+! grep -E '^(tests|proofs)/' "$work/files" | grep -vE '^(tests/.*\.cpp|proofs/[^/]*\.v)$' || fail "the sdist has these too"
 
 "$bin/pip" wheel --quiet --no-deps --wheel-dir "$work" "$work"/durero-*.tar.gz >"$work/log" 2>&1 || fail "no wheel"
 size=$(wc -c <"$(echo "$work"/durero-*.whl)")
@@ -20,6 +22,15 @@ echo "the wheel has $size bytes"
 [ "$size" -le 10000000 ] || fail "expected at most 10 MB"
 
 "$bin/pip" install --quiet "$work"/durero-*.whl >"$work/log" 2>&1 || fail "the wheel does not install"
+# The command knows its systems and its labels as that of the build tree does.
+[ "$("$bin/durero" --version)" = "$("$3/durero" --version)" ] || fail "the wheel brings another command"
+for words in 'spec show reduccion' 'spec show Agregar_Elemento'; do
+  # shellcheck disable=SC2086  # words are meant to split
+  "$3/durero" $words >"$work/shown"
+  # shellcheck disable=SC2086
+  "$bin/durero" $words 2>>"$work/log" | cmp "$work/shown" - >>"$work/log" || fail "durero $words says other things than that of the tree"
+done
+env -u DURERO_SYSTEMS "$bin/durero" conform setup nothing 2>&1 | grep -q 'embree' || fail "the command does not find its systems"
 module=$(echo "$work"/venv/lib/python3*/site-packages/durero/_durero.*.so)
 sh "$root/tests/python/exports.sh" "$module" || fail "the module shows the layers to others"
 # The examples of the pages and of the docstrings, by the NumPy of PyPI: the tests of the build tree have Debian's, which
