@@ -30,7 +30,7 @@ one_line() { [ "$(wc -l <complaint)" = 1 ] || fail "not one line"; }
 for word in help --help -h ''; do
   # shellcheck disable=SC2086  # without a word there is no argument
   x 0 $word
-  for command in demo test bench lint build package reference site spec-pdf; do says said "./x $command "; done
+  for command in demo test bench lint build package release reference site spec-pdf page; do says said "./x $command "; done
 done
 "$durero" --help | sed -n '/^  help /d; s/^  \([a-z][a-z]*\)  .*/\1/p' | sort >commands
 [ -s commands ] || fail "the program has no commands"
@@ -42,6 +42,7 @@ x 2 frobnicate; says complaint 'expected one of demo gallery test'; one_line
 x 2 --hlep; says complaint 'expected --help'; one_line
 x 2 -q; says complaint 'expected one of --help, --version'; one_line
 x 2 lint --quick; says complaint './x lint takes nothing'; one_line
+x 2 release --tags; says complaint 'expected --tag'; one_line
 x 2 test --lnog; says complaint '--no-proofs'; one_line
 [ ! -e tree/build ] || fail "something was built"
 ln -s ../tree/x bin/front-door
@@ -50,7 +51,7 @@ says said 'The front door'
 rm bin/front-door
 
 # Every word of its own says its help before anything is installed or built, and so does ./x help WORD.
-for word in demo gallery test bench lint build package reference site spec-pdf; do
+for word in demo gallery test bench lint build package release reference site spec-pdf page; do
   x 0 $word --help; says said "./x $word "; [ "$(grep -c '^./x ' said)" = 1 ] || fail "it says other words, too"
   cp said by_option
   x 0 help $word

@@ -1,8 +1,9 @@
 #!/bin/sh
 # readme.sh DURERO ROOT: runs every command of README. `./x COMMAND` stands for the built program, as ./x passes it on;
 # `./x demo` is docs/demo, `./x test` is the run that this belongs to, and the lines of plain CMake are those that ./x
-# itself runs. A block of commands followed by a block of text is refused (status 1) and prints that text; the
-# tracer of systems/examples is found wrong.
+# itself runs. The lines of the wheel, in a block of a console, run whole in a fresh root (package/release); here its program
+# is the built one, and its folder of systems that of the tree. A block of commands followed by a block of text is refused
+# (status 1) and prints that text; the tracer of systems/examples is found wrong.
 set -eu
 durero=$1 root=$2
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
@@ -25,6 +26,7 @@ kind='' last=''
 while IFS= read -r line; do
   case $line in
     '#sh') kind='sh'; continue ;;
+    '#console') kind=console; continue ;;
     '#') kind=text; : >wanted; continue ;;
     '') if [ "$kind" = text ]; then
           run "$last" 1
@@ -33,6 +35,15 @@ while IFS= read -r line; do
         kind=''; continue ;;
   esac
   if [ "$kind" = text ]; then printf '%s\n' "$line" >>wanted; continue; fi
+  if [ "$kind" = console ]; then
+    case $line in
+      'durero conform run '*) run "./x ${line#durero }" 1 ;;
+      'cp venv/share/durero/systems/'*) eval "cp $root/${line#cp venv/share/durero/}" ;;
+      'python3 -m venv venv' | '. venv/bin/activate' | 'pip install ./durero-*.whl') ;;
+      *) fail "a line of the wheel that nothing runs: $line" ;;
+    esac
+    continue
+  fi
   command=$(printf '%s' "$line" | sed 's/  *#.*//')
   case $command in
     './x demo') grep -q '^ *demo) ' "$root/x" || fail './x has no demo' ;;

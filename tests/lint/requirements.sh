@@ -26,4 +26,5 @@ same site site_packages
 same document spec_packages
 same packages package_packages
 same page page_packages
+same releases release_packages
 exit "$bad"
