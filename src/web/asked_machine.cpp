@@ -75,7 +75,7 @@ AskedSetup setup_of(const AskedCall& asked) {
     io::json::Reader in = asked.at("setup");
     in.object("setup", setup_keys, 0, [&](std::size_t key) { read_setup_member(in, key, setup); });
   }
-  // As of `durero spec run`: the scene is the state of the program's own text.
+  // The scene is the state of the program's own text, as for `durero spec run`.
   if (!asked.has("text") && setup.setup.state.empty()) setup.setup.state = "Escena";
   return setup;
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// What answers each call: a function from the call to an object of JSON. All of them throw what is wrong.
+/// The functions that answer calls, each with an object of JSON. All of them throw an exception for a call that is
+/// wrong.
 
 #include <string>
 

@@ -34,7 +34,7 @@ spec::Calculator calculator_of(const AskedCall& asked) {
   return {};
 }
 
-/// What evaluates the expressions of a call: kept, as most calls ask it of the same scene or text again.
+/// The calculator of a call. It is kept, because most calls ask it about the same scene or text again.
 std::shared_ptr<const spec::Calculator> calculator(const AskedCall& asked) {
   thread_local Held<spec::Calculator> held(4);
   std::string key;

@@ -1,5 +1,6 @@
 #pragma once
-/// What was read is kept by its text, so that a call that names it again need not read it. It changes no answer.
+/// Things that were read are kept by their texts, so that a call that names one again need not read it. This changes no
+/// answer.
 
 #include <algorithm>
 #include <deque>
@@ -17,7 +18,7 @@ class Held {
   /// Keeps so many.
   explicit Held(std::size_t most) : most_(most) {}
 
-  /// The value of a text: the kept one, or what `make` makes of it. What `make` throws is thrown on, and nothing kept.
+  /// The value of a text: the kept one, or what `make` makes of it. An exception of `make` passes, and nothing is kept.
   std::shared_ptr<const Value> of(const std::string& text, const std::function<std::shared_ptr<const Value>()>& make) {
     const auto found = std::ranges::find(kept_, text, &std::pair<std::string, std::shared_ptr<const Value>>::first);
     if (found != kept_.end()) {

@@ -15,7 +15,7 @@ constexpr std::size_t most_scenes = 8;
 
 }  // namespace
 
-HeldScene::HeldScene(const io::Source& source, const io::Source* with) : by_text_(with != nullptr) {
+HeldScene::HeldScene(const io::Source& source, const io::Source* with) {
   if (with == nullptr) {
     grouped_ = io::read_grouped_scene(source, io::Bodies::read);
     return;

@@ -1,5 +1,5 @@
 #pragma once
-/// The scene of a call, read, with what answers its rays.
+/// The scene of a call, read, with the engine that answers its rays.
 
 #include <memory>
 #include <string>
@@ -23,12 +23,9 @@ class HeldScene {
   const scene::Scene& scene() const noexcept { return grouped_.scene; }
   /// The engine that `durero trace` asks where it is told no other.
   const engine::Engine& engine() const;
-  /// Whether a Z text says what its elements are.
-  bool is_by_text() const noexcept { return by_text_; }
 
  private:
   scene::GroupedScene grouped_{};
-  bool by_text_;
   mutable std::unique_ptr<const engine::Engine> engine_{};
 };
 

@@ -67,7 +67,7 @@ AskedStep step_of(const AskedCall& asked, const Machine& machine) {
   return step;
 }
 
-/// What a question for ways to go on has found.
+/// The ways to go on that a question has found.
 struct FoundWays {
   std::optional<ReachedTransitions> reached{};  ///< nothing where none was asked for
   std::string refused{};                        ///< the operation, or the initial schema, that leads nowhere
@@ -88,7 +88,7 @@ FoundWays ways_on(const AskedCall& asked, const Machine& machine, const spec::An
   return found;
 }
 
-/// What was left out in looking for ways, in the words of `durero spec run`.
+/// The note on ways that were left out, in the words of `durero spec run`.
 std::string left_out(const std::optional<ReachedTransitions>& ways) {
   if (!ways) return "";
   if (!ways->bounded.empty()) return "more may be found with a greater " + ways->bounded;

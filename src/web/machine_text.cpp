@@ -51,7 +51,7 @@ void add_outlook(ObjectText& to, const Machine& machine, const MachineOperation&
   }
 }
 
-/// What the state alone says of an operation; nothing where the inputs are needed to say it.
+/// The predicates of an operation as the state alone decides them; none where the inputs are needed for that.
 std::vector<zed::ConjunctTruth> predicates_of(const Machine& machine, const MachineOperation& operation,
                                               const zed::Valuation& state) {
   try {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> operations_keys{"with"};
 
-/// What stands for an input that no schema of the text declares, and for the names that no set of the text has.
+/// The set of an input that no schema of the text declares; of names that no set of the text has, a word.
 struct InputSet {
   std::string_view input, set;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// What stands between the paragraphs of a Z text, and the printed text beside the corrected one.
+/// The prose between the paragraphs of a Z text.
 
 #include <cstdint>
 #include <string>

@@ -44,7 +44,7 @@ io::Source script_of(const AskedCall& asked) {
   return {"operations", is_text ? std::string(in.string("operations")) : io::read_json_script(in, asked.source())};
 }
 
-/// What the steps of a script gave.
+/// The answers to the steps of a script.
 struct StepAnswers {
   ArrayText answers{}, refusals{}, scenes{};
   bool all_done = true;

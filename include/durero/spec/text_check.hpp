@@ -27,7 +27,7 @@ struct TriedConjecture {
       const;  ///< `FILE:LINE:COLUMN: conjecture LABEL tried on 8 states`, and the states of a counterexample
 };
 
-/// What there is to say of a text.
+/// The findings about a text.
 struct TextCheck {
   std::vector<zed::Defect> defects;            ///< in the order of the text, then the files without a Z paragraph
   const zed::Specification* text = nullptr;    ///< the text, whose sections are right where is_read() is

@@ -7,7 +7,7 @@
 
 namespace durero::web {
 
-/// Answers a call. What is wrong with it is the answer, `{"error":"NAME:LINE:COLUMN: what is wrong; what is
+/// Answers a call. A call that is wrong has an error for an answer, `{"error":"NAME:LINE:COLUMN: what is wrong; what is
 /// expected",…}`; nothing is thrown. The same call has the same answer, whatever was asked before: scenes and texts
 /// that were read are kept, by their text, for the thread that asks.
 std::string call(std::string_view request) noexcept;
