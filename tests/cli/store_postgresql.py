@@ -332,10 +332,11 @@ def waiting_to_write(*arguments):
 
 
 def test_a_writer_waits_for_another_and_a_reader_does_not():
-    uri = new_uri()
-    run("init", uri, *AT)
+    uri, other = new_uri(), new_uri()
+    run("init", uri, *AT), run("init", other, *AT)
     holding = Holding(uri)
     waiting = waiting_to_write("edit", uri, "--op", operation("a"))
+    run("edit", other, "--op", operation("a"))  # of another scene
     assert head_operations(uri) == []
     run("verify", uri)
     assert waiting.poll() is None

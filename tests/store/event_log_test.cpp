@@ -62,6 +62,21 @@ TEST_CASE("a long log, which is read by runs, has each event of its way") {
   });
 }
 
+TEST_CASE("a log holds each event of a run against its hash") {
+  for (const char* const sql : {"UPDATE event SET author = 'eve' WHERE number = 2",
+                                "UPDATE event SET hash = (SELECT hash FROM event WHERE number = 1) WHERE number = 2"}) {
+    const KeptStore kept;
+    {
+      store::Store of = kept.open();
+      edit(of, test::balls(1, 5));
+    }
+    store::open_database(kept.path, store::Database::Mode::write)->run(sql);
+    store::Store of = kept.open(store::StoreAccess::read);
+    CHECK_THROWS_AS(log_of(of, {}), io::FileError);
+    CHECK(log_of(of, {"HEAD", 2}) == "5 HEAD main,4,");
+  }
+}
+
 TEST_CASE("a log ends at an event that is not as it was written, and none beside its way disturbs it") {
   const KeptStore kept;
   {
