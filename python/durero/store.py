@@ -60,7 +60,8 @@ class StoreAnswer(NamedTuple):
 
 
 class Store:
-    """A scene that is kept with every edit that led to it, in one file. What an edit answered is on disk.
+    """A scene that is kept with every edit that led to it, in one file, or on a PostgreSQL server, whose URI is then given
+    in the place of the path. What an edit answered is on disk.
 
     >>> import durero, pathlib, tempfile
     >>> path = pathlib.Path(tempfile.mkdtemp(), "room.store")

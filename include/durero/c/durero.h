@@ -200,9 +200,9 @@ typedef struct durero_store_call {
   int64_t expected_head; /**< the event where HEAD must be; 0 is any */
 } durero_store_call;
 
-/** Makes a new store with a scene, or of NULL with the empty one. It appears whole or not at all. Pictures that the scene
- * names are named from the store's folder then. by may be NULL. DURERO_FAILED where there is a file of that path, and of a
- * scene that was read by a Z text. */
+/** Makes a new store with a scene, or of NULL with the empty one. It appears whole or not at all. The path may be the URI
+ * of a PostgreSQL server, here and below. Pictures that the scene names are named from the store's folder then. by may be
+ * NULL. DURERO_FAILED where there is a file of that path, and of a scene that was read by a Z text. */
 durero_answer durero_store_create(const char *path, const durero_scene *scene, const durero_provenance *by);
 /** Opens a store that is there; NULL where the file is none, is missing or cannot be written. */
 durero_store *durero_store_open(const char *path);
