@@ -259,6 +259,18 @@ test("a shader's elements are the exact ones on all but doubtful pixels", async 
   assert.equal(wrong, 0);
   assert.ok(equal > 5000 && doubtful < 400, `${equal} equal, ${doubtful} doubtful`);
   await picture("shader");
+  // A ball twice: each of its pixels meets two elements at one point, and the certificate says that it cannot tell.
+  const twin = encodeURIComponent("Agregar_Esfera e?=twin centro?=(-0.5,1,0) radio?=1");
+  await open(`#view=shader&step=1&doubts=1&ops=${twin}`);
+  await page.until("document.querySelector('#shader-canvas')");
+  await new Promise(done => setTimeout(done, 1500));
+  await click("#compare");
+  await page.until("document.querySelectorAll('#shader-said li').length === 3", 120000);
+  const counts = await page.evaluate(
+    "[...document.querySelectorAll('#shader-said li')].map(li => parseInt(li.textContent))",
+  );
+  assert.ok(counts[1] > 100 && counts[2] === 0, `${counts[1]} doubtful, ${counts[2]} wrong`);
+  await picture("shader-doubts");
 });
 
 test("the walk has the values of the reader's own ray at each step", async () => {
@@ -410,7 +422,9 @@ test(
     try {
       execFileSync("sh", [join(root, "web/build.sh"), folder, process.env.DURERO_ENGINE]);
       await own.ask("Page.navigate", { url: `file://${folder}/index.html` });
-      await own.until("globalThis.dureroPage?.facts?.ray || document.querySelector('#said')?.textContent.includes(':')");
+      await own.until(
+        "globalThis.dureroPage?.facts?.ray || document.querySelector('#said')?.textContent.includes(':')",
+      );
       const first = await own.until("globalThis.dureroPage?.facts?.first");
       await own.until("document.body?.dataset.ready === '1'");
       await own.drag(await own.middle("#handle-target"), [-60, 30]);
