@@ -114,7 +114,8 @@ program_in_root() {
 
 do_program() {
   rm -f "$work"/a.store*
-  "$built" store init "$work/a.store" --from "$root/demo/still-life.json" --author a --time 2026-01-31T12:00:00Z >>"$log" ||
+  # A store names the file that it begins with.
+  (cd "$root" && "$built" store init "$work/a.store" --from demo/still-life.json --author a --time 2026-01-31T12:00:00Z) >>"$log" ||
     fail "the built program makes no store"
   # A root that has nothing but the program, a scene and its file of edits: no library, no shell.
   fresh=$work/nothing
