@@ -163,6 +163,13 @@ struct Server::Parts {
     }
   }
 
+  /// Refuses a request whose body is not read: the connection ends, so that the body is not taken for another request.
+  static httplib::Server::HandlerResponse turn_away(Response& out, int status, const char* error) {
+    out.set_header("Connection", "close");
+    refuse(out, status, error);
+    return httplib::Server::HandlerResponse::Handled;
+  }
+
   /// Whether somebody may ask at all. A page of another origin may not, by a name of this machine that it has made up
   /// (DNS), or by a request that a browser sends unasked.
   httplib::Server::HandlerResponse admit(const Request& in, Response& out) const {
@@ -179,17 +186,14 @@ struct Server::Parts {
     }
     if (options.token.empty()) {
       if (!is_loopback(named_host(in))) {
-        refuse(out, forbidden, "the request names another host; expected this machine");
-        return Handled;
+        return turn_away(out, forbidden, "the request names another host; expected this machine");
       }
     } else if (!is_same_secret(in.get_header_value("Authorization"), "Bearer " + options.token)) {
       out.set_header("WWW-Authenticate", "Bearer");
-      refuse(out, unauthorized, "no token, or another; expected Authorization: Bearer TOKEN");
-      return Handled;
+      return turn_away(out, unauthorized, "no token, or another; expected Authorization: Bearer TOKEN");
     }
     if (in.method == "POST" && !in.get_header_value("Content-Type").starts_with(json_type)) {
-      refuse(out, unsupported, "the body has another type; expected Content-Type: application/json");
-      return Handled;
+      return turn_away(out, unsupported, "the body has another type; expected Content-Type: application/json");
     }
     return Unhandled;
   }

@@ -46,7 +46,7 @@ def blocks(pages):
     for page, text in pages.items():
         for match in BLOCK.finditer(text):
             before = text[: match.start()].rstrip("\n").rpartition("\n")[2]
-            marked = re.match(r"<!-- (file|run|prints|refused|errors|defects|words)\b", before) is not None
+            marked = re.match(r"<!-- (file|run|prints|refused|errors|defects|words|call|answers)\b", before) is not None
             yield Block(page, text[: match.start()].count("\n") + 1, match[2], match[3], marked)
 
 

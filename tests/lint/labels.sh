@@ -96,4 +96,6 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
          if (labelled) print FILENAME ":" FNR ": a label in the middle of a predicate, or a predicate without a label"
          last = FNR
          labelled = /% [A-Za-z_]+\.(pre|post|inv|def|axiom|conj)\.[0-9]+$/ }' spec/*.tex
-} | { ! grep .; }
+} >"$tmp/found"
+cat "$tmp/found"
+[ ! -s "$tmp/found" ]

@@ -123,7 +123,9 @@ class SignSearch {
   std::shared_ptr<const SpiveyText> run(std::string_view text) {
     lines(text, [this](std::string_view line) { look(line); });
     if (is_iso_) return nullptr;
-    if (found_.sign.empty()) lines(text, [this](std::string_view line) { look_for_decoration(line); });
+    // Alone, S' may be a name of ISO's: it tells in a whole document of LaTeX.
+    if (found_.sign.empty() && text.find("\\begin{document}") != text.npos)
+      lines(text, [this](std::string_view line) { look_for_decoration(line); });
     return found_.sign.empty() ? nullptr : std::make_shared<const SpiveyText>(std::move(found_));
   }
 

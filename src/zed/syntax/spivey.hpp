@@ -26,7 +26,7 @@ struct SpiveyText {
 
 /// What is known of a text in LaTeX mark-up that is Spivey's Z; null where it is ISO's. A text with a section header is
 /// ISO's. Else the first of these tells: a package of Spivey's Z or of ISO's, a command or directive that ISO lacks, a
-/// schema of the text with a stroke behind its name.
+/// schema with a stroke behind its name, S', in a document that \begin{document} begins.
 std::shared_ptr<const SpiveyText> spivey_text(std::string_view text);
 
 /// The Unicode text of a command that ISO lacks, or has for something else; nothing of another.
