@@ -20,7 +20,8 @@ home = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, home)
 import postgresql  # noqa: E402
 from running import run_tests  # noqa: E402
-from store_reliability import PATIENCE, Killed, accepted, durero, head_operations, operation, run  # noqa: E402
+from store_reliability import (PATIENCE, Killed, accepted, durero, head_operations, operation,  # noqa: E402
+                               read_beside_a_writer, run)
 
 # A scene with something of every kind that a snapshot tells apart: plain elements, and what its scene file holds.
 SCENE = {"format": "durero-scene", "version": 1, "materials": {"red": {"color": [1, 0, 0]}},
@@ -379,21 +380,7 @@ def test_40_programs_edit_one_store_at_a_time():
 def test_readers_beside_a_writer_see_whole_transactions():
     uri = new_uri()
     run("init", uri)
-    script = "".join(operation(f"n{number:04}") + "\n" for number in range(1, 401))
-    with subprocess.Popen([durero, "store", "edit", uri, "--group", "4"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
-                          text=True) as writer:
-        writer.stdin.write(script)
-        writer.stdin.close()
-        seen, last = 0, -1
-        while True:
-            is_done = writer.poll() is not None
-            ids = [element["id"] for element in json.loads(run("export", uri).stdout)["elementos"]]
-            assert ids == [f"n{number:04}" for number in range(1, len(ids) + 1)], "a reader sees what never was"
-            assert len(ids) % 4 == 0 and len(ids) >= last, "a reader sees a part of a transaction, or goes back"
-            seen, last = seen + 1, len(ids)
-            if is_done:
-                break
-    assert last == 400 and seen > 1
+    read_beside_a_writer(uri)
 
 
 class KilledOnServer(Killed):

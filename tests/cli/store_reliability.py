@@ -207,23 +207,28 @@ def test_two_programs_that_add_the_same_names_share_them():
     run("verify", "s.store")
 
 
-def test_readers_beside_a_writer_see_whole_transactions():
-    run("init", "s.store")
+def read_beside_a_writer(store):
+    """Writes 400 elements, four a transaction, and reads all the while. Precondition: the store is empty."""
     script = "".join(operation(f"n{number:04}") + "\n" for number in range(1, 401))
-    with subprocess.Popen([durero, "store", "edit", "s.store", "--group", "4"], stdin=subprocess.PIPE,
+    with subprocess.Popen([durero, "store", "edit", store, "--group", "4"], stdin=subprocess.PIPE,
                           stdout=subprocess.DEVNULL, text=True) as writer:
         writer.stdin.write(script)
         writer.stdin.close()
         seen, last = 0, -1
         while True:
             is_done = writer.poll() is not None
-            ids = [element["id"] for element in json.loads(run("export", "s.store").stdout)["elementos"]]
+            ids = [element["id"] for element in json.loads(run("export", store).stdout)["elementos"]]
             assert ids == [f"n{number:04}" for number in range(1, len(ids) + 1)], "a reader sees what never was"
             assert len(ids) % 4 == 0 and len(ids) >= last, "a reader sees a part of a transaction, or goes back"
             seen, last = seen + 1, len(ids)
             if is_done:
                 break
     assert last == 400 and seen > 1
+
+
+def test_readers_beside_a_writer_see_whole_transactions():
+    run("init", "s.store")
+    read_beside_a_writer("s.store")
 
 
 def in_namespace(script):
