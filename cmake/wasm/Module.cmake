@@ -35,7 +35,7 @@ add_library(durero_foreign OBJECT ${PROJECT_BINARY_DIR}/foreign.cpp)
 target_link_libraries(durero_foreign PRIVATE durero_module)
 durero_precompile(durero_foreign ${durero_foreign_headers})
 
-# What whoever loads the module calls stands in module.cpp: it has no main program.
+# The module's functions stand in module.cpp: it has no main program.
 file(GLOB stand_ins CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.cpp)
 add_executable(durero_web ${stand_ins})
 target_link_libraries(durero_web PRIVATE durero_module)

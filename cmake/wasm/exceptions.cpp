@@ -29,7 +29,7 @@ namespace {
 
 using Destroy = void* (*)(void*);  // WebAssembly checks a call's type, and a destructor returns its object there
 
-/// What stands before each thrown object, and for each time that an exception pointer throws it again.
+/// The header before each thrown object, and one for each time that an exception pointer throws it again.
 struct Header {
   const std::type_info* type;
   Destroy destroy;
@@ -168,7 +168,7 @@ std::int32_t selected(const Byte* description, std::uint32_t place, Header* thro
 
 extern "C" {
 
-/// What a function with handlers leaves and finds where an exception lands in it; its name and order are Clang's.
+/// A function with handlers leaves its place here, and finds its choice; the name and the order of fields are Clang's.
 struct LandingPad {
   std::uintptr_t place;
   std::uintptr_t description;

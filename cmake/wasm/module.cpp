@@ -1,4 +1,4 @@
-// What whoever loads the module calls: a room for a request, the call, and the length of its answer.
+// The module's functions for a page: a room for a request, the call, and the length of its answer.
 #include <cstddef>
 #include <string>
 
@@ -13,7 +13,7 @@ std::string answer;
 
 extern "C" {
 
-/// Where to write a request of so many bytes.
+/// The room for a request of so many bytes; the next one may move it.
 [[clang::export_name("room")]] char* durero_room(std::size_t size) {
   request.resize(size);
   return request.data();

@@ -215,7 +215,7 @@ std::int64_t severity_of(const zed::Defect& defect) {
   return error_severity;
 }
 
-/// What is wrong, and what is expected, as `durero spec check` says it behind the place.
+/// The message of a defect, as `durero spec check` says it behind the place.
 std::string message_of(zed::Defect defect) {
   defect.severity = zed::Defect::Severity::error;  // the weight is told apart
   const std::string line = defect.text();

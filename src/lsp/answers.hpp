@@ -9,7 +9,7 @@
 
 namespace durero::lsp {
 
-/// What a client and this server agreed on when they met.
+/// The terms that a client and this server agreed on when they met.
 struct ProtocolOptions {
   PositionUnit unit = PositionUnit::utf16;
   bool markdown = false;        ///< hovers may be Markdown

@@ -1,4 +1,4 @@
-// What names a store: a URI is shown without what opens it.
+// Names of stores: a URI is shown without its password.
 #include "durero/store/store_path.hpp"
 
 #include "durero/store/store.hpp"

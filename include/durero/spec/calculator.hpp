@@ -75,7 +75,7 @@ class Calculator {
   /// and below a ∀ that is false, or an ∃ that is true, the values that make it so, and the body with these. Throws as
   /// evaluate() does, but where a part is not decided, which it then says.
   std::string explain(const std::string& typed, zed::Steps& steps) const;
-  /// The same as a tree.
+  /// The tree of the term's parts, each with its value; it throws as explain() does.
   ExplainedTerm explained(const std::string& typed, zed::Steps& steps, const LocalNames& locals = {}) const;
   /// The same with as many steps as it takes.
   Result evaluate(const std::string& typed) const {

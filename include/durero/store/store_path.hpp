@@ -1,5 +1,5 @@
 #pragma once
-/// What names a store: the path of a file, or the URI of a PostgreSQL server.
+/// The name of a store is the path of a file, or the URI of a PostgreSQL server.
 
 #include <string>
 #include <string_view>

@@ -27,7 +27,7 @@ struct PatchPointer {
 
 using Tokens = std::span<const rapidjson::Pointer::Token>;
 
-/// What the tokens lead to; null where there is nothing.
+/// The value that the tokens lead to; null where there is none.
 JsonValue* find(JsonValue& root, Tokens tokens) {
   JsonValue* value = &root;
   for (const rapidjson::Pointer::Token& token : tokens) {

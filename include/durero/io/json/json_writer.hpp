@@ -37,7 +37,7 @@ class Writer {
   Writer& value(std::same_as<bool> auto truth) { return raw(truth ? "true" : "false"); }
   /// All digits, also of what no binary64 holds.
   Writer& value(std::uint64_t number);
-  /// The same of a size, where that is another type.
+  /// All digits of a size, where its type is another.
   Writer& value(std::same_as<std::size_t> auto size)
     requires(!std::same_as<std::size_t, std::uint64_t>)
   {

@@ -8,7 +8,7 @@
 
 namespace durero::zed {
 
-/// What is known of the name or expression at a place.
+/// The facts about the name or expression at a place.
 struct Explanation {
   std::size_t from = 0, to = 0;  ///< the bytes of its name, or of the sign that makes the expression
   std::string notation;          ///< the name or expression, in Unicode
