@@ -5,6 +5,7 @@ import numpy as np
 import numpy.typing as npt
 
 version: str
+reads_numpy_2: bool
 hit_dtype: np.dtype[np.void]
 proximity_dtype: np.dtype[np.void]
 default_engine: str
