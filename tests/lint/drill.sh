@@ -3,7 +3,7 @@
 # fails where the rule says nothing.
 set -u
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
-copy=$(mktemp -d) && trap 'rm -rf "$copy"' EXIT
+copy=$(mktemp -d) && trap 'rm -rf "$copy" "$copy.rules"' EXIT
 (cd "$here/../.." && git ls-files -z | xargs -0 tar cf - 2>/dev/null) | tar xf - -C "$copy"
 cd "$copy" || exit 2
 git init -q . && git add -A
@@ -41,6 +41,17 @@ for rule in layers edges independence stems house labels mutants z_text specifie
   versions reference optimised narrow flush commits rooms types glossary private systems spanish; do
   sh "$here/$rule.sh" >/dev/null 2>&1 || { echo "drill: $rule.sh fails before any fault is planted"; missed=$((missed + 1)); }
 done
+
+# A rule whose own search errs finds nothing, and fails by what it writes to the standard error.
+mkdir "$copy.rules"
+cp "$here/all.sh" "$copy.rules"
+echo "grep x no/such/file | { ! grep .; }" >"$copy.rules/rule.sh"
+drills=$((drills + 1))
+if DURERO_TREE=$copy sh "$copy.rules/all.sh" >/dev/null; then
+  echo "drill: all.sh does not see a rule whose search errs"
+  missed=$((missed + 1))
+fi
+rm -rf "$copy.rules"
 
 sees_each <<'END'
 layers include/durero/number/rational.hpp: number including io
