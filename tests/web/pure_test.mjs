@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
+import { gzipSync } from "node:zlib";
 
 const root = process.argv[2] ?? process.env.DURERO_ROOT,
   out = process.env.DURERO_OUT;
@@ -368,4 +369,47 @@ test("the page is one file that asks no other", { skip: !out }, () => {
   for (const other of ["http:", "https:", "src=", "@import", "fetch(", "import("])
     assert.ok(!frame.includes(other) && !scripts.replace("http://www.w3.org/2000/svg", "").includes(other), other);
   assert.deepEqual(page.match(/<\/script/g).length, 2);
+});
+
+// counting_module: a module of WebAssembly that has the engine's functions. Its call counts in a global, answers the count by
+// one digit at address 0, and is stopped by the machine at each second call.
+function counting_module() {
+  const section = (id, ...items) => [id, items.flat().length + 1, items.length, ...items.flat()];
+  const name = (text, kind, index) => [text.length, ...new TextEncoder().encode(text), kind, index];
+  const body = (...code) => [code.length + 2, 0, ...code, 0x0b];
+  const [no_result, to_i32, i32_to_i32] = [0, 1, 2];
+  const count = [0x23, 0];
+  return Uint8Array.from([
+    ...[0, 0x61, 0x73, 0x6d, 1, 0, 0, 0],
+    ...section(1, [0x60, 0, 0], [0x60, 0, 1, 0x7f], [0x60, 1, 0x7f, 1, 0x7f]),
+    ...section(3, [no_result], [i32_to_i32], [to_i32], [to_i32]),
+    ...section(5, [0, 1]),
+    ...section(6, [0x7f, 1, 0x41, 0, 0x0b]),
+    ...section(7, name("_initialize", 0, 0), name("room", 0, 1), name("call", 0, 2), name("length", 0, 3), name("memory", 2, 0)),
+    ...section(
+      10,
+      body(),
+      body(0x41, 32), // i32.const 32
+      body(
+        ...[...count, 0x41, 1, 0x6a, 0x24, 0], // count + 1, set
+        ...[...count, 0x41, 2, 0x46, 0x04, 0x40, 0x00, 0x0b], // = 2: unreachable
+        ...[0x41, 0, ...count, 0x41, 48, 0x6a, 0x3a, 0, 0], // the digit at address 0
+        ...[0x41, 0],
+      ),
+      body(0x41, 1),
+    ),
+  ]);
+}
+
+test("a module that the machine stops is told of, and starts anew", async () => {
+  const text = readFileSync(join(root, "web/engine.js"), "utf8").replace(/^if \(typeof module.*$/m, "");
+  const packed = gzipSync(counting_module()).toString("base64");
+  const engine = new Function(`${text}\nconst module_text = "${packed}";\nreturn { start, call };`)();
+  await engine.start();
+  assert.equal(engine.call({}), 1);
+  const stopped = engine.call({});
+  assert.match(stopped.error, /^call:1:1: the engine stopped, unreachable/);
+  assert.deepEqual([stopped.source, stopped.line, stopped.column], ["call", 1, 1]);
+  assert.equal(engine.call({}), 1, "a new instance, which has counted nothing");
+  assert.match(engine.call({}).error, /stopped/);
 });
