@@ -6,7 +6,7 @@ set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 root=$(dirname -- "$here")
 out=${1:?build.sh: expected the folder to write to} engine=${2-}
-modules="vectors numbers dom words ask address ztext values marked shapes window drawing stage state facts text_panel names
+modules="vectors numbers dom words ask address ztext values marked shapes solids drawn window drawing stage state facts text_panel names
   exact_view decided_view inspector operations picture surface printed walk machine own exercises shader_view main"
 mkdir -p "$out"
 

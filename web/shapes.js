@@ -2,8 +2,10 @@ import { across, add, cross, dot, sub, times, unit } from "./vectors.js";
 
 // Elements as triangles, for the picture alone: the exact engine knows no triangle that the scene has not.
 const around = 64,
-  upwards = 32,
-  plane_reach = 40;
+  upwards = 32;
+
+// plane_reach is how far a plane is drawn about its point.
+export const plane_reach = 40;
 
 function grid(columns, rows, point) {
   const positions = [],
@@ -55,13 +57,13 @@ function round_flat(centro, axis, radius) {
   });
 }
 
-function square(centro, axis, half) {
+export function square(centro, axis, half, pieces = 1) {
   const [u, w] = across(axis),
     n = unit(axis);
-  return grid(1, 1, (s, t) => [add(centro, add(times(u, half * (2 * s - 1)), times(w, half * (2 * t - 1)))), n]);
+  return grid(pieces, pieces, (s, t) => [add(centro, add(times(u, half * (2 * s - 1)), times(w, half * (2 * t - 1)))), n]);
 }
 
-function faces(points, triples) {
+export function faces(points, triples) {
   const positions = [],
     normals = [],
     indices = [];
@@ -95,7 +97,7 @@ function box([low, high]) {
   ]);
 }
 
-const entry = x =>
+const entry_of = x =>
   typeof x === "string"
     ? x
         .split("/")
@@ -103,9 +105,12 @@ const entry = x =>
         .reduce((a, b) => a / b)
     : x;
 
+// matrix_of gives the three rows of a map, whose numbers may be fractions in words.
+export const matrix_of = mapa => mapa.map(row => row.map(entry_of));
+
 // image is a mesh that an affine map moves; its normals are those of the image.
-function image(mesh, mapa) {
-  const m = mapa.map(row => row.map(entry)),
+export function image(mesh, mapa) {
+  const m = matrix_of(mapa),
     columns = [0, 1, 2].map(c => m.map(row => row[c]));
   const turns = dot(columns[0], cross(columns[1], columns[2])) < 0 ? -1 : 1;
   const minors = [cross(columns[1], columns[2]), cross(columns[2], columns[0]), cross(columns[0], columns[1])];
@@ -134,50 +139,34 @@ const makers = {
   caja: e => box(e.esquinas),
 };
 
-// mesh_of gives the triangles of an element, or null where the picture has none for its type.
-export function mesh_of(element, scene, depth = 0) {
-  if (makers[element.tipo]) return makers[element.tipo](element);
-  if (element.tipo !== "instancia" || depth > 8) return null;
-  const original =
-    typeof element.de === "string"
-      ? (scene.elementos.find(e => e.id === element.de) ?? scene.prototypes?.[element.de])
-      : element.de;
-  const mesh = original?.tipo ? mesh_of(original, scene, depth + 1) : null;
-  return mesh && image(mesh, element.mapa);
+// shape_mesh gives the triangles of a shape, or null where the type is none.
+export const shape_mesh = element => makers[element.tipo]?.(element) ?? null;
+
+// joined is one mesh of several.
+export function joined(meshes) {
+  const positions = [],
+    normals = [],
+    indices = [];
+  for (const mesh of meshes) {
+    const first = positions.length / 3;
+    for (const x of mesh.positions) positions.push(x);
+    for (const x of mesh.normals) normals.push(x);
+    for (const i of mesh.indices) indices.push(first + i);
+  }
+  return { positions, normals, indices };
 }
 
-// drawn_of gives what the picture draws of a scene: name, colour and mesh; and the names that it has no mesh for.
-export function drawn_of(scene) {
-  const colour = e => scene.materials?.[e.material]?.color ?? [0.8, 0.8, 0.8];
-  const solid = e => {
-    // a mirror or a glass has hardly a colour of its own
-    const m = scene.materials?.[e.material];
-    return m && (m.k_t ?? 0) > 0.5 ? [0.72, 0.82, 0.85] : m && (m.k_ps ?? 0) > 0.5 ? [0.62, 0.66, 0.7] : colour(e);
+// closed_mesh is a shape as a solid has it: with what closes its ends.
+export function closed_mesh(element) {
+  const end = (at, radius) => {
+    const axis = element.vector;
+    return round_flat(add(element.centro, times(axis, at)), times(axis, at > 0 ? 1 : -1), radius);
   };
-  const meshes = [],
-    left_out = [];
-  for (const element of scene.elementos ?? []) {
-    const mesh = mesh_of(element, scene);
-    if (mesh) meshes.push({ id: element.id, tipo: element.tipo, colour: solid(element), ...mesh });
-    else left_out.push(element.id);
-  }
-  for (const malla of scene.mallas ?? [])
-    meshes.push({ id: malla.id, tipo: "malla", colour: solid(malla), ...faces(malla.puntos, malla.caras) });
-  return { meshes, left_out };
-}
-
-// ball_of is a ball about all bounded elements: its middle and its radius.
-export function ball_of(meshes) {
-  const low = [Infinity, Infinity, Infinity],
-    high = [-Infinity, -Infinity, -Infinity];
-  for (const { tipo, positions } of meshes) {
-    if (tipo === "plano") continue;
-    for (let i = 0; i < positions.length; ++i) {
-      const k = i % 3;
-      if (positions[i] < low[k]) low[k] = positions[i];
-      if (positions[i] > high[k]) high[k] = positions[i];
-    }
-  }
-  if (!(low[0] <= high[0])) return { middle: [0, 0, 0], radius: 3 };
-  return { middle: times(add(low, high), 0.5), radius: Math.max(0.5, Math.hypot(...sub(high, low)) / 2) };
+  const { tipo, radio = 0, altura: h, proporcion = 0 } = element;
+  const ends = {
+    cilindro: () => [end(0, radio), end(h, radio)],
+    cono: () => [end(0, proporcion * h)],
+    tronco: () => [end(0, radio + proporcion * h), end(h, radio)],
+  }[tipo];
+  return ends ? joined([shape_mesh(element), ...ends()]) : shape_mesh(element);
 }

@@ -1,7 +1,7 @@
 import { make_drawing } from "./drawing.js";
 import { el, fill } from "./dom.js";
 import { on_grid, short } from "./numbers.js";
-import { drawn_of } from "./shapes.js";
+import { drawn_of } from "./drawn.js";
 import { across, add, long, look, moved, perspective, product, sub, times } from "./vectors.js";
 import { frame_of, pixel_of, shown_ball, usual_orbit } from "./window.js";
 import { say } from "./words.js";

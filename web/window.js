@@ -1,4 +1,4 @@
-import { ball_of } from "./shapes.js";
+import { ball_of } from "./drawn.js";
 import { add, cross, dot, long, sub, times, unit } from "./vectors.js";
 
 // The window that a scene's camera looks through, its pixels, and from where the picture shows all of it.
