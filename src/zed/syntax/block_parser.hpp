@@ -21,10 +21,11 @@ struct SectionHeader {
 SectionHeader parse_header(const std::vector<Token>& tokens);  ///< throws ZError
 
 /// Parses the paragraphs of one block (several, in `zed`). Throws ZError where it cannot go on; an error behind which
-/// it can is added to `mended`: a set behind `::=` is read as if behind `==`. A `zed` block of Spivey's Z may have
-/// predicates of their own, constraints on what is declared already; they become boxes without declarations.
+/// it can is added to `mended`: a set behind `::=` is read as if behind `==`. In Spivey's Z operators bind
+/// as there, and a `zed` block may have predicates of their own, constraints on what is declared already; they become
+/// boxes without declarations.
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
-                                   std::vector<ZError>& mended, bool constraints = false);
+                                   std::vector<ZError>& mended, bool spivey = false);
 
 /// An operator template was read at a place.
 struct ReadTemplate {

@@ -14,8 +14,7 @@ bool begins_template(const Token& token) { return token.is("function") || token.
 
 class ParagraphParser {
  public:
-  explicit ParagraphParser(const std::vector<Token>& tokens, bool constraints = false)
-      : in_(tokens), terms_(in_), constraints_(constraints) {}
+  explicit ParagraphParser(const std::vector<Token>& tokens, bool spivey = false) : in_(tokens, spivey), terms_(in_) {}
 
   std::vector<ZError> mended;
 
@@ -123,7 +122,7 @@ class ParagraphParser {
       paragraphs.push_back({place, given()});
     } else if (in_.accept("⊢?")) {
       conjecture(paragraphs, place, {});
-    } else if (constraints_ && !defines()) {
+    } else if (in_.is_spivey() && !defines()) {
       paragraphs.push_back({place, constraint(place)});
     } else {
       named(paragraphs, place);
@@ -258,7 +257,6 @@ class ParagraphParser {
 
   TokenStream in_;
   TermParser terms_;
-  bool constraints_;
 };
 
 }  // namespace
@@ -285,8 +283,8 @@ std::vector<ReadTemplate> templates_in(const std::vector<Token>& tokens) {
 SectionHeader parse_header(const std::vector<Token>& tokens) { return ParagraphParser(tokens).header(); }
 
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
-                                   std::vector<ZError>& mended, bool constraints) {
-  ParagraphParser parser(tokens, constraints);
+                                   std::vector<ZError>& mended, bool spivey) {
+  ParagraphParser parser(tokens, spivey);
   std::vector<Paragraph> paragraphs;
   if (environment == "zed") {
     paragraphs = parser.lines();

@@ -7,6 +7,15 @@
 #include "zed/syntax/term_parser.hpp"
 
 namespace durero::zed {
+namespace {
+
+/// Says whether a word is the last of an operator that stands behind its one operand, as a function.
+bool is_own_postfix(const Token& token) {
+  return token.own && token.own->of->role == Role::function && token.own->of->has_left() && token.own->first() &&
+         token.own->last() && !token.own->of->has_right();
+}
+
+}  // namespace
 
 bool TermParser::begins_primary(std::size_t ahead) const {
   const Token& token = in_.peek(ahead);
@@ -17,30 +26,39 @@ bool TermParser::begins_primary(std::size_t ahead) const {
   return std::ranges::any_of(signs, [&token](std::string_view sign) { return token.is(sign); });
 }
 
-/// In f a b ∼ ⦇ S ⦈ ↗ n ↙ the applications associate to the left, then come the postfix operators.
-Term TermParser::application() {
-  Term term = primary();
+/// In f a b ∼ ⦇ S ⦈ ↗ n ↙ the applications associate to the left, then come the postfix operators. In Spivey's Z these
+/// belong to what stands before them alone: f a ∼ is f (a∼).
+Term TermParser::application() { return applied(primary()); }
+
+Term TermParser::applied(Term function) {
   while (begins_primary()) {
     Term argument = primary();
-    const Place place = term->place;
-    term = checked(apply(std::move(term), std::move(argument), place));
+    const Place place = function->place;
+    function = checked(apply(std::move(function), std::move(argument), place));
   }
-  for (;;) {
-    const Token& token = in_.peek();
-    const Operator* op = token.type == Token::Type::symbol ? token.symbol->postfix : nullptr;
-    if (token.own) return term;
-    if (op) {
-      in_.next();
-      const Place place = term->place;
-      term = checked(operation(op->name(), {std::move(term)}, place));
-    } else if (token.is("⦇")) {
-      term = enclosing("_⦇_⦈", std::move(term));
-    } else if (token.is("↗")) {
-      term = enclosing("_↗_↙", std::move(term));
-    } else {
-      return term;
-    }
+  while (postfix(function) || image(function)) {
   }
+  return function;
+}
+
+bool TermParser::image(Term& so_far) {
+  if (!in_.sees("⦇")) return false;
+  so_far = enclosing("_⦇_⦈", std::move(so_far));
+  return true;
+}
+
+bool TermParser::postfix(Term& so_far) {
+  const Token& token = in_.peek();
+  const Operator* const op = token.type == Token::Type::symbol ? token.symbol->postfix : nullptr;
+  if (token.own || (!op && !token.is("↗"))) return false;
+  if (!op) {
+    so_far = enclosing("_↗_↙", std::move(so_far));
+    return true;
+  }
+  in_.next();
+  const Place place = so_far->place;
+  so_far = checked(operation(op->name(), {std::move(so_far)}, place));
+  return true;
 }
 
 /// Takes the rest of R ⦇ S ⦈ or R ↗ n ↙, whose name ends in the closing sign.
@@ -77,8 +95,10 @@ bool TermParser::suffix(Term& so_far) {
     so_far = checked(make(std::move(tree)));
   } else if (in_.sees("[")) {
     so_far = actuals_or_renaming(so_far);
+  } else if (in_.is_spivey() && is_own_postfix(in_.peek())) {
+    so_far = own_operation({so_far});
   } else {
-    return false;
+    return in_.is_spivey() && postfix(so_far);
   }
   return true;
 }

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "zed/syntax/spivey_binding.hpp"
+
 namespace durero::zed {
 namespace {
 
@@ -48,11 +50,12 @@ Term TermParser::term(int least) {
     const Token& token = in_.peek();
     if (token.type != Token::Type::symbol && token.type != Token::Type::word) return left;
     if (const Connective* connective = token.symbol->connective; connective && !connective->prefix) {
-      if (connective->strength < least) return left;
+      const Connective sign = bound(*connective);
+      if (sign.strength < least) return left;
       in_.next();
-      const Term right = term(connective->right_strength());
-      left = checked(node(connective->kind, {left, right}, left->place));
-    } else if (token.is("⧹") && least <= binding::hiding) {
+      const Term right = term(sign.right_strength());
+      left = checked(node(sign.kind, {left, right}, left->place));
+    } else if (token.is("⧹") && least <= (in_.is_spivey() ? spivey_binding::hiding : binding::hiding)) {
       left = hiding(left);
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
       left = product(left);
@@ -62,14 +65,19 @@ Term TermParser::term(int least) {
     } else if (token.own) {
       if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) return left;
       left = token.own->of->role == Role::relation ? relations(left) : own_operation({left});
-    } else if (const Operator* op = token.symbol->infix) {
-      const int strength = op->role == Role::relation ? binding::relation : binding::infix + op->precedence;
+    } else if (token.symbol->infix) {
+      const Operator op = in_.is_spivey() ? spivey_binding::infix(*token.symbol->infix) : *token.symbol->infix;
+      const int strength = op.role == Role::relation ? binding::relation : binding::infix + op.precedence;
       if (strength < least) return left;
-      left = op->role == Role::relation ? relations(left) : infix(left, strength, *op);
+      left = op.role == Role::relation ? relations(left) : infix(left, strength, op);
     } else {
       return left;
     }
   }
+}
+
+Connective TermParser::bound(const Connective& sign) const {
+  return in_.is_spivey() ? spivey_binding::connective(sign) : sign;
 }
 
 Term TermParser::infix(const Term& left, int strength, const Operator& op) {
@@ -146,18 +154,19 @@ Term TermParser::leading() {
   if (token.is("if")) return conditional();
   if (const Connective* sign = token.symbol->connective; sign && sign->prefix) {
     in_.next();
-    return checked(node(sign->kind, {term(sign->strength)}, place));
+    return checked(node(sign->kind, {term(bound(*sign).strength)}, place));
   }
   if (token.own && token.own->first() && !token.own->of->has_left()) return own_operation({});
   const Operator* op = token.symbol->prefix;
   const bool prefix_word = token.type == Token::Type::word && token.strokes.empty() && is_prefix_word(token.text);
-  if (prefix_word && begins_primary(1) && !in_.peek(1).is("[")) {
+  if (!in_.is_spivey() && prefix_word && begins_primary(1) && !in_.peek(1).is("[")) {
     const Term function = reference(in_.name(), {}, place);
     return checked(apply(function, term(binding::prefix), place));
   }
   if (!op) return application();
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
   in_.next();
+  if (in_.is_spivey() && op->symbol == "#") return applied(checked(operation(op->name(), {primary()}, place)));
   if (op->role == Role::relation) return checked(relation({{op->name(), {}}}, {term(binding::relation + 1)}, place));
   const Term operand = term(binding::prefix);
   if (op->role == Role::generic) return checked(reference({op->name(), {}}, {operand}, place));

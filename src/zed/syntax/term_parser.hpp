@@ -27,7 +27,11 @@ class TermParser {
 
  private:
   Term leading();  // takes what can stand first in a term: a quantifier, a prefix operator, an application
+  Connective bound(const Connective& sign) const;  // with the strength of the Z that is read
   Term application();
+  Term applied(Term function);  // takes the arguments, and postfix operators behind them
+  bool postfix(Term& so_far);   // takes one postfix operator, or iteration
+  bool image(Term& so_far);     // takes one relational image
   Term primary();
   Term plain_primary();
   Term word_or_operator();

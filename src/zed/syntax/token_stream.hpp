@@ -12,7 +12,11 @@ namespace durero::zed {
 
 class TokenStream {
  public:
-  explicit TokenStream(const std::vector<Token>& tokens) : tokens_(tokens) {}
+  /// Whether they are `spivey`s is for the parsers, who bind operators by it.
+  explicit TokenStream(const std::vector<Token>& tokens, bool spivey = false) : tokens_(tokens), spivey_(spivey) {}
+
+  /// Says whether the tokens are read as Spivey's Z.
+  bool is_spivey() const { return spivey_; }
 
   /// Returns the token `ahead` places on; at the end, the last one.
   const Token& peek(std::size_t ahead = 0) const {
@@ -81,6 +85,7 @@ class TokenStream {
 
  private:
   const std::vector<Token>& tokens_;
+  bool spivey_;
   std::size_t at_ = 0;
 };
 

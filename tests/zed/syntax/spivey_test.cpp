@@ -2,6 +2,7 @@
 #include "zed/syntax/spivey.hpp"
 
 #include "durero/zed/evaluate/evaluate.hpp"
+#include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/parser.hpp"
 #include "durero/zed/syntax/reader.hpp"
 #include "durero/zed/types/typecheck.hpp"
@@ -100,6 +101,30 @@ TEST_CASE("a line behind %% is hidden from LaTeX alone") {
                            "% B == nothing\n%%tame A\nC == A\n\\end{zed}\n";
   CHECK(defects_of(text) == "");
   CHECK(read_text(text, "s.tex").sections.at(0).paragraphs.size() == 3);
+}
+
+/// The terms of one definition, as Unicode, in Spivey's Z and in ISO's.
+std::pair<std::string, std::string> both_readings(const std::string& term) {
+  const auto read = [&term](const std::string& sign) {
+    const Specification text = read_text(sign + "\\begin{zed} X == " + term + " \\end{zed}", "s.tex");
+    REQUIRE(text.ok());
+    return to_unicode(std::get<Definition>(text.sections.back().paragraphs.at(0).form).value);
+  };
+  return {read(fuzz), read("")};
+}
+
+TEST_CASE("operators bind as fuzz binds them") {
+  using Readings = std::pair<std::string, std::string>;
+  CHECK(both_readings("A \\semi B \\hide (x) \\project C").first == "A ⨟ (B ⧹ (x)) ⨡ C");
+  CHECK(both_readings("f~x \\inv") == Readings{"f (x ∼)", "f x ∼"});
+  CHECK(both_readings("(f~x) \\inv") == Readings{"f x ∼", "f x ∼"});
+  CHECK(both_readings("f~x \\limg S \\rimg").first == both_readings("f~x \\limg S \\rimg").second);
+  CHECK(both_readings("A \\land B \\hide (x)") == Readings{"(A ∧ B) ⧹ (x)", "A ∧ B ⧹ (x)"});
+  CHECK(both_readings("A \\implies B \\semi C \\lor D") == Readings{"(A ⇒ B) ⨟ (C ∨ D)", "A ⇒ B ⨟ C ∨ D"});
+  CHECK(both_readings("A \\pipe B \\project C \\hide (x)").first == "A ⨠ B ⨡ C ⧹ (x)");
+  CHECK(both_readings("\\pre A \\semi B").first == "pre A ⨟ B");
+  CHECK(both_readings("A \\dres B \\dres R") == Readings{"(A ◁ B) ◁ R", "A ◁ B ◁ R"});
+  CHECK(both_readings("\\# f~x") == Readings{"(# f) x", "# f x"});
 }
 
 TEST_CASE("bags have their values") {
