@@ -1,4 +1,4 @@
-// durero spec convert FILE [--to iso|latex|unicode] [-o OUT]: a Z text in the other mark-up.
+// durero spec convert FILE [--to iso|latex|unicode|spivey] [-o OUT]: a Z text in another mark-up.
 #include "commands.hpp"
 #include "description.hpp"
 #include "durero/io/output_file.hpp"
@@ -15,7 +15,8 @@ struct SpecConvertOptions {
 };
 
 zed::Form wanted(const SpecConvertOptions& options, const std::string& text) {
-  if (options.form.empty()) return zed::form_of(text) == zed::Form::latex ? zed::Form::unicode : zed::Form::latex;
+  if (options.form.empty()) return zed::form_of(text) == zed::Form::unicode ? zed::Form::latex : zed::Form::unicode;
+  if (options.form == "spivey") return zed::Form::spivey;
   return options.form == "unicode" ? zed::Form::unicode : zed::Form::latex;
 }
 
@@ -41,14 +42,16 @@ void add_spec_convert(CLI::App& spec, int& status) {
   command->add_option("FILE", options->file, "Z text in LaTeX or Unicode mark-up; its parents are found beside it")
       ->required();
   command
-      ->add_option("--to", options->form,
-                   "The mark-up to write, of which iso is LaTeX, too; without it, the one that FILE is not in")
-      ->check(CLI::IsMember({"iso", "latex", "unicode"}));
+      ->add_option(
+          "--to", options->form,
+          "The mark-up to write, of which iso is LaTeX, too, and spivey that of fuzz; without it, Unicode for a "
+          "FILE in LaTeX, and LaTeX for one in Unicode")
+      ->check(CLI::IsMember({"iso", "latex", "unicode", "spivey"}));
   command->add_option("-o,--output", options->to, "File to write; without it, the standard output");
   command->footer(
       "Each paragraph keeps its tokens, labels and comments, and the prose between stays byte for byte. A text that\n"
-      "is in the mark-up already is written as it is, but Spivey's Z in LaTeX is written in ISO's. The text must be "
-      "readable; its types are not asked for.\n\n" +
+      "is in the mark-up already is written as it is. The text must be readable; its types are not asked for. What "
+      "Spivey's\nZ has no form for, as a section of one's own among the parents, is refused at its place.\n\n" +
       exit_status("it is written", "the call is bad, or the other mark-up cannot say the text") +
       examples({"spec convert demo/birthday_book.tex", "spec convert mine.utf8 --to latex -o mine.tex"}));
   command->callback([options, &status] { status = convert(*options); });

@@ -92,7 +92,7 @@ void TextAnswers::completion(const JsonValue& params, JsonWriter& to) {
   const RequestedPlace asked = place_of(params);
   const std::string& text = asked.file->text.text();
   const zed::CheckedTexts& of = asked.analysis->checked();
-  const bool latex = zed::form_of(text) == zed::Form::latex;
+  const bool latex = zed::form_of(text) != zed::Form::unicode;
   std::size_t from = start_of_name(text, asked.byte, latex);
   const bool command = from > 0 && text[from - 1] == '\\';
   const bool selects = from > 0 && text[from - 1] == '.';

@@ -28,4 +28,20 @@ printf 'prose\n' >none.tex
 refused 'none.tex:1:1: no Z paragraph; expected ' spec convert none.tex
 refused 'lost.tex' spec convert lost.tex
 refused 'spec convert: --to: word not in ' spec convert puntos.tex --to word
+
+# Spivey's Z: from ISO's LaTeX and Unicode, and back; a section of one's own among the parents is refused.
+cat >counter.tex <<'END'
+\begin{schema}{S} n : \nat \end{schema}
+\begin{zed} I == [ S~' | n' = 0 ] \end{zed}
+END
+run 0 spec convert counter.tex -o counter.utf8
+run 0 spec convert counter.tex --to spivey -o counter.fuzz.tex
+has counter.fuzz.tex "defs [ S' | n' = 0 ]"
+run 0 spec convert counter.utf8 --to spivey
+has out "defs [ S' | n' = 0 ]"
+run 0 spec check counter.fuzz.tex
+has out "in Spivey's Z as"
+run 0 spec convert counter.fuzz.tex --to iso
+has out "I == [ S~' | n' = 0 ]"
+refused 'puntos.tex:' spec convert puntos.tex --to spivey
 finish

@@ -32,7 +32,7 @@ bool is_wide(std::string_view body) {
 }  // namespace
 
 std::vector<Replacement> block_layout(std::string_view text, const Specification& read) {
-  if (form_of(text) == Form::unicode) return {};
+  if (form_of(text) != Form::latex) return {};
   const std::string back = converted(converted(text, Form::unicode, read), Form::latex, read);
   const std::vector<Block> before = blocks_of(text), after = blocks_of(back);
   std::vector<Replacement> replacements;

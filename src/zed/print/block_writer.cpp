@@ -1,12 +1,17 @@
 #include "zed/print/block_writer.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "zed/print/layout.hpp"
 #include "zed/print/spelling.hpp"
+#include "zed/print/spivey_tokens.hpp"
+#include "zed/syntax/connectives.hpp"
 #include "zed/syntax/lexer.hpp"
 #include "zed/syntax/lexer_base.hpp"
 
@@ -20,40 +25,63 @@ std::vector<Token> without_line_ends(const std::vector<Token>& tokens) {
   return kept;
 }
 
-/// Writes one paragraph in the other mark-up.
+/// The environment that a piece has in another mark-up. A conjecture, of which fuzz knows nothing, is a theorem in
+/// Spivey's Z; a predicate by itself is a box without declarations in ISO's.
+std::string environment_in(Form to, const BlockPiece& piece) {
+  const std::string& now = piece.block.environment;
+  if (to != Form::spivey) return piece.share == Share::constraint ? "axdef" : now;
+  if (piece.share == Share::claim) return "theorem";
+  const auto* const box = std::get_if<Axiomatic>(&piece.paragraphs.front().form);
+  return now == "axdef" && box != nullptr && box->text.declarations.empty() ? "zed" : now;
+}
+
+/// Writes one piece in another mark-up.
 class BlockWriter {
  public:
-  BlockWriter(const Block& block, const Dialect& dialect)
-      : block_(block),
-        tokens_(without_line_ends(lex(block, dialect.markup, dialect.operators))),
-        spelling_(dialect.markup),
-        title_(in_title(block, tokens_)),
-        where_(where()) {}
+  BlockWriter(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known)
+      : BlockWriter(piece, to, dialect, lex(piece.block, dialect.markup, dialect.operators), known) {}
 
   std::string text() {
     begin();
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = first_; i < tokens_.size(); ++i) {
       if (i > 0 || title_ == 0) gap(i);
       out_ += spelled(i);
-      if (i == 0 && block_.environment == "schema" && to_latex()) out_ += '}';
+      if (i == 0 && environment_ == "schema" && to_latex()) out_ += '}';
     }
     end();
     return std::move(out_);
   }
 
  private:
-  bool to_latex() const { return block_.unicode; }
+  BlockWriter(const BlockPiece& piece, Form to, const Dialect& dialect, const std::vector<Token>& tokens,
+              const SchemaNames& known)
+      : block_(piece.block),
+        to_(to),
+        environment_(environment_in(to, piece)),
+        markup_(dialect.markup),
+        tokens_(without_line_ends(tokens)),
+        spelling_(dialect.markup),
+        title_(in_title(block_, tokens_)),
+        where_(where()) {
+    if (to_ == Form::spivey) marks_ = spivey_marks(tokens, piece, known);
+    for (std::size_t i = 0, seen = 0; i < tokens.size(); ++i)
+      tokens[i].type == Token::Type::newline ? void(separated_.insert(seen)) : void(++seen);
+    first_ = block_.environment == "axdef" && environment_ == "zed" ? 1 : 0;
+  }
+
+  bool to_latex() const { return to_ != Form::unicode; }
 
   void begin() {
-    const std::string& form = block_.environment;
+    const std::string& form = environment_;
     if (to_latex()) {
-      out_ = "\\begin{" + form + "}" + (form == "schema" ? "{" : "");
-      return;
+      out_ = "\\begin{" + form + "}" + (form == "schema" ? "{" : form == "theorem" ? "{}" : "");
+    } else {
+      const bool generic = form == "gendef" || (form == "schema" && title_ > 1);
+      out_ = form == "schema" ? "┌" : form == "axdef" || form == "gendef" ? "╷" : "─";
+      if (generic) out_ += "═";
+      if (form == "schema" || form == "zsection") out_ += ' ';
     }
-    const bool generic = form == "gendef" || (form == "schema" && title_ > 1);
-    out_ = form == "schema" ? "┌" : form == "axdef" || form == "gendef" ? "╷" : "─";
-    if (generic) out_ += "═";
-    if (form == "schema" || form == "zsection") out_ += ' ';
+    if (form == "axdef" && block_.environment == "zed") out_ += to_latex() ? "\n\\where" : "\n|";
   }
 
   void end() {
@@ -62,12 +90,12 @@ class BlockWriter {
     last.back().indent = 0;
     out_ += written(last, Break::formal);
     if (to_latex()) out_.erase(out_.find_last_not_of(' ') + 1);
-    out_ += to_latex() ? "\\end{" + block_.environment + "}" : "└";
+    out_ += to_latex() ? "\\end{" + environment_ + "}" : "└";
   }
 
   Layout between(std::size_t from, std::size_t to) const {
     const std::string_view text = block_.body.substr(from, to - from);
-    return to_latex() ? layout_of_unicode(text) : layout_of_latex(text);
+    return block_.unicode ? layout_of_unicode(text) : layout_of_latex(text);
   }
   std::string written(const Layout& layout, Break kind) const {
     return to_latex() ? in_latex(layout, kind) : in_unicode(layout);
@@ -90,13 +118,33 @@ class BlockWriter {
       out_ += beside(i, i < title_ ? 0 : layout.front().blanks);
       return;
     }
+    if (to_ == Form::spivey && !is_formal && !separated_.contains(i) && !is_infix(tokens_[i - 1]))
+      return unmarked_break(layout);
     out_ += written(layout, is_formal ? Break::formal : Break::marked);
     if (to_latex() && i == where_) out_.erase(out_.find_last_not_of(' ') + 1);
+  }
+
+  /// Writes the line end before a token where it separates nothing. fuzz takes \\ there for a separator, but behind an
+  /// infix sign, and \t only behind \\.
+  void unmarked_break(const Layout& layout) {
+    Layout kept = {layout.front()};
+    for (std::size_t i = 1; i + 1 < layout.size(); ++i)
+      if (!layout[i].comment.empty()) kept.push_back(layout[i]);
+    kept.emplace_back();
+    out_ += written(kept, Break::formal);
+  }
+  static bool is_infix(const Token& token) {
+    static constexpr std::array<std::string_view, 12> signs = {
+        ";", ":", ",", "|", "•", "==", "×", "&", "::=", "then", "else", "⧹"};
+    if (token.own != nullptr) return token.own->of->has_left() && token.own->of->has_right();
+    const Connective* const sign = token.symbol->connective;
+    return lexing::among(token.text, signs) || token.symbol->infix != nullptr || (sign != nullptr && !sign->prefix);
   }
 
   /// Writes the blanks between a token and the one before it on its line; there are more where it needs them.
   std::string beside(std::size_t i, std::size_t blanks) const {
     const Token &left = tokens_[i - 1], &right = tokens_[i];
+    if (to_ == Form::spivey) return gap_in_spivey(left, core(i - 1), right, core(i), blanks);
     if (blanks == 0 && spelling_.separates(left, right, !takes_operand(i - 1))) blanks = 1;
     std::string text(blanks, ' ');
     if (!to_latex() || blanks == 0) return text;
@@ -110,7 +158,18 @@ class BlockWriter {
 
   std::string spelled(std::size_t i) const {
     if (i == where_) return to_latex() ? "\\where" : "|";
+    if (to_ == Form::spivey) return mark(marks_.before, i) + core(i) + mark(marks_.behind, i);
     return to_latex() ? spelling_.latex(tokens_[i], takes_operand(i)) : Spelling::unicode(tokens_[i]);
+  }
+
+  /// Spells a token in Spivey's Z, without the signs that it adds.
+  std::string core(std::size_t i) const {
+    const auto found = marks_.instead.find(i);
+    return found != marks_.instead.end() ? found->second : in_spivey(tokens_[i], markup_);
+  }
+  static std::string mark(const std::map<std::size_t, std::string>& marks, std::size_t i) {
+    const auto found = marks.find(i);
+    return found == marks.end() ? "" : found->second;
   }
 
   /// The token between declarations and predicates of a box that has a line for itself: `\where`, ├, or the first `|`
@@ -136,10 +195,16 @@ class BlockWriter {
   }
 
   const Block& block_;
+  Form to_;
+  std::string environment_;
+  const Markup& markup_;
   std::vector<Token> tokens_;
   Spelling spelling_;
   std::size_t title_;
   std::optional<std::size_t> where_;
+  SpiveyMarks marks_;
+  std::set<std::size_t> separated_;  // a line end that separates stands before these tokens
+  std::size_t first_ = 0;            // the tokens before are not written
   std::string out_;
 };
 
@@ -155,6 +220,8 @@ std::size_t in_title(const Block& block, const std::vector<Token>& tokens) {
   return at + 1 < tokens.size() && tokens[at].type == Token::Type::word && tokens[at + 1].is("]") ? at + 2 : named;
 }
 
-std::string in_other_form(const Block& block, const Dialect& dialect) { return BlockWriter(block, dialect).text(); }
+std::string in_other_form(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known) {
+  return BlockWriter(piece, to, dialect, known).text();
+}
 
 }  // namespace durero::zed

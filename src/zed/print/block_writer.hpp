@@ -1,27 +1,23 @@
 #pragma once
-/// Writes one paragraph in the mark-up that it is not in.
+/// Writes one paragraph in another mark-up.
 
 #include <string>
 #include <vector>
 
-#include "durero/zed/syntax/markup.hpp"
-#include "durero/zed/syntax/operators.hpp"
+#include "durero/zed/print/convert.hpp"
+#include "zed/print/pieces.hpp"
+#include "zed/print/spivey_grammar.hpp"
 #include "zed/syntax/source.hpp"
 #include "zed/syntax/token.hpp"
 
 namespace durero::zed {
 
-/// The tokens of a section are read by its commands and its operators.
-struct Dialect {
-  const Markup& markup;
-  const Operators& operators;
-};
-
 /// Returns how many of a paragraph's tokens stand on the line that begins its box: a schema's name, and formals.
 std::size_t in_title(const Block& block, const std::vector<Token>& tokens);
 
-/// Returns the paragraph from its first sign or `\begin` to its last or `\end`. What the other mark-up cannot say is
-/// written as it would be if it could: whoever calls reads it again.
-std::string in_other_form(const Block& block, const Dialect& dialect);
+/// Returns a piece from its first sign or `\begin` to its last or `\end`. Mark-up that cannot say it is written as if
+/// it could: whoever calls reads it again. `known` has the schemas, which Spivey's Z writes otherwise. Throws ZError at
+/// a name that Spivey's Z cannot spell.
+std::string in_other_form(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known);
 
 }  // namespace durero::zed

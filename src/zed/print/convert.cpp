@@ -1,19 +1,44 @@
-/// Writes a text token by token in the other mark-up. That it says the same is not believed: what was written is read.
+/// Writes a text token by token in another mark-up. That it says the same is not believed: what was written is read.
 
 #include "durero/zed/print/convert.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "durero/text/utf8.hpp"
 #include "zed/print/block_writer.hpp"
+#include "zed/print/layout.hpp"
+#include "zed/print/pieces.hpp"
+#include "zed/print/spelling.hpp"
+#include "zed/print/spivey_grammar.hpp"
 #include "zed/syntax/bag_toolkit.hpp"
 #include "zed/syntax/block_parser.hpp"
+#include "zed/syntax/characters.hpp"
 #include "zed/syntax/cursor.hpp"
 #include "zed/syntax/lexer.hpp"
 
 namespace durero::zed {
 namespace {
+
+std::string in_words(Form form) {
+  switch (form) {
+    case Form::latex:
+      return "LaTeX mark-up";
+    case Form::unicode:
+      return "Unicode";
+    case Form::spivey:
+      return "Spivey's Z";
+  }
+  return {};
+}
+
+/// The parents of a section that Spivey's Z has without saying so.
+bool is_of_spivey(const std::vector<std::string>& parents) {
+  return std::ranges::find(parents, "standard_toolkit") != parents.end() &&
+         std::ranges::all_of(parents, [](const std::string& name) { return is_toolkit(name) || name == bag_toolkit; });
+}
 
 /// Writes a text: its prose, and each paragraph between.
 class TextWriter {
@@ -24,19 +49,85 @@ class TextWriter {
     const std::vector<Block> blocks = cut_of(text_);
     for (const Block& block : blocks) {
       prose(start_of(block));
-      if (!out_.empty() && out_.back() != '\n') out_ += '\n';
+      begin_line();
       if (block.spivey) say_in_iso(block, &block == &blocks.front());
-      const std::size_t from = out_.size();
-      out_ += in_other_form(block, dialect(block));
-      compare(block, std::string_view(out_).substr(from));
+      if (block.environment == "zsection") {
+        to_ == Form::spivey ? header_in_spivey(block, &block == &blocks.front()) : write({block}, dialect(block));
+      } else {
+        pieces(block);
+      }
       at_ = end_of(block);
     }
     prose(text_.size());
-    if (!blocks.empty()) agree(blocks.size() + added_);
+    if (!blocks.empty()) agree();
     return std::move(out_);
   }
 
  private:
+  void begin_line() {
+    if (!out_.empty() && out_.back() != '\n') out_ += '\n';
+  }
+
+  void pieces(const Block& block) {
+    const Dialect by = dialect(block);
+    bool is_first = true;
+    for (const BlockPiece& piece : pieces_of(block, by)) {
+      if (!is_first) begin_line();
+      is_first = false;
+      if (to_ != Form::spivey) {
+        write(piece, by);
+      } else if (piece.share == Share::operators) {
+        directives(piece, by);
+      } else {
+        for (const Paragraph& paragraph : piece.paragraphs) {
+          add_schema_name(paragraph, schemas_);
+          require_spivey(paragraph, schemas_);
+        }
+        write(piece, by);
+      }
+    }
+  }
+
+  void write(const BlockPiece& piece, const Dialect& by) {
+    const std::size_t from = out_.size();
+    out_ += in_other_form(piece, to_, by, schemas_);
+    compare(piece, by, std::string_view(out_).substr(from));
+    ++count_;
+  }
+
+  /// Writes operator templates as directives of fuzz, a line each, and the comments that stood among them.
+  void directives(const BlockPiece& piece, const Dialect& by) {
+    const std::vector<Token> tokens = lex(piece.block, by.markup, by.operators);
+    for (const ReadTemplate& each : templates_in(tokens)) {
+      const auto word =
+          std::ranges::find_if(each.tokens, [](const Token& token) { return token.own && token.own->first(); });
+      out_ += spivey_directive_of(each.read, Spelling(by.markup).latex(*word, true), each.place) + "\n";
+    }
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const std::size_t from = i == 0 ? 0 : tokens[i - 1].to;
+      if (tokens[i].type == Token::Type::newline) continue;
+      const std::size_t to = tokens[i].type == Token::Type::end ? piece.block.body.size() : tokens[i].from;
+      const std::string_view between = piece.block.body.substr(from, std::max(from, to) - from);
+      for (const LayoutLine& line : piece.block.unicode ? layout_of_unicode(between) : layout_of_latex(between))
+        if (!line.comment.empty()) out_ += line.comment + "\n";
+    }
+  }
+
+  /// Writes the header of a section as a comment: Spivey's Z has one section, of which no header tells.
+  void header_in_spivey(const Block& block, bool is_first) {
+    const SectionHeader header = parse_header(lex(block, {}, {}));
+    section_ = header.name;
+    if (!is_first)
+      throw ZError(block.begin, "a second section cannot be written in Spivey's Z", "expected one, before all else");
+    if (!is_of_spivey(header.parents))
+      throw ZError(block.begin, "a section of these parents cannot be written in Spivey's Z",
+                   "expected standard_toolkit, and no section of one's own");
+    if (header.name == "Specification") return;
+    out_ += "% section " + header.name + " parents";
+    for (const std::string& parent : header.parents) out_ += (&parent == &header.parents.front() ? " " : ", ") + parent;
+    out_ += "\n";
+  }
+
   static std::vector<Block> cut_of(std::string_view text) {
     std::vector<Defect> defects;
     return cut(text, {}, defects);
@@ -70,32 +161,44 @@ class TextWriter {
     return place;
   }
 
-  /// Writes what Spivey's Z says without a paragraph, or does not say: the bags among the parents, and the templates of
-  /// its operators. ISO has no place for a constraint in a zed.
+  /// Writes what Spivey's Z says without a paragraph: the bags among the parents, and the templates of its operators.
+  /// In LaTeX a header tells that the text is ISO's, whatever package it uses.
   void say_in_iso(const Block& block, bool is_first) {
-    if (is_first && block.spivey->has_bags)
-      add_paragraph("section Specification parents standard_toolkit, " + std::string(bag_toolkit));
+    const bool has_bags = block.spivey->has_bags;
+    if (is_first && (has_bags || to_ == Form::latex))
+      add_header(has_bags ? "standard_toolkit, " + std::string(bag_toolkit) : "standard_toolkit");
     for (const OperatorTemplate& op : block.operators) {
+      if (to_ == Form::latex) name_command(block, op.parts[op.has_left() ? 1 : 0]);
       const std::string kind = op.role == Role::function  ? "function"
                                : op.role == Role::generic ? "generic"
                                                           : "relation";
       const bool binds = op.role != Role::relation && op.has_left() && op.has_right();
       const std::string strength =
           binds ? std::to_string(op.precedence) + (op.right ? " rightassoc " : " leftassoc ") : "";
-      add_paragraph(kind + " " + strength + "(" + op.name() + ")");
+      add_paragraph(kind + " " + strength + "(" + op.name() + ")", "zed");
     }
-    if (block.environment != "zed") return;
-    const Dialect by = dialect(block);
-    std::vector<ZError> mended;
-    for (const Paragraph& paragraph : parse_block("zed", lex(block, by.markup, by.operators), mended, true))
-      if (const auto* const box = std::get_if<Axiomatic>(&paragraph.form))
-        if (box->text.declarations.empty())
-          throw ZError(paragraph.place, "a predicate by itself cannot be written in ISO's mark-up",
-                       "expected it in an axdef");
   }
-  void add_paragraph(const std::string& text) {
-    out_ += "─ " + text + " └\n";
-    ++added_;
+  /// The command of a directive of fuzz is one of ISO's text by a directive.
+  void name_command(const Block& block, const std::string& word) {
+    for (const auto& [command, meaning] : block.directives)
+      if (meaning == word && std::ranges::all_of(word, is_letter)) out_ += "%%Zword \\" + command + " " + word + "\n";
+  }
+  void add_header(const std::string& parents) { add_paragraph("section Specification parents " + parents, "zsection"); }
+
+  /// Adds a paragraph that is written in Unicode here.
+  void add_paragraph(const std::string& text, const std::string& environment) {
+    Block block;
+    block.environment = environment;
+    block.body = text;
+    block.place = block.begin = {1, 1};
+    block.unicode = true;
+    const auto markup = read_.markup.find(section_);
+    static const Operators no_operators;
+    static const Markup no_markup;
+    const Dialect by{markup == read_.markup.end() ? no_markup : markup->second, no_operators};
+    out_ += to_ == Form::unicode ? "─ " + text + " └" : in_other_form({block}, to_, by, schemas_);
+    out_ += "\n";
+    ++count_;
   }
 
   Dialect dialect(const Block& block) {
@@ -111,17 +214,36 @@ class TextWriter {
             operators == read_.operators.end() ? no_operators : operators->second};
   }
 
-  /// Reads what was written for a block, and asks that it is the same. The place is that of the first token which is
-  /// another.
-  void compare(const Block& block, std::string_view written) {
-    const Dialect by = dialect(block);
-    const std::vector<Token> before = tokens_of(block, by);
-    const std::vector<Block> again = cut_of(written);
+  /// Reads what was written for a piece, and asks that it is the same. The place is that of the first token which is
+  /// another. Spivey's Z has other tokens, and the same tree.
+  void compare(const BlockPiece& piece, const Dialect& by, std::string_view written) const {
+    const Block& block = piece.block;
+    std::vector<Token> before = tokens_of(block, by);
+    std::vector<Block> again = cut_of(written);
     std::vector<Token> after;
-    if (again.size() == 1 && again[0].environment == block.environment) after = tokens_of(again[0], by);
+    std::string environment;
+    if (again.size() == 1) {
+      again[0].spivey = to_ == Form::spivey ? spivey_with_schemas() : nullptr;
+      environment = again[0].environment;
+      after = tokens_of(again[0], by);
+    }
+    const std::optional<Place> other = other_tree(piece, environment, after, to_ == Form::spivey);
+    if (to_ != Form::spivey) compare_tokens(block, std::move(before), std::move(after));
+    if (other)
+      throw ZError(*other, "this paragraph would be another in " + in_words(to_),
+                   "expected parentheses where operators bind otherwise there, or another form");
+  }
+  void compare_tokens(const Block& block, std::vector<Token> before, std::vector<Token> after) const {
+    if (!before.empty() && before.front().is("|") != (!after.empty() && after.front().is("|")))
+      drop_where(before), drop_where(after);
     const auto [left, right] = std::mismatch(before.begin(), before.end(), after.begin(), after.end(), is_same);
     if (left != before.end()) refuse(left->place, left->text);
-    if (right != after.end() || !same_trees(block, before, after)) refuse(block.begin, "this paragraph");
+    if (right != after.end()) refuse(block.begin, "this paragraph");
+  }
+  std::shared_ptr<const SpiveyText> spivey_with_schemas() const {
+    auto text = std::make_shared<SpiveyText>();
+    text->schemas = schemas_;
+    return text;
   }
   /// Whether a line ends behind the title of a box tells nothing: it is left out.
   static std::vector<Token> tokens_of(const Block& block, const Dialect& by) {
@@ -139,47 +261,72 @@ class TextWriter {
     return (a.type == b.type || (is_text(a) && is_text(b))) && a.text == b.text && a.strokes == b.strokes &&
            a.label == b.label && a.own == b.own;
   }
-  static bool same_trees(const Block& block, const std::vector<Token>& before, const std::vector<Token>& after) {
-    if (block.environment == "zsection") return true;  // its tokens are all of it
-    std::vector<ZError> mended;
-    return parse_block(block.environment, before, mended, block.spivey != nullptr) ==
-           parse_block(block.environment, after, mended);
+  /// A predicate by itself has a box without declarations in ISO's mark-up, and none in Spivey's.
+  static void drop_where(std::vector<Token>& tokens) {
+    if (!tokens.empty() && tokens.front().is("|")) tokens.erase(tokens.begin());
+  }
+  /// The place of the first paragraph that is another when it is read again; nothing where all are the same.
+  static std::optional<Place> other_tree(const BlockPiece& piece, const std::string& environment,
+                                         const std::vector<Token>& after, bool spivey) {
+    if (piece.block.environment == "zsection") return {};  // its tokens are all of it
+    std::vector<Paragraph> again;
+    try {
+      std::vector<ZError> mended;
+      if (!after.empty()) again = parse_block(environment, after, mended, spivey);
+    } catch (const ZError&) {  // then none is read, and the first is another
+    }
+    const auto [left, right] =
+        std::mismatch(piece.paragraphs.begin(), piece.paragraphs.end(), again.begin(), again.end());
+    if (left == piece.paragraphs.end() && right == again.end()) return {};
+    return left == piece.paragraphs.end() ? piece.block.begin : left->place;
   }
   [[noreturn]] void refuse(Place place, const std::string& what) const {
     const bool line = what.empty() || what == "\n";
-    throw ZError(place,
-                 (line ? "what ends here" : what) + std::string(" cannot be written in ") +
-                     (to_ == Form::latex ? "LaTeX mark-up" : "Unicode"),
+    throw ZError(place, (line ? "what ends here" : what) + std::string(" cannot be written in ") + in_words(to_),
                  "expected it in another form, or a directive %%Zchar or %%Zword that names it");
   }
 
-  /// All of what was written is cut into as many paragraphs as there were.
-  void agree(std::size_t count) const {
+  /// All of what was written is cut into as many paragraphs as were written, in their mark-up.
+  void agree() {
+    if (to_ == Form::spivey && form_of(out_) != to_) out_.insert(0, spivey_sign);
     if (out_.size() > max_bytes)
       throw ZError({1, 1}, "the text would be too large to be read", "expected one of less than a MiB when written");
-    if (cut_of(out_).size() != count || form_of(out_) != to_)
+    if (cut_of(out_).size() != count_ || form_of(out_) != to_)
       throw ZError({1, 1}, "the prose would be read as Z in the other mark-up", "expected prose without its signs");
+    if (to_ == Form::spivey) agree_as_a_whole();
   }
+
+  /// Spivey's Z is known by signs, and has own readings of them, all over a text: it is read again as a whole.
+  void agree_as_a_whole() const {
+    const Specification again = read_text(out_, "the text in Spivey's Z");
+    const Section* const before = read_.find(section_);
+    if (before == nullptr || again.sections.empty()) return;
+    const std::vector<Paragraph>&expected = before->paragraphs, &found = again.sections.back().paragraphs;
+    const auto [left, right] = std::mismatch(expected.begin(), expected.end(), found.begin(), found.end());
+    if (left != expected.end()) refuse(left->place, "this paragraph");
+    if (right != found.end() || !again.ok()) refuse({1, 1}, "this text");
+  }
+
+  /// A line that LaTeX and fuzz pass over, and by which a text is known.
+  static constexpr std::string_view spivey_sign = "%% \\usepackage{fuzz}\n";
 
   std::string_view text_;
   Form to_;
   const Specification& read_;
   std::size_t at_ = 0;
-  std::size_t added_ = 0;  // paragraphs that the text says otherwise
+  std::size_t count_ = 0;  // paragraphs that were written
+  SchemaNames schemas_;    // of the text so far
   std::string section_ = "Specification", out_;
 };
 
 }  // namespace
 
-Form form_of(std::string_view text) { return is_unicode(text) ? Form::unicode : Form::latex; }
-
-bool is_iso(std::string_view text) { return is_unicode(text) || !spivey_text(text); }
+Form form_of(std::string_view text) {
+  return is_unicode(text) ? Form::unicode : spivey_text(text) ? Form::spivey : Form::latex;
+}
 
 std::string converted(std::string_view text, Form to, const Specification& read) {
-  if (form_of(text) != to) return TextWriter(text, to, read).run();
-  if (is_iso(text)) return std::string(text);
-  const std::string unicode = TextWriter(text, Form::unicode, read).run();
-  return TextWriter(unicode, to, read_text(unicode, "the text in Unicode")).run();
+  return form_of(text) == to ? std::string(text) : TextWriter(text, to, read).run();
 }
 
 }  // namespace durero::zed

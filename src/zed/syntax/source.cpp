@@ -113,13 +113,24 @@ class Cutter {
         for (const std::string& word : directive->words) pending_[word] = "";
       for (std::size_t i = 0; i < directive->operators.size(); ++i) {
         OperatorTemplate& read = directive->operators[i];
-        if (!unicode_of_command(directive->words[i]))
-          pending_[directive->words[i]] = read.parts[read.has_left() ? 1 : 0];
+        const std::string& word = directive->words[i];
+        std::string& text = read.parts[read.has_left() ? 1 : 0];
+        if (const std::string* const own = own_meaning(word))
+          text = *own;
+        else if (!unicode_of_command(word))
+          pending_[word] = text;
         pending_operators_.push_back(std::move(read));
       }
     } catch (const ZError& error) {
       defects_.push_back(error.in(file_));
     }
+  }
+
+  /// The text that a %%Z directive above gives a command, or null.
+  const std::string* own_meaning(const std::string& command) const {
+    for (const Markup* const directives : {&pending_, &taken_})
+      if (const auto found = directives->find(command); found != directives->end()) return &found->second;
+    return nullptr;
   }
 
   void begin() {
@@ -143,6 +154,7 @@ class Cutter {
     while (!cursor_.done() && !cursor_.sees(closing) && !cursor_.sees("\\begin{")) inside(block);
     block.body = cursor_.text.substr(start, cursor_.at - start);
     block.end = cursor_.place();
+    taken_.insert(pending_.begin(), pending_.end());
     block.directives = std::exchange(pending_, {});
     block.operators = std::exchange(pending_operators_, {});
     if (!cursor_.sees(closing)) {
@@ -195,7 +207,7 @@ class Cutter {
   std::vector<Defect>& defects_;
   std::vector<Block> blocks_;
   std::shared_ptr<const SpiveyText> spivey_;
-  Markup pending_;
+  Markup pending_, taken_;  // of blocks to come, and of those before
   std::vector<OperatorTemplate> pending_operators_;
   std::optional<Place> unchecked_;  // fuzz leaves the next paragraph out
   bool began_ = false;

@@ -13,7 +13,7 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> commands = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> commands = {{
     {"defs", "=="},
     {"empty", "∅"},
     {"spot", "•"},
@@ -28,6 +28,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> commands
     {"bcount", "♯"},
     {"inbag", "⋿"},
     {"subbageq", "⊑"},
+    {"inseq", "infix"},
     {"inrel", "\\inrel"},
     {"ldots", ""},
 }};
