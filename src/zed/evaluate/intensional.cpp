@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/settled_function.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/value/functions.hpp"
 
@@ -262,6 +263,34 @@ class AxiomaticFunction : public Set {
   mutable std::optional<Clauses> clauses_;
 };
 
+/// The least member of ℕ or ℕ₁, where the λ is over that set alone and nothing restricts it.
+std::optional<int> all_naturals_from(const Node& lambda) {
+  const SchemaText& text = *lambda.text;
+  if (text.declarations.size() != 1 || !text.predicates.empty()) return std::nullopt;
+  const Declaration& declared = text.declarations[0];
+  if (declared.form != Declaration::Form::typed || declared.names.size() != 1) return std::nullopt;
+  if (declared.term->kind != Kind::reference) return std::nullopt;
+  const std::string set = declared.term->name.text();
+  if (set == "ℕ") return 0;
+  return set == "ℕ₁" ? std::optional(1) : std::nullopt;
+}
+
+/// The λ as a settled function, where its value depends on nothing that is not known.
+std::optional<Value> settled_lambda(const Closure& closure, Steps& steps) {
+  const auto least = all_naturals_from(*closure.written);
+  if (!least) return std::nullopt;
+  Context context(steps);
+  Frame frame = closure.frame(context);
+  frame.slots[closure.head.groups[0].slot] = Open{};
+  try {
+    Value value = closure.term(frame);
+    const bool known = !value.is_undefined() && !has_open(value) && closed(value) && !has_intensional(value);
+    return known ? std::optional(settled_function(*least, {}, std::move(value))) : std::nullopt;
+  } catch (const EvaluationError&) {
+    return std::nullopt;
+  }
+}
+
 /// A set by clauses of a function that is 1 at its members, and 0 elsewhere.
 class AxiomaticSet : public Set {
  public:
@@ -312,6 +341,7 @@ Value intensional_set(Closure closure, Steps& steps) {
 }
 
 Value lambda_function(Closure closure, Steps& steps) {
+  if (auto settled = settled_lambda(closure, steps)) return *std::move(settled);
   return SetPtr(std::make_shared<const Lambda>(std::move(closure), steps));
 }
 

@@ -112,6 +112,7 @@ class Integers : public Set {
   }
   Numbers numbers() const override { return Numbers::integers; }
   std::string spelled(Wording) const override { return name_; }
+  const std::optional<int>& least() const { return least_; }
 
  private:
   std::string name_;
@@ -135,6 +136,11 @@ Value reals(std::string name) { return SetPtr(std::make_shared<const Everything>
 
 Value integers(std::string name, std::optional<int> least) {
   return SetPtr(std::make_shared<const Integers>(std::move(name), least));
+}
+
+const std::optional<int>* integers_from(const Set& set) {
+  const auto* known = dynamic_cast<const Integers*>(&set);
+  return known ? &known->least() : nullptr;
 }
 
 }  // namespace durero::zed

@@ -1,6 +1,8 @@
 /// Equality is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
 
 #include "zed/value/context.hpp"
+#include "zed/value/sets.hpp"
+#include "zed/value/settled_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -93,8 +95,19 @@ Truth equal_parts(const Parts& a, const Parts& b, Context& context) {
   return result;
 }
 
+/// Says it of infinite sets whose members are known without being listed; nothing of others.
+std::optional<Truth> equal_infinite_sets(const Set& a, const Set& b) {
+  const auto *f = settled(a), *g = settled(b);
+  if (f && g) return truth(compare_settled(*f, *g) == 0);
+  const auto *x = integers_from(a), *y = integers_from(b);
+  if (x && y) return truth(*x == *y);
+  const bool one_is_finite = a.members() || b.members();
+  return one_is_finite && (f || g || x || y) ? std::optional(Truth::no) : std::nullopt;
+}
+
 Truth equal_sets(const Set& a, const Set& b) {
   if (&a == &b) return Truth::yes;
+  if (const auto known = equal_infinite_sets(a, b)) return *known;
   const auto *x = a.members(), *y = b.members();
   if (x && y && x->empty() != y->empty()) return Truth::no;
   if (!x || !y || a.family() || b.family()) {

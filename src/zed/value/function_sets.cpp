@@ -4,6 +4,7 @@
 
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/settled_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -42,6 +43,7 @@ class FunctionSet : public Set {
 
   Truth contains(const Value& value, Context& context) const override {
     if (!value.set()) return lost(context);
+    if (const auto* function = settled(value)) return settled_is_in(*function, from_, to_, form_, context);
     const auto& pairs = enumerated(value, "whether it is a function, for");
     if (form_.function && !is_function(pairs)) return Truth::no;
     const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "zed/value/sets.hpp"
+#include "zed/value/settled_functions.hpp"
 #include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
@@ -18,10 +19,21 @@ Value part_of(const Value& pair, std::size_t part) {
   return pair.tuple()->parts[part];
 }
 
+/// The finitely many pairs of the function with these first parts.
+Value restricted_to(const SettledFunction& function, const Values& arguments) {
+  Values pairs;
+  for (const Value& argument : arguments)
+    if (Value value = function.at(argument); !value.is_undefined())
+      pairs.push_back(Value::pair(argument, std::move(value)));
+  return finite(std::move(pairs));
+}
+
 }  // namespace
 
 Value restricted(const Value& relation, const Value& set, std::size_t part, bool in, Context& context) {
   return with(relation, set, [&]() -> Value {
+    if (const auto* f = settled(relation); f && part == 0 && in && set.set() && set.set()->members())
+      return restricted_to(*f, *set.set()->members());
     Values kept;
     for (const Value& pair : enumerated(relation, "the restriction of")) {
       const Truth inside = contains_value(set, pair.tuple()->parts[part], context);
@@ -75,6 +87,7 @@ Value identity(const Value& set, Context&) {
 
 Value range(const Value& relation, Context&) {
   return with(relation, [&]() -> Value {
+    if (const auto* f = settled(relation)) return f->range();
     Values seconds;
     for (const Value& pair : enumerated(relation, "the range of")) seconds.push_back(second(pair));
     return Value::set(std::move(seconds));
@@ -92,7 +105,10 @@ Value inverse(const Value& relation, Context&) {
 }
 
 Value overriding(const Value& a, const Value& b, Context& context) {
-  return with(a, b, [&] { return set_union(domain_subtraction(domain(b, context), a, context), b, context); });
+  return with(a, b, [&] {
+    if (auto overridden = settled_overriding(a, b, context)) return *std::move(overridden);
+    return set_union(domain_subtraction(domain(b, context), a, context), b, context);
+  });
 }
 
 Value image(const Value& relation, const Value& set, Context& context) {

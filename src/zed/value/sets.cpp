@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "zed/value/cuts.hpp"
+#include "zed/value/settled_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -179,7 +180,11 @@ Value domain(const Value& relation, Context&) {
   if (relation.is_undefined()) return {};
   if (waiting(relation)) return Open{};
   const auto* pairs = as_set(relation).members();
-  if (!pairs) return SetPtr(std::make_shared<const Domain>(relation));
+  if (!pairs) {
+    const SettledFunction* function = settled(relation);
+    if (Value named = function ? function->domain() : Value(); named.set()) return named;
+    return SetPtr(std::make_shared<const Domain>(relation));
+  }
   std::vector<Value> firsts;
   firsts.reserve(pairs->size());
   for (const Value& pair : *pairs) {

@@ -22,6 +22,8 @@ Value everything(std::string name);
 Value reals(std::string name);
 /// Makes ℤ, ℕ or ℕ₁: the integers from the least one, if any.
 Value integers(std::string name, std::optional<int> least);
+/// Returns the least member of ℤ, ℕ or ℕ₁, or that there is none; null where the set is none of these.
+const std::optional<int>* integers_from(const Set& set);
 
 /// The forms of a power set are ℙ S, ℙ₁ S, 𝔽 S and 𝔽₁ S.
 struct PowerForm {

@@ -4,6 +4,7 @@
 
 #include "zed/value/context.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/settled_functions.hpp"
 
 namespace durero::zed {
 
@@ -120,6 +121,9 @@ struct Order {
     const auto *x = a->members(), *y = b->members();
     if (x && y) return compare_parts(*x, *y);
     if (x || y) return x ? std::strong_ordering::less : std::strong_ordering::greater;
+    const auto *f = settled(*a), *g = settled(*b);
+    if (f && g) return compare_settled(*f, *g);
+    if (f || g) return f ? std::strong_ordering::less : std::strong_ordering::greater;
     return std::compare_three_way()(a.get(), b.get());
   }
   std::strong_ordering operator()(const Unknown& a, const Unknown& b) const { return a.id <=> b.id; }
@@ -156,7 +160,11 @@ bool may_be_undefined(const Value& value) {
 }
 
 bool has_intensional(const Value& value) {
-  if (const Set* set = value.set()) return !set->members() || set->family();
+  if (const Set* set = value.set()) {
+    if (set->members()) return set->family();
+    const SettledFunction* function = settled(*set);
+    return !function || has_intensional(function->range());
+  }
   return any_part(value, has_intensional);
 }
 
