@@ -17,6 +17,7 @@
 #include "embedded.hpp"
 #include "progress.hpp"
 #include "spec_lsp.hpp"
+#include "spec_refine.hpp"
 #include "spec_run.hpp"
 
 namespace durero::cli {
@@ -208,6 +209,7 @@ void add_spec(CLI::App& app, int& status) {
   show->callback([options, &status] { status = spec_show(options->name, options->files); });
 
   add_run(*spec, options, status);
+  add_spec_refine(*spec, status);
   add_spec_lsp(*spec, status);
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");

@@ -1,6 +1,6 @@
-"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md, docs/formats/, docs/spec-tool.md, docs/scenes.md, docs/store.md,
-docs/mesh-audit.md and docs/scene-differences.md are what
-the program takes, prints and refuses. A comment before a block or a table says what it is:
+"""formats.py DURERO ROOT [--write]: the examples of docs/formats.md, docs/formats/, docs/spec-tool.md, docs/refinement.md,
+docs/scenes.md, docs/store.md, docs/mesh-audit.md and docs/scene-differences.md are what the program takes, prints and
+refuses. A comment before a block or a table says what it is:
 
   <!-- file NAME -->               the block is that file, for what follows on the page
   <!-- run STATUS -->              each line of the block is a command that ends so
@@ -29,7 +29,8 @@ import tempfile
 durero, root, writes = os.path.abspath(sys.argv[1]), pathlib.Path(os.path.abspath(sys.argv[2])), "--write" in sys.argv
 PAGES = ["docs/formats.md", "docs/formats/scene.md", "docs/formats/edits.md", "docs/formats/rays.md",
          "docs/formats/results.md", "docs/formats/conform.md", "docs/formats/others.md", "docs/formats/call.md",
-         "docs/spec-tool.md", "docs/scenes.md", "docs/store.md", "docs/mesh-audit.md", "docs/scene-differences.md"]
+         "docs/spec-tool.md", "docs/refinement.md", "docs/scenes.md", "docs/store.md", "docs/mesh-audit.md",
+         "docs/scene-differences.md"]
 PART = re.compile(r"((?:<!-- words [^\n]* -->\n)*)<!-- (file|run|prints|refused|errors|defects|words|call|answers)( [^\n]*)? -->\n"
                   r"(```\w*\n(.*?)```\n|((?:\|[^\n]*\n)+))", re.S)
 NO_WORD = "zqxj"
