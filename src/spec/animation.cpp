@@ -1,9 +1,7 @@
-/// The way that an animation went, as text and back; and all ways that there are.
+/// The way that an animation went, as text and back.
 #include "durero/spec/animation.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <map>
 #include <set>
 #include <sstream>
 
@@ -150,127 +148,6 @@ class TraceReader {
 void Animation::replay(const std::string& text) {
   std::vector<Transition> way = TraceReader(machine_, text).way();
   way_ = std::move(way);
-}
-
-namespace {
-
-struct Precedes {
-  bool operator()(const Valuation& a, const Valuation& b) const {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
-      return zed::compare(x.second, y.second) < 0;
-    });
-  }
-};
-
-class Explorer {
- public:
-  Explorer(const Machine& machine, const std::vector<Transition>& from, std::size_t most, StateGraph* graph)
-      : machine_(machine), from_(from), most_(most), graph_(graph) {}
-
-  Exploration explored() {
-    if (from_.empty()) {
-      const ReachedTransitions first = machine_.initial(most_);
-      note(first, machine_.init().empty() ? machine_.state() : machine_.init());
-      for (const Transition& step : first.transitions)
-        if (!reach(step, none)) return finish();
-    } else if (!reach(from_.back(), none)) {
-      return finish();
-    }
-    for (std::size_t at = 0; at < nodes_.size(); ++at)
-      for (const MachineOperation& operation : machine_.operations())
-        if (!go_on(at, operation)) return finish();
-    return finish();
-  }
-
- private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  struct Node {
-    Transition step;
-    std::size_t parent;
-  };
-
-  bool go_on(std::size_t at, const MachineOperation& operation) {
-    try {
-      const Valuation before = nodes_[at].step.after;
-      const ReachedTransitions found = machine_.steps(before, operation, {}, most_);
-      note(found, operation.name);
-      for (const Transition& step : found.transitions) {
-        ++result_.transitions;
-        if (!reach(step, at)) return false;
-      }
-    } catch (const zed::EvaluationError&) {
-      bounded_.insert(operation.name + ": the evaluator cannot follow its text");
-    } catch (const zed::StepsSpent&) {
-      bounded_.insert(operation.name + ": --steps");
-    }
-    return true;
-  }
-
-  /// Says whether to go on.
-  bool reach(const Transition& step, std::size_t parent) {
-    const Valuation nothing;
-    for (ConjectureResult& tried : machine_.conjectures(parent == none ? nothing : nodes_[parent].step.after, step)) {
-      ++(tried.truth == Truth::open ? result_.open : result_.claims);
-      if (tried.truth != Truth::no) continue;
-      result_.refuted = std::move(tried);
-      result_.way = {step};
-      for (std::size_t at = parent; at != none; at = nodes_[at].parent)
-        result_.way.insert(result_.way.begin(), nodes_[at].step);
-      return false;
-    }
-    if (const auto known = seen_.find(step.after); known != seen_.end()) {
-      add_edge(parent, known->second, step);
-      return true;
-    }
-    if (nodes_.size() == most_) {
-      bounded_.insert("states: --states");
-      return true;
-    }
-    seen_.emplace(step.after, nodes_.size());
-    add_edge(parent, nodes_.size(), step);
-    nodes_.push_back({step, parent});
-    return true;
-  }
-
-  void add_edge(std::size_t from, std::size_t to, const Transition& step) {
-    if (graph_ == nullptr) return;
-    if (to == graph_->states.size()) graph_->states.push_back(step.after);
-    if (from == none)
-      graph_->initial = graph_->states.size();
-    else
-      graph_->steps.push_back({from, to, step});
-  }
-
-  void note(const ReachedTransitions& found, const std::string& what) {
-    if (!found.bounded.empty()) bounded_.insert(what + ": " + found.bounded);
-    if (!found.tried.empty())
-      bounded_.insert(what + ": some values of " + name_list(found.tried) + " were tried: --numbers");
-    else if (found.undecided)
-      bounded_.insert(what + ": no equation gives all that it leaves open");
-  }
-
-  Exploration finish() {
-    result_.states = nodes_.size();
-    result_.bounded.assign(bounded_.begin(), bounded_.end());
-    if (!result_.way.empty() && !from_.empty()) result_.way.insert(result_.way.begin(), from_.begin(), from_.end() - 1);
-    return std::move(result_);
-  }
-
-  const Machine& machine_;
-  const std::vector<Transition>& from_;
-  std::size_t most_;
-  std::deque<Node> nodes_;
-  std::map<Valuation, std::size_t, Precedes> seen_;  // the places of the states among the nodes
-  std::set<std::string> bounded_;
-  Exploration result_;
-  StateGraph* graph_;
-};
-
-}  // namespace
-
-Exploration explore(const Machine& machine, const std::vector<Transition>& from, std::size_t most_states,
-                    StateGraph* graph) {
-  return Explorer(machine, from, most_states, graph).explored();
 }
 
 }  // namespace durero::spec

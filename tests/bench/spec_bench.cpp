@@ -4,11 +4,51 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/spec/explore.hpp"
 #include "durero/spec/spec.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "support/scenes.hpp"
+#include "support/tree.hpp"
 
-using namespace durero;
+usi  /// The birthday book with six names and four dates: 15,625 states (target 50,000 states a second).
+    spec::Setup
+    book_of_six() {
+  spec::Setup setup;
+  setup.given["NAME"] = {"ann", "bob", "cyd", "dan", "eve", "fay"};
+  setup.members = 4;
+  return setup;
+}
+
+void explore(benchmark::State& state) {
+  const spec::Machine machine(zed::read_files({test::source_dir() + "/demo/birthday_book.tex"}), book_of_six());
+  spec::ExploreBounds bounds;
+  bounds.symmetry = state.range(0) != 0;
+  std::uint64_t states = 0;
+  for (auto _ : state) {
+    spec::StateSpace space(machine, bounds);
+    states += space.explore().states;
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(states));
+}
+BENCHMARK(explore)->ArgName("symmetry")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// Steps of the book that are given whole (target 50,000 a second).
+void admit(benchmark::State& state) {
+  const spec::Machine machine(zed::read_files({test::source_dir() + "/demo/birthday_book.tex"}), book_of_six());
+  spec::ExploreBounds bounds;
+  bounds.states = 1000;
+  spec::StateSpace space(machine, bounds);
+  space.explore();
+  const auto before = space.state(space.size() / 2);
+  const auto steps = space.steps_from(space.size() / 2);
+  for (auto _ : state)
+    for (const auto& [step, to] : steps)
+      if (!space.admits(before, step)) state.SkipWithError("the text refuses a step that it gave");
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(steps.size()));
+}
+BENCHMARK(admit);
+
+ng namespace durero;
 
 namespace {
 

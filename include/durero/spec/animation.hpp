@@ -108,7 +108,8 @@ class Machine {
   /// The type of a component of the state, or of an operation, as Z.
   std::string type_text(const zed::Name& component) const;
 
-  struct Parts;  ///< what it is made of
+  struct Parts;                ///< what it is made of
+  const Parts& parts() const;  ///< for what explores it
 
  private:
   std::unique_ptr<Parts> parts_;
@@ -151,7 +152,7 @@ struct Exploration {
   std::optional<ConjectureResult> refuted;  ///< the first conjecture that is false in a state or a transition
   std::vector<Transition> way;              ///< leads there
   std::size_t open = 0;                     ///< conjectures, in states and transitions, that could not be decided
-  std::size_t claims = 0;                   ///< those that were decided
+  std::size_t claims = 0;                   ///< the conjectures that were decided there
 };
 
 /// The states that an exploration found, and the transitions between them.
