@@ -15,6 +15,7 @@
 #include "durero/spec/animation_text.hpp"
 #include "durero/text/nearest.hpp"
 #include "spec.hpp"
+#include "spec_machine.hpp"
 #include "spec_run_typed.hpp"
 
 namespace durero::cli {
@@ -267,18 +268,7 @@ class Runner {
 }  // namespace
 
 int spec_run(RunCall call) {
-  for (const std::string& typed : call.given) add_typed_members(typed, call.setup);
-  // The scene is the state of the program's own text, though a scene with meshes has a component more.
-  if (call.files.empty() && call.setup.state.empty()) call.setup.state = "Escena";
-  std::optional<Machine> machine;
-  try {
-    with_constants([&] { machine.emplace(specification_of(call.files), call.setup); });
-  } catch (const std::invalid_argument& error) {
-    const std::string said = error.what();
-    const std::size_t end = said.find("; expected");
-    throw io::InputError(call.files.empty() ? "spec" : call.files.front(), {1, 1}, said.substr(0, end),
-                         end == said.npos ? "expected a text without errors" : said.substr(end + 2));
-  }
+  const auto machine = machine_of(call.files, call.given, call.setup);
   bound_memory(call.memory);
   return Runner(*machine, call).run();
 }
