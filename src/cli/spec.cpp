@@ -16,6 +16,7 @@
 #include "durero/zed/review/review.hpp"
 #include "embedded.hpp"
 #include "progress.hpp"
+#include "spec_cases.hpp"
 #include "spec_explore.hpp"
 #include "spec_lsp.hpp"
 #include "spec_refine.hpp"
@@ -212,6 +213,7 @@ void add_spec(CLI::App& app, int& status) {
   add_run(*spec, options, status);
   add_spec_refine(*spec, status);
   add_spec_explore(*spec, status);
+  add_spec_cases(*spec, status);
   add_spec_lsp(*spec, status);
 
   auto* confirm = spec->add_subcommand("confirm", "Let the Z text decide whether hits are right");
