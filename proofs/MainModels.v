@@ -6,7 +6,8 @@ From Coq Require Import Reals List.
 From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
-  Tablas RowsAdded RowsRemoved TablasOfRows ClosedForm Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
+  Tablas RowsAdded RowsRemoved TotalRows RowsRefused TablasOfRows ClosedForm
+  Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
   Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
 Local Open Scope R_scope.
@@ -186,6 +187,75 @@ Proof.
     (conj RowsRemoved.Eliminar_Disco_Tablas_correct
     (conj RowsRemoved.Eliminar_Triangulo_Tablas_applicable
     RowsRemoved.Eliminar_Triangulo_Tablas_correct)))))))))))))))))))))))))))))))).
+Qed.
+
+(** And its total operations: each happens whatever its inputs, and changes, refuses and answers as that of the scene. *)
+Theorem the_total_operations_on_tables_are_those_of_a_scene Elemento :
+  @TotalRows.Agregar_Esfera_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Esfera_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Cilindro_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Cilindro_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Cono_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Cono_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Tronco_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Tronco_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Plano_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Plano_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Disco_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Disco_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Triangulo_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Triangulo_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Esfera_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Esfera_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Cilindro_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Cilindro_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Cono_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Cono_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Tronco_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Tronco_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Plano_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Plano_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Disco_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Disco_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Triangulo_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Triangulo_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Agregar_Elemento_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Agregar_Elemento_Total_Tablas_conj_2 Elemento
+  /\ @TotalRows.Eliminar_Elemento_Total_Tablas_conj_1 Elemento
+  /\ @TotalRows.Eliminar_Elemento_Total_Tablas_conj_2 Elemento.
+Proof.
+  exact (conj RowsRefused.Agregar_Esfera_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Esfera_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Cilindro_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Cilindro_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Cono_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Cono_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Tronco_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Tronco_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Plano_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Plano_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Disco_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Disco_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Triangulo_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Triangulo_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Esfera_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Esfera_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Cilindro_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Cilindro_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Cono_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Cono_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Tronco_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Tronco_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Plano_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Plano_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Disco_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Disco_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Triangulo_Total_Tablas_applicable
+    (conj RowsRefused.Eliminar_Triangulo_Total_Tablas_correct
+    (conj RowsRefused.Agregar_Elemento_Total_Tablas_applicable
+    (conj RowsRefused.Agregar_Elemento_Total_Tablas_correct
+    (conj RowsRefused.Eliminar_Elemento_Total_Tablas_applicable
+    RowsRefused.Eliminar_Elemento_Total_Tablas_correct))))))))))))))))))))))))))))))).
 Qed.
 
 Theorem the_closed_form_of_the_text_is_alcance Elemento :

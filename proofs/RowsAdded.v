@@ -52,7 +52,8 @@ Definition scene_of : Escena := {|
   mi_vertices := comp (lugar T) (ternas T)
 |}.
 
-(** Discharges Tablas.inv.2, Tablas.inv.3, Tablas.inv.4, Tablas.inv.5, Tablas.inv.6, Tablas.inv.7, Tablas.inv.8. *)
+(** Discharges Tablas.inv.2, Tablas.inv.3, Tablas.inv.4, Tablas.inv.5, Tablas.inv.6, Tablas.inv.7, Tablas.inv.8,
+    Centros.def.1, Radios.def.1, Vectores.def.1, Alturas.def.1, Proporciones.def.1, Ternas.def.1. *)
 Lemma scene_of_ok : Escena_ok scene_of.
 Proof.
   split; cbn; try (apply attribute_pfun, ok); try (apply attribute_dom, ok).

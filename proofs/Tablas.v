@@ -7,6 +7,7 @@
     comp f g             == f ⨾ g;  f ⊕ g == override
     places n             == ⋃ { t : Tipo • { t } × (0 .. n(t) − 1) }
     a label A.kind.n      == the field A_kind_n; of a definition, the definition A
+    Ξ Centros            == centros' = centros; likewise of the other columns
     grown T' e v f f'    == f' = f ∪ { lugar'(e) ↦ v }
     raices a b c         == the closed form: the solutions of a·t² + 2b·t + c = 0 *)
 From Coq Require Import Reals List Lia Lra Arith Setoid Morphisms.

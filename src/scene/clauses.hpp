@@ -29,6 +29,9 @@ inline constexpr Refusal hidden = std::nullopt;
 /// Where the name e? lies before the operation, if anywhere.
 using Place = std::optional<ElementRef>;
 
+/// The index knows the name (Elemento_Ya_Existe_Tablas.def.1), or an input is not what the type asks for:
+/// Radio_No_Positivo_Tablas.def.1, Vector_No_Unitario_Tablas.def.1, Altura_No_Positiva_Tablas.def.1,
+/// Proporcion_No_Positiva_Tablas.def.1, Vertices_Alineados_Tablas.def.1.
 template <model::AdditionOfType Op, class Visit>
 void preconditions(const Op& in, const Place& place, Visit&& visit) {
   visit(model::Agregar_Elemento_pre_1, Respuesta::elemento_ya_existe, [&] { return !place; });
@@ -38,6 +41,8 @@ void preconditions(const Op& in, const Place& place, Visit&& visit) {
   });
 }
 
+/// The index does not know the name (Elemento_No_Existe_Tablas.def.1), or its row lies in the table of another type
+/// (De_Otra_Tabla.def.1).
 template <model::RemovalOfType Op, class Visit>
 void preconditions(const Op&, const Place& place, Visit&& visit) {
   visit(model::Eliminar_Elemento_pre_1, Respuesta::elemento_no_existe, [&] { return place.has_value(); });

@@ -84,6 +84,12 @@ class Editor {
     return first ? *first : model::Answer{edit_attribute(in, key)};
   }
 
+  /// The total operation of one type on the tables. Of an addition t? is hidden: Agregar_Esfera_Total_Tablas.def.1,
+  /// Agregar_Cilindro_Total_Tablas.def.1, Agregar_Cono_Total_Tablas.def.1, Agregar_Tronco_Total_Tablas.def.1,
+  /// Agregar_Plano_Total_Tablas.def.1, Agregar_Disco_Total_Tablas.def.1 and Agregar_Triangulo_Total_Tablas.def.1. Of a
+  /// removal: Eliminar_Esfera_Total_Tablas.def.1, Eliminar_Cilindro_Total_Tablas.def.1,
+  /// Eliminar_Cono_Total_Tablas.def.1, Eliminar_Tronco_Total_Tablas.def.1, Eliminar_Plano_Total_Tablas.def.1,
+  /// Eliminar_Disco_Total_Tablas.def.1 and Eliminar_Triangulo_Total_Tablas.def.1.
   template <class Op>
   model::Answer apply_total(const Op& in) {
     if constexpr (Addition<Op>)
@@ -95,11 +101,15 @@ class Editor {
     return {edit(in, key)};
   }
 
+  /// Agregar_Elemento_Total_Tablas.def.1: the addition of the type, and where it is done the general answer
+  /// (Elemento_Agregado_Tablas.def.1).
   model::Answer apply_total(const model::Agregar_Elemento& in) {
     const model::Answer answer = std::visit([&](const auto& addition) { return apply_total(addition); }, specific(in));
     return answer.ok() ? model::Answer{Respuesta::elemento_agregado} : answer;
   }
 
+  /// Eliminar_Elemento_Total_Tablas.def.1: the removal from whatever table the row is in, and the general answer
+  /// (Elemento_Eliminado_Tablas.def.1).
   model::Answer apply_total(const model::Eliminar_Elemento& in) {
     const Key key = find(in.e);
     if (is_face(key.place)) return es_de_malla;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
@@ -47,12 +48,27 @@ std::set<std::string> broken(const Tablas& tables) { return broken("Tablas", com
 std::set<std::string> broken(const model::Escena& escena, const Tablas& tables) {
   return broken("Retrieve", with(components(escena), components(tables)));
 }
-std::set<std::string> broken(const Tablas& before, const Operation& operation, model::Respuesta r,
-                             const Tablas& after) {
+Named step(const Tablas& before, const Operation& operation, model::Respuesta r, const Tablas& after) {
   Named all = with(components(before), components(after), "'");
   all = with(std::move(all), inputs(operation));
   all.emplace_back(zed::Name{"r", "!"}, value(r));
-  return broken(schema_name(operation) + "_Tablas", all);
+  return all;
+}
+std::set<std::string> broken(const Tablas& before, const Operation& operation, model::Respuesta r,
+                             const Tablas& after) {
+  return broken(schema_name(operation) + "_Tablas", step(before, operation, r, after));
+}
+/// Whether the text speaks of such inputs: an infinity or a NaN denotes no number.
+bool is_of_the_text(const Operation& operation) {
+  try {
+    return !inputs(operation).empty();
+  } catch (const std::domain_error&) {
+    return false;
+  }
+}
+/// Whether the total operation on the tables may do that, and answer so.
+bool is_total(const Tablas& before, const Operation& operation, model::Respuesta r, const Tablas& after) {
+  return broken(total_name(operation) + "_Tablas", step(before, operation, r, after)).empty();
 }
 
 /// Of the general operations, that of the type.
@@ -93,10 +109,14 @@ TEST_CASE("after any edits the tables are those of the text, and the edit is its
     scene::Scene scene;
     for (const Operation& any : *test::any_operations()) {
       const auto operation = specific_operation(any);
-      if (!operation) continue;
       const Tablas before = tablas(scene);
+      scene::Scene same = scene;
+      const model::Answer of_any = same.apply_total(any);
+      if (is_of_the_text(any)) RC_ASSERT(is_total(before, any, of_any.r, tablas(same)));
+      if (!operation) continue;
       const model::Answer answer = scene.apply_total(*operation);
       const Tablas after = tablas(scene);
+      if (is_of_the_text(*operation)) RC_ASSERT(is_total(before, *operation, answer.r, after));
       RC_ASSERT(broken(after).empty());
       RC_ASSERT(broken(retrieve(scene), after).empty());
       RC_ASSERT(scene.size() == after.nombres.size());
@@ -184,6 +204,182 @@ TEST_CASE("each operation on the tables holds of what the program does, and of n
       CHECK(broken(with_it, removal, answer.r, tablas(less)).empty() == same);
     }
   }
+}
+
+TEST_CASE("each total operation on the tables answers as the program does, and refuses no other way") {
+  const double none = 0;
+  const model::Vector longer(0, 0, 2);
+  const model::Terna line{origin, Punto(1, 0, 0), Punto(2, 0, 0)};
+  using R = model::Respuesta;
+  struct Case {
+    const char* label;
+    Operation done;
+    std::vector<std::pair<Operation, R>> refused;
+  };
+  const std::vector<Case> additions{
+      {"Agregar_Esfera_Total_Tablas.def.1",
+       model::Agregar_Esfera{fresh, origin, 1},
+       {{model::Agregar_Esfera{a, origin, 1}, R::elemento_ya_existe},
+        {model::Agregar_Esfera{fresh, origin, none}, R::radio_no_positivo}}},
+      {"Agregar_Cilindro_Total_Tablas.def.1",
+       model::Agregar_Cilindro{fresh, origin, 1, axis, 2},
+       {{model::Agregar_Cilindro{a, origin, 1, axis, 2}, R::elemento_ya_existe},
+        {model::Agregar_Cilindro{fresh, origin, none, axis, 2}, R::radio_no_positivo},
+        {model::Agregar_Cilindro{fresh, origin, 1, longer, 2}, R::vector_no_unitario},
+        {model::Agregar_Cilindro{fresh, origin, 1, axis, none}, R::altura_no_positiva}}},
+      {"Agregar_Cono_Total_Tablas.def.1",
+       model::Agregar_Cono{fresh, origin, 1, axis, 2},
+       {{model::Agregar_Cono{a, origin, 1, axis, 2}, R::elemento_ya_existe},
+        {model::Agregar_Cono{fresh, origin, none, axis, 2}, R::proporcion_no_positiva},
+        {model::Agregar_Cono{fresh, origin, 1, longer, 2}, R::vector_no_unitario},
+        {model::Agregar_Cono{fresh, origin, 1, axis, none}, R::altura_no_positiva}}},
+      {"Agregar_Tronco_Total_Tablas.def.1",
+       model::Agregar_Tronco{fresh, origin, 1, 2, axis, 2},
+       {{model::Agregar_Tronco{a, origin, 1, 2, axis, 2}, R::elemento_ya_existe},
+        {model::Agregar_Tronco{fresh, origin, none, 2, axis, 2}, R::radio_no_positivo},
+        {model::Agregar_Tronco{fresh, origin, 1, none, axis, 2}, R::proporcion_no_positiva},
+        {model::Agregar_Tronco{fresh, origin, 1, 2, longer, 2}, R::vector_no_unitario},
+        {model::Agregar_Tronco{fresh, origin, 1, 2, axis, none}, R::altura_no_positiva}}},
+      {"Agregar_Plano_Total_Tablas.def.1",
+       model::Agregar_Plano{fresh, origin, axis},
+       {{model::Agregar_Plano{a, origin, axis}, R::elemento_ya_existe},
+        {model::Agregar_Plano{fresh, origin, longer}, R::vector_no_unitario}}},
+      {"Agregar_Disco_Total_Tablas.def.1",
+       model::Agregar_Disco{fresh, origin, 1, axis},
+       {{model::Agregar_Disco{a, origin, 1, axis}, R::elemento_ya_existe},
+        {model::Agregar_Disco{fresh, origin, none, axis}, R::radio_no_positivo},
+        {model::Agregar_Disco{fresh, origin, 1, longer}, R::vector_no_unitario}}},
+      {"Agregar_Triangulo_Total_Tablas.def.1",
+       model::Agregar_Triangulo{fresh, corners},
+       {{model::Agregar_Triangulo{a, corners}, R::elemento_ya_existe},
+        {model::Agregar_Triangulo{fresh, line}, R::vertices_alineados}}}};
+  const auto with_one = [](const Operation& addition) {
+    scene::Scene scene = some();
+    scene.apply(addition);
+    return scene;
+  };
+  const auto of = [](const char* type) { return std::string(type).substr(std::string("Agregar_").size()); };
+  const std::vector<Operation> removals{model::Eliminar_Esfera{fresh},   model::Eliminar_Cilindro{fresh},
+                                        model::Eliminar_Cono{fresh},     model::Eliminar_Tronco{fresh},
+                                        model::Eliminar_Plano{fresh},    model::Eliminar_Disco{fresh},
+                                        model::Eliminar_Triangulo{fresh}};
+  const std::set<R> answers{R::esfera_agregada,   R::elemento_ya_existe, R::elemento_no_existe,
+                            R::radio_no_positivo, R::vector_no_unitario, R::altura_no_positiva,
+                            R::tipo_incorrecto,   R::vertices_alineados, R::proporcion_no_positiva};
+  const auto refuses_so_alone = [&](const scene::Scene& scene, const Operation& operation, R answer) {
+    const Tablas before = tablas(scene), other = tablas(scene::Scene());
+    scene::Scene edited = scene;
+    CHECK(edited.apply_total(operation).r == answer);
+    for (const R each : answers) {
+      INFO(total_name(operation) << " " << model::name(each));
+      CHECK(is_total(before, operation, each, before) == (each == answer));
+      CHECK_FALSE(is_total(before, operation, each, other));
+    }
+  };
+  for (const auto& [label, done, refused] : additions) {
+    INFO(label);
+    CHECK(total_name(done) + "_Tablas.def.1" == label);
+    const scene::Scene edited = with_one(done);
+    scene::Scene scene = some();
+    CHECK(is_total(tablas(some()), done, scene.apply_total(done).r, tablas(edited)));
+    for (const auto& [operation, answer] : refused) refuses_so_alone(some(), operation, answer);
+    // Eliminar_Esfera_Total_Tablas.def.1, Eliminar_Cilindro_Total_Tablas.def.1, Eliminar_Cono_Total_Tablas.def.1,
+    // Eliminar_Tronco_Total_Tablas.def.1, Eliminar_Plano_Total_Tablas.def.1, Eliminar_Disco_Total_Tablas.def.1 and
+    // Eliminar_Triangulo_Total_Tablas.def.1: of its own type it is removed, of another it is not.
+    for (const Operation& removal : removals) {
+      refuses_so_alone(some(), removal, R::elemento_no_existe);
+      const bool same = total_name(removal).substr(std::string("Eliminar_").size()) + "_Tablas.def.1" == of(label);
+      if (!same) refuses_so_alone(edited, removal, R::tipo_incorrecto);
+      scene::Scene less = edited;
+      const R r = less.apply_total(removal).r;
+      if (same) CHECK(is_total(tablas(edited), removal, r, tablas(less)));
+      if (same) CHECK_FALSE(is_total(tablas(edited), removal, R::tipo_incorrecto, tablas(edited)));
+    }
+  }
+}
+
+TEST_CASE("the general operations on the tables, and each of their refusals by its own name") {
+  using R = model::Respuesta;
+  const Operation remove = model::Eliminar_Elemento{a}, absent = model::Eliminar_Elemento{fresh};
+  const Operation sphere_of_none = model::Agregar_Esfera{fresh, origin, 0};
+  const Tablas before = tablas(some());
+  scene::Scene scene = some();
+  const model::Answer removed = scene.apply_total(remove);
+  CHECK(removed.r == R::elemento_eliminado);
+  // Eliminar_Elemento_Total_Tablas.def.1 and Elemento_Eliminado_Tablas.def.1.
+  CHECK(is_total(before, remove, removed.r, tablas(scene)));
+  CHECK(broken("Elemento_Eliminado_Tablas", step(before, remove, removed.r, tablas(scene))).empty());
+  CHECK_FALSE(is_total(before, remove, R::esfera_eliminada, tablas(scene)));
+  CHECK(is_total(before, absent, R::elemento_no_existe, before));
+  CHECK_FALSE(is_total(before, absent, R::elemento_eliminado, before));
+  // Agregar_Elemento_Total_Tablas.def.1 and Elemento_Agregado_Tablas.def.1.
+  model::Agregar_Elemento any{fresh, Tipo::soy_disco, origin, 1, axis, 0, 0, corners};
+  scene::Scene more = some();
+  const model::Answer added = more.apply_total(any);
+  CHECK(added.r == R::elemento_agregado);
+  CHECK(is_total(before, any, added.r, tablas(more)));
+  CHECK(broken("Elemento_Agregado_Tablas", step(before, any, added.r, tablas(more))).empty());
+  CHECK_FALSE(is_total(before, any, R::altura_no_positiva, before));
+  any.t = Tipo::soy_cilindro;
+  CHECK(is_total(before, any, R::altura_no_positiva, before));
+  CHECK_FALSE(is_total(before, any, R::proporcion_no_positiva, before));
+
+  // Elemento_Ya_Existe_Tablas.def.1, Elemento_No_Existe_Tablas.def.1, Radio_No_Positivo_Tablas.def.1,
+  // Vector_No_Unitario_Tablas.def.1, Altura_No_Positiva_Tablas.def.1, Proporcion_No_Positiva_Tablas.def.1,
+  // Vertices_Alineados_Tablas.def.1 and De_Otra_Tabla.def.1 say why, and that nothing changes.
+  const auto says = [&](const char* schema, const Operation& operation, R r, const Tablas& after) {
+    return broken(schema, step(before, operation, r, after)).empty();
+  };
+  const Tablas other = tablas(scene::Scene());
+  const Operation bad = model::Agregar_Elemento{
+      fresh, Tipo::soy_tronco, origin, 0, model::Vector(0, 0, 2), 0, 0, model::Terna{origin, origin, origin}};
+  const Operation good = model::Agregar_Elemento{a, Tipo::soy_tronco, origin, 1, axis, 1, 1, corners};
+  struct Refusal {
+    const char* schema;
+    Operation refused, taken;
+    R r;
+  };
+  for (const auto& [schema, refused, taken, r] :
+       {Refusal{"Elemento_Ya_Existe_Tablas", good, bad, R::elemento_ya_existe},
+        Refusal{"Elemento_No_Existe_Tablas", bad, good, R::elemento_no_existe},
+        Refusal{"Radio_No_Positivo_Tablas", bad, good, R::radio_no_positivo},
+        Refusal{"Vector_No_Unitario_Tablas", bad, good, R::vector_no_unitario},
+        Refusal{"Altura_No_Positiva_Tablas", bad, good, R::altura_no_positiva},
+        Refusal{"Proporcion_No_Positiva_Tablas", bad, good, R::proporcion_no_positiva},
+        Refusal{"Vertices_Alineados_Tablas", bad, good, R::vertices_alineados},
+        Refusal{"De_Otra_Tabla", good, model::Agregar_Elemento{k, Tipo::soy_tronco, origin, 1, axis, 1, 1, corners},
+                R::tipo_incorrecto}}) {
+    INFO(schema);
+    CHECK(says(schema, refused, r, before));
+    CHECK_FALSE(says(schema, taken, r, before));
+    CHECK_FALSE(says(schema, refused, R::elemento_agregado, before));
+    CHECK_FALSE(says(schema, refused, r, other));
+  }
+  CHECK(is_total(before, sphere_of_none, R::radio_no_positivo, before));
+}
+
+TEST_CASE("a column that an addition leaves is the column that there was") {
+  // Centros.def.1, Radios.def.1, Vectores.def.1, Alturas.def.1, Proporciones.def.1, Ternas.def.1: of each column, an
+  // operation that does not name it, and tables whose row of another element has another value there.
+  const Operation add_triangle = model::Agregar_Triangulo{fresh, corners};
+  const Operation add_sphere = model::Agregar_Esfera{fresh, origin, 1};
+  const auto holds = [&](const Operation& operation, auto&& change) {
+    scene::Scene edited = some();
+    const model::Respuesta r = edited.apply(operation);
+    Tablas after = tablas(edited);
+    change(after);
+    return broken(tablas(some()), operation, r, after).empty();
+  };
+  CHECK(holds(add_triangle, [](Tablas&) {}));
+  CHECK(holds(add_sphere, [](Tablas&) {}));
+  CHECK_FALSE(holds(add_triangle, [](Tablas& s) { s.centros.at(sphere) = Punto(1, 0, 0); }));
+  CHECK_FALSE(holds(add_triangle, [](Tablas& s) { s.radios.at(sphere) = Rmas(7); }));
+  CHECK_FALSE(holds(add_sphere, [](Tablas& s) { s.vectores.at(cone) = model::Vector(1, 0, 0); }));
+  CHECK_FALSE(holds(add_sphere, [](Tablas& s) { s.alturas.at(cone) = Rmas(7); }));
+  CHECK_FALSE(holds(add_sphere, [](Tablas& s) { s.proporciones.at(cone) = Rmas(7); }));
+  CHECK_FALSE(holds(add_sphere, [](Tablas& s) {
+    s.ternas.at(triangle) = model::Vertices(model::Terna{corners.b, corners.a, corners.c});
+  }));
 }
 
 TEST_CASE("each clause of an operation on the tables sees what breaks it") {

@@ -46,7 +46,8 @@ template <class Value>
 Column(std::string_view, std::map<ElementRef, Value> Tablas::*, std::map<model::Elemento, Value> model::Escena::*)
     -> Column<Value>;
 
-/// In the order of Retrieve.inv.2 to Retrieve.inv.7.
+/// In the order of Retrieve.inv.2 to Retrieve.inv.7: Centros.def.1, Radios.def.1, Vectores.def.1, Alturas.def.1,
+/// Proporciones.def.1, Ternas.def.1.
 inline constexpr std::tuple columns{Column{"centros", &Tablas::centros, &model::Escena::mi_centro},
                                     Column{"radios", &Tablas::radios, &model::Escena::mi_radio},
                                     Column{"vectores", &Tablas::vectores, &model::Escena::mi_vector},
