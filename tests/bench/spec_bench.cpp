@@ -10,9 +10,12 @@
 #include "support/scenes.hpp"
 #include "support/tree.hpp"
 
-usi  /// The birthday book with six names and four dates: 15,625 states (target 50,000 states a second).
-    spec::Setup
-    book_of_six() {
+using namespace durero;
+
+namespace {
+
+/// The birthday book with six names and four dates: 15,625 states (target 50,000 states a second).
+spec::Setup book_of_six() {
   spec::Setup setup;
   setup.given["NAME"] = {"ann", "bob", "cyd", "dan", "eve", "fay"};
   setup.members = 4;
@@ -47,10 +50,6 @@ void admit(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(steps.size()));
 }
 BENCHMARK(admit);
-
-ng namespace durero;
-
-namespace {
 
 void check_text(benchmark::State& state) {
   for (auto _ : state) {
