@@ -175,7 +175,12 @@ class Latex : Lexer {
     const std::size_t end = at_;
     std::string behind = strokes(begun);
     const bool decorates = spivey_ != nullptr && !behind.empty() && spivey_->schemas.contains(begun);
-    if (!decorates) return emit(Type::word, std::move(begun), place, std::move(behind));
+    if (!decorates) {
+      const bool names = spivey_ != nullptr && is_name_of_spivey(begun, *spivey_);
+      emit(Type::word, std::move(begun), place, std::move(behind));
+      if (names) tokens_.back().call_name();
+      return;
+    }
     emit(Type::word, std::move(begun), place);
     tokens_.back().to = static_cast<std::uint32_t>(end);
     start_ = end;

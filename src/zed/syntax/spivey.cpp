@@ -38,6 +38,17 @@ constexpr std::array<std::string_view, 5> packages = {"fuzz", "zed-csp", "oz", "
 /// That which typesets ISO's, of CZT.
 constexpr std::string_view iso_package = "czt";
 
+/// The keywords of ISO Z that are commands in Spivey's, or nothing.
+constexpr std::array<std::string_view, 12> keywords = {"section",  "parents",   "function",   "generic",
+                                                       "relation", "leftassoc", "rightassoc", "if",
+                                                       "then",     "else",      "let",        "pre"};
+
+/// Says whether a word is of an operator of ISO's toolkit.
+bool is_operator_word(std::string_view word) {
+  const Symbol& known = symbol_of(word);
+  return known.prefix != nullptr || known.infix != nullptr || known.postfix != nullptr;
+}
+
 struct KindName {
   std::string_view name;
   SpiveyDirective::Kind kind;
@@ -124,6 +135,7 @@ class SignSearch {
   std::shared_ptr<const SpiveyText> run(std::string_view text) {
     lines(text, [this](std::string_view line) { look(line); });
     if (is_iso_) return nullptr;
+    if (has_iso_package_) found_.sign.clear();
     // Alone, S' may be a name of ISO's: it tells in a whole document of LaTeX.
     if (found_.sign.empty() && text.find("\\begin{document}") != text.npos)
       lines(text, [this](std::string_view line) { look_for_decoration(line); });
@@ -134,7 +146,7 @@ class SignSearch {
   template <class Look>
   void lines(std::string_view text, Look&& look_at) {
     line_ = 0;
-    while (!text.empty()) {
+    while (!text.empty() && !is_iso_) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       ++line_;
       look_at(text.substr(0, end));
@@ -166,6 +178,7 @@ class SignSearch {
     line = without_comment(line);
     if (line.find("\\begin{zsection}") != line.npos) is_iso_ = true;
     look_for_package(line);
+    look_for_names(line);
     for (std::size_t at = line.find('\\'); at != line.npos; at = line.find('\\', at + 1)) look_at_command(line, at);
   }
 
@@ -182,7 +195,7 @@ class SignSearch {
       std::string_view name = names.substr(0, comma);
       while (!name.empty() && is_space(name.front())) name.remove_prefix(1);
       while (!name.empty() && is_space(name.back())) name.remove_suffix(1);
-      if (name == iso_package && found_.sign.empty()) is_iso_ = true;
+      if (name == iso_package && found_.sign.empty()) has_iso_package_ = true;
       if (std::ranges::find(packages, name) != packages.end())
         tell(std::string(is_style ? "\\documentstyle[" : "\\usepackage{") + std::string(name) + (is_style ? "]" : "}"),
              use);
@@ -203,6 +216,43 @@ class SignSearch {
     if (rest.starts_with(schema)) add_schema(name_at(rest.substr(schema.size())));
   }
 
+  /// A word that stands before : or == or \\ldata, or as a branch of a free type, is declared.
+  void look_for_names(std::string_view line) {
+    for (std::size_t at = 0; at < line.size();) {
+      const std::size_t begin = at;
+      while (at < line.size() && (is_letter(line[at]) || (at > begin && is_digit(line[at])))) ++at;
+      if (at == begin) {
+        ++at;
+        continue;
+      }
+      const bool is_command = begin > 0 && (line[begin - 1] == '\\' || line[begin - 1] == '_');
+      const std::string_view word = line.substr(begin, at - begin);
+      if (!is_command && is_operator_word(word) && declares(line.substr(0, begin), line.substr(at)))
+        found_.names.emplace(word);
+    }
+  }
+  static bool declares(std::string_view before, std::string_view behind) {
+    behind = without_blanks(behind);
+    if (behind.starts_with("\\ldata")) return true;
+    while (!before.empty() && (is_space(before.back()) || before.back() == '~' || before.back() == '&'))
+      before.remove_suffix(1);
+    const bool is_branch = before.ends_with('|') || before.ends_with("::=");
+    if (is_branch && (behind.empty() || behind[0] == '|' || behind[0] == '.' || behind.starts_with("\\\\")))
+      return true;
+    while (behind.starts_with(',')) behind = without_blanks(without_name(without_blanks(behind.substr(1))));
+    return behind.starts_with(':') || behind.starts_with("==");
+  }
+  static std::string_view without_blanks(std::string_view text) {
+    while (!text.empty() && (is_space(text[0]) || is_stroke(text[0]) || text[0] == '~' || text[0] == '&'))
+      text.remove_prefix(1);
+    return text;
+  }
+  static std::string_view without_name(std::string_view text) {
+    while (!text.empty() && (is_letter(text[0]) || is_digit(text[0]) || text.starts_with("\\_")))
+      text.remove_prefix(text[0] == '\\' ? 2 : 1);
+    return text;
+  }
+
   void add_schema(std::string name) {
     if (!name.empty()) found_.schemas.insert(std::move(name));
   }
@@ -219,7 +269,7 @@ class SignSearch {
 
   SpiveyText found_;
   std::uint32_t line_ = 0;
-  bool is_iso_ = false;
+  bool is_iso_ = false, has_iso_package_ = false;
 };
 
 /// The Unicode text of a directive's word.
@@ -235,6 +285,10 @@ std::string meaning_of(std::string_view word) {
 std::optional<std::string_view> spivey_command(std::string_view command) {
   const auto found = std::ranges::find(commands, command, &std::pair<std::string_view, std::string_view>::first);
   return found == commands.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool is_name_of_spivey(std::string_view word, const SpiveyText& text) {
+  return std::ranges::find(keywords, word) != keywords.end() || text.names.contains(word);
 }
 
 std::shared_ptr<const SpiveyText> spivey_text(std::string_view text) { return SignSearch().run(text); }

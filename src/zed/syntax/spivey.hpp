@@ -21,13 +21,18 @@ struct SpiveyText {
   std::string sign;                              ///< by it the text is known: `\usepackage{fuzz}`, `\defs`, `S'`
   Place place;                                   ///< the sign stands there
   std::set<std::string, std::less<>> schemas{};  ///< their names, which a stroke decorates
+  std::set<std::string, std::less<>> names{};    ///< its names that are words of ISO's operators: `seq`, `mod`
   bool has_bags = false;                         ///< it uses the bags that ISO Z lacks
 };
 
 /// What is known of a text in LaTeX mark-up that is Spivey's Z; null where it is ISO's. A text with a section header is
 /// ISO's. Else the first of these tells: a package of Spivey's Z or of ISO's, a command or directive that ISO lacks, a
-/// schema with a stroke behind its name, S', in a document that \begin{document} begins.
+/// schema with a stroke behind its name, S', in a document that \begin{document} begins, whatever its packages.
 std::shared_ptr<const SpiveyText> spivey_text(std::string_view text);
+
+/// Says whether a word without a backslash is a name, though ISO Z has it for a keyword, such as `function`, or for an
+/// operator: as a keyword or operator Spivey's Z writes a command.
+bool is_name_of_spivey(std::string_view word, const SpiveyText& text);
 
 /// The Unicode text of a command that ISO lacks, or has for something else; nothing of another.
 std::optional<std::string_view> spivey_command(std::string_view command);

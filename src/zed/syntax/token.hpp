@@ -29,9 +29,16 @@ struct Token {
   bool only_infix = false;            ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
   std::uint32_t from = 0, to = 0;     ///< its bytes in the text that was read, but for blanks behind it
   const Symbol* symbol = &no_symbol;  ///< what is known of a word or symbol without strokes
+  bool only_name = false;             ///< in Spivey's Z a word is a name that is a keyword or an operator of ISO's
 
   bool is(std::string_view sign) const {
-    return (type == Type::symbol || (type == Type::word && strokes.empty())) && text == sign;
+    return (type == Type::symbol || (type == Type::word && strokes.empty() && !only_name)) && text == sign;
+  }
+
+  /// Makes a word a name, whatever ISO's language and toolkit know of it.
+  void call_name() {
+    only_name = own == nullptr;
+    if (only_name) symbol = &no_symbol;
   }
 };
 

@@ -44,6 +44,7 @@ TEST_CASE("a text is Spivey's by its first sign, and ISO's where it has a sectio
       "\\begin{schema}{A\\_B} x : \\num \\end{schema}\n\\begin{schema}{I} A\\_B' \\end{schema}";
   CHECK(sign_of(decorated) == "ISO");
   CHECK(sign_of(decorated + "\n\\begin{document}") == "A_B' 2:19");
+  CHECK(sign_of("\\usepackage{czt} \\defs\n" + decorated + "\n\\begin{document}") == "A_B' 3:19");
   CHECK(sign_of("\\begin{schema}{A} x : \\num \\end{schema}\n\\begin{schema}{I} A~' \\where x' = 0 \\end{schema}") ==
         "ISO");
 }
@@ -125,6 +126,19 @@ TEST_CASE("operators bind as fuzz binds them") {
   CHECK(both_readings("\\pre A \\semi B").first == "pre A ⨟ B");
   CHECK(both_readings("A \\dres B \\dres R") == Readings{"(A ◁ B) ◁ R", "A ◁ B ◁ R"});
   CHECK(both_readings("\\# f~x") == Readings{"(# f) x", "# f x"});
+}
+
+TEST_CASE("words of ISO's operators and keywords are names where a text of Spivey's Z declares them") {
+  const std::string text =
+      "\\begin{axdef} id, x : \\num; function, if : \\num \\where id = function + if \\end{axdef}\n"
+      "\\begin{syntax} S & ::= & seq \\ldata \\num \\rdata | mod \\\\ & | & skip \\end{syntax}\n"
+      "\\begin{axdef} s : S; t : \\seq S \\where s = seq~3 \\land s \\neq mod \\land \\id S = \\id S \\end{axdef}\n";
+  CHECK(defects_of(fuzz + text) == "");
+  CHECK_THAT(defects_of(text.substr(0, text.find("\\begin{syntax}"))), Catch::Contains("s.tex:1:17: unexpected ,"));
+  CHECK(defects_of(fuzz + "\\begin{axdef} x, y : \\num \\where x = y mod 2 \\end{axdef}") == "");
+  CHECK(spivey_text(fuzz + "\\begin{zed} \\forall s : \\seq X; t : seq X @ s = t \\end{zed}")->names.empty());
+  CHECK(spivey_text(fuzz + "prefix', infix , \\_a? : X\n| div\n& partition == 1\nsuffix~::= a")->names ==
+        std::set<std::string, std::less<>>{"div", "infix", "partition", "prefix", "suffix"});
 }
 
 TEST_CASE("bags have their values") {
