@@ -1,3 +1,4 @@
+#include "zed/syntax/command_hints.hpp"
 #include "zed/syntax/lexer_base.hpp"
 
 namespace durero::zed {
@@ -270,8 +271,7 @@ class Latex : Lexer {
 
   void known(const Command& command, Place place) {
     if (!command.meaning)
-      refuse(place, "unknown command \\" + std::string(command.name),
-             "expected a command of ISO Z or of a %%Z directive");
+      refuse(place, "unknown command \\" + std::string(command.name), expected_command(command.name, markup_));
     if (command.name == "negate" && continues()) {
       if (!newline_) refuse(place, "\\negate takes no left operand", "expected - for the difference");
       tokens_.push_back({Type::newline, "\n", {}, *newline_, {}, nullptr, false});

@@ -249,8 +249,10 @@ class ParagraphParser {
   void finish() {
     if (in_.at_end()) return;
     const bool declares = in_.sees(":") && in_.position() > 1 && TokenStream::is_name(in_.before(1));
-    if (declares && in_.before(2).place.line < in_.before(1).place.line)
-      throw ZError(in_.before(1).place, "a declaration goes on the line before it",
+    if (declares)
+      throw ZError(in_.before(1).place,
+                   in_.before(2).place.line < in_.before(1).place.line ? "a declaration goes on the line before it"
+                                                                       : "a declaration goes on the one before it",
                    "expected a new line \\\\ between the two");
     in_.fail("expected the end of the paragraph, or an operator");
   }
