@@ -216,10 +216,12 @@ class Cutter {
 }  // namespace
 
 bool is_unicode(std::string_view text) {
+  if (!has_box(text)) return false;
   std::vector<Defect> defects;
   const std::string file;
   Cutter latex(text, file, defects);
-  return has_box(text) && (latex.run(), !latex.began());
+  latex.run();
+  return !latex.began();
 }
 
 std::vector<Block> cut(std::string_view text, const std::string& file, std::vector<Defect>& defects) {
