@@ -41,6 +41,7 @@ bool begins(const Token& token) {
   if (token.type != Type::word && token.type != Type::symbol) return false;
   if (token.own) return token.own->first() && !token.own->of->has_left();
   if (token.symbol->infix) return false;
+  if (token.text == "_") return true;  // an operand of an operator that is declared or defined
   if (among(token.text, opening) || leads(token) || token.symbol->prefix) return true;
   return token.type == Type::word && token.text != "then" && token.text != "else";
 }

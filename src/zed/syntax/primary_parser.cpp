@@ -93,7 +93,7 @@ bool TermParser::suffix(Term& so_far) {
     Node tree{.kind = Kind::decoration, .place = place, .name = {}, .children = {so_far}, .names = {}, .text = {}};
     tree.name.strokes = in_.next().text;
     so_far = checked(make(std::move(tree)));
-  } else if (in_.sees("[")) {
+  } else if (in_.sees("[") && !holds_schema_text()) {
     so_far = actuals_or_renaming(so_far);
   } else if (in_.is_spivey() && is_own_postfix(in_.peek())) {
     so_far = own_operation({so_far});
@@ -101,6 +101,23 @@ bool TermParser::suffix(Term& so_far) {
     return in_.is_spivey() && postfix(so_far);
   }
   return true;
+}
+
+/// Between these brackets stand declarations, so that they are an argument: f [x : A], and f [S; T] (ISO/IEC
+/// 13568, 8.4).
+bool TermParser::holds_schema_text() const {
+  std::size_t ahead = 1;
+  while (TokenStream::is_name(in_.peek(ahead)) && in_.peek(ahead + 1).is(",")) ahead += 2;
+  if (TokenStream::is_name(in_.peek(ahead)) && in_.peek(ahead + 1).is(":")) return true;
+  int depth = 1;
+  for (ahead = 1; depth > 0; ++ahead) {
+    const Token& token = in_.peek(ahead);
+    if (token.type == Token::Type::end || token.type == Token::Type::error) return false;
+    if (depth == 1 && token.is(";")) return true;
+    if (token.is("[") || token.is("(") || token.is("{") || token.is("⦉")) ++depth;
+    if (token.is("]") || token.is(")") || token.is("}") || token.is("⦊")) --depth;
+  }
+  return false;
 }
 
 Term TermParser::actuals_or_renaming(Term of) {

@@ -55,6 +55,7 @@ class TermParser {
   Term own_operand(const OperatorTemplate& of, std::size_t part);
   Term own_relation(Term left, Term& right);
   bool suffix(Term& so_far);  // takes one selection, decoration, renaming or list of actuals
+  bool holds_schema_text() const;
   Term actuals_or_renaming(Term of);
   bool begins_primary(std::size_t ahead = 0) const;
   bool begins_declaration() const;

@@ -36,6 +36,9 @@ TEST_CASE("operators bind as the standard says, and associate to their side") {
   same("- x + y", "(- x) + y");
   same("∀ x : A • p ∧ q", "∀ x : A • (p ∧ q)");
   same("dom f ∪ ran g", "(dom f) ∪ (ran g)");
+  same("f [S; T]", "f ([S; T])");
+  same("f [x, y : A | p] [x : A]", "(f ([x, y : A | p])) ([x : A])");
+  same("f [A] x", "(f[A]) x");
   CHECK_FALSE(parse_unicode("A × B × C") == parse_unicode("A × (B × C)"));
 }
 

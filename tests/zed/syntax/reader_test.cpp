@@ -169,6 +169,16 @@ TEST_CASE("two points are an interval in either mark-up") {
     CHECK(read_text(text, "t").defects.empty());
 }
 
+TEST_CASE("the name of an operator begins a line") {
+  const Specification read = read_text(
+      "\\begin{zed} \\function 30 \\leftassoc (\\_ ~p~ \\_) \\\\ \\function 30 \\leftassoc (\\_ ~q~ \\_) \\end{zed}\n"
+      "\\begin{zed} \\varg p \\varg == 1 \\\\ \\varg q \\varg == 2 \\end{zed}",
+      "s.tex");
+  CHECK(read.ok());
+  REQUIRE(read.sections.size() == 1);
+  CHECK(read.sections[0].paragraphs.size() == 2);
+}
+
 TEST_CASE("a file in UTF-16 is named so") {
   for (const char* mark : {"\xFF\xFE", "\xFE\xFF"}) {
     const auto read = read_text(mark + std::string("x"), "u");
