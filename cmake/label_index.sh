@@ -3,8 +3,8 @@
 #   LABEL<tab>KIND<tab>FILE:LINE[<tab>NAME]    KIND one of text, clause, function, test, theorem
 # and of each type of model, under its name in place of a label, KIND type.
 # Run at the root. A clause is a quoted label in model; a function names the definition that it carries out; a theorem
-# names, in the comment before it, the labels that it discharges. What spec/tablas.tex says of the program's own state is
-# no clause: the functions of scene and surface that carry it out name it.
+# names, in the comment before it, the labels that it discharges. What spec/tablas.tex and spec/promocion.tex say of the
+# program's own states is no clause: the functions of scene and surface that carry it out name it.
 LC_ALL=C
 export LC_ALL
 label='[A-Za-z_]+\.(pre|post|inv|def|conj)\.[0-9]+'
@@ -17,7 +17,7 @@ places() { # places KIND: `FILE:LINE:LABEL` to index lines
   grep -onHE "\b[A-Za-z_]+\.def\.[0-9]+" -r include/durero/model | places function
   grep -onHE "\b$label\b" -r include/durero/scene src/scene include/durero/surface src/surface |
     while IFS= read -r place; do
-      grep -qE "% ${place##*:}\$" spec/tablas.tex && printf '%s\n' "$place"
+      grep -qE "% ${place##*:}\$" spec/tablas.tex spec/promocion.tex && printf '%s\n' "$place"
     done | places function
   grep -nHE "^(struct|class|enum class) [A-Za-z_]+( .*\{.*)?$" -r include/durero/model |
     sed -E 's/^([^:]+:[0-9]+):(struct|class|enum class) ([A-Za-z_]+).*/\3	type	\1/'

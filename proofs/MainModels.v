@@ -6,7 +6,7 @@ From Coq Require Import Reals List.
 From Flocq Require Raux Zaux BinarySingleNaN Binary Bits.
 From Durero Require Import Toolkit Especificacion.
 From Durero Require Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve TotalTables
-  Tablas RowsAdded RowsRemoved TotalRows RowsRefused TablasOfRows ClosedForm
+  Tablas RowsAdded RowsRemoved TotalRows RowsRefused Promocion Lifted TablasOfRows ClosedForm
   Iluminacion Recorrido Acceleration Firsts Surd Quadratic Exacto ExactoEscena
   Limits Nearest Chain Quick Exactly ExactHit Slab Bundles Beams.
 Import Escena Operaciones Edits Totals Errata Puntos Trazador Flat Interseccion Printed Retrieve Iluminacion.
@@ -256,6 +256,76 @@ Proof.
     (conj RowsRefused.Agregar_Elemento_Total_Tablas_correct
     (conj RowsRefused.Eliminar_Elemento_Total_Tablas_applicable
     RowsRefused.Eliminar_Elemento_Total_Tablas_correct))))))))))))))))))))))))))))))).
+Qed.
+
+(** The scene of spec/promocion.tex, as Promocion.v states it: one function from names to shapes is the same scene, and an
+    operation on a shape, lifted by a frame, is that of the scene. *)
+Theorem shapes_and_lifted_operations_are_the_scene_and_its_own Elemento :
+  @Promocion.Retrato_conj_1 Elemento
+  /\ @Promocion.Recobro_conj_1 Elemento
+  /\ @Promocion.Init_Formas_conj_1 Elemento
+  /\ @Promocion.Init_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Esfera_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Esfera_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Cilindro_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Cilindro_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Cono_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Cono_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Tronco_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Tronco_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Plano_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Plano_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Disco_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Disco_Formas_conj_2 Elemento
+  /\ @Promocion.Agregar_Triangulo_Formas_conj_1 Elemento
+  /\ @Promocion.Agregar_Triangulo_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Esfera_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Esfera_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Cilindro_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Cilindro_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Cono_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Cono_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Tronco_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Tronco_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Plano_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Plano_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Disco_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Disco_Formas_conj_2 Elemento
+  /\ @Promocion.Eliminar_Triangulo_Formas_conj_1 Elemento
+  /\ @Promocion.Eliminar_Triangulo_Formas_conj_2 Elemento.
+Proof.
+  exact (conj Lifted.a_scene_has_one_function_to_shapes
+    (conj Lifted.shapes_say_one_scene
+    (conj Lifted.first_shapes_say_the_first_scene
+    (conj Lifted.the_first_scene_has_the_first_shapes
+    (conj Lifted.Agregar_Esfera_is_lifted
+    (conj Lifted.Agregar_Esfera_Formas_is_of_the_scene
+    (conj Lifted.Agregar_Cilindro_is_lifted
+    (conj Lifted.Agregar_Cilindro_Formas_is_of_the_scene
+    (conj Lifted.Agregar_Cono_is_lifted
+    (conj Lifted.Agregar_Cono_Formas_is_of_the_scene
+    (conj Lifted.Agregar_Tronco_is_lifted
+    (conj Lifted.Agregar_Tronco_Formas_is_of_the_scene
+    (conj Lifted.Agregar_Plano_is_lifted
+    (conj Lifted.Agregar_Plano_Formas_is_of_the_scene
+    (conj Lifted.Agregar_Disco_is_lifted
+    (conj Lifted.Agregar_Disco_Formas_is_of_the_scene
+    (conj Lifted.Agregar_Triangulo_is_lifted
+    (conj Lifted.Agregar_Triangulo_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Esfera_is_lifted
+    (conj Lifted.Eliminar_Esfera_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Cilindro_is_lifted
+    (conj Lifted.Eliminar_Cilindro_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Cono_is_lifted
+    (conj Lifted.Eliminar_Cono_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Tronco_is_lifted
+    (conj Lifted.Eliminar_Tronco_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Plano_is_lifted
+    (conj Lifted.Eliminar_Plano_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Disco_is_lifted
+    (conj Lifted.Eliminar_Disco_Formas_is_of_the_scene
+    (conj Lifted.Eliminar_Triangulo_is_lifted
+    Lifted.Eliminar_Triangulo_Formas_is_of_the_scene))))))))))))))))))))))))))))))).
 Qed.
 
 Theorem the_closed_form_of_the_text_is_alcance Elemento :

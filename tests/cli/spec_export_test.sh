@@ -1,7 +1,8 @@
 # durero spec export --coq: the Z text as Coq.
 tree=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 . "$(dirname "$0")/harness.sh"
-run 0 spec export --coq -o Especificacion.v "$tree"/spec/[b-g]*.tex "$tree/spec/haces.tex" "$tree"/spec/[i-ln-s]*.tex "$tree/spec/tipos.tex"
+run 0 spec export --coq -o Especificacion.v "$tree"/spec/[b-g]*.tex "$tree/spec/haces.tex" "$tree"/spec/[i-ln-o]*.tex "$tree/spec/proyeccion.tex" "$tree/spec/puntos.tex" \
+  "$tree/spec/solidos.tex" "$tree/spec/tipos.tex"
 empty out
 empty err
 same Especificacion.v "$tree/proofs/Especificacion.v"
@@ -11,7 +12,7 @@ run 0 spec export --coq "$tree/spec/interseccion.tex"
 has out 'Record Escena_ok (s : Escena) : Prop := {'
 has out '(* occluded_segment.def.1 *)'
 
-# A second state is refused: proofs/Tablas.v, proofs/Malla.v and proofs/Historia.v state those by hand.
+# A second state is refused: proofs/Tablas.v, proofs/Promocion.v, proofs/Malla.v and proofs/Historia.v state those by hand.
 refused "$tree/spec/tablas.tex:103:3: a second state, Tablas beside Escena" spec export --coq "$tree/spec/tablas.tex"
 refused "$tree/spec/malla.tex:" spec export --coq "$tree/spec/malla.tex"
 printf '\\begin{zed} S == \\{~ A : \\power \\num | \\# A = 1 ~\\}\n\\end{zed}\n' >counted.tex

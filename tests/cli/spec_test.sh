@@ -13,7 +13,7 @@ has out 'conjecture Hay_Interseccion.conj.1 proved as printed_elements_are_the_a
 has out 'spec/tablas.tex: section tablas ok'
 has out 'conjecture Agregar_Tronco_Tablas.conj.2 proved as Agregar_Tronco_Tablas_correct; tried on '
 has out 'conjecture raices.conj.3 proved as the_closed_form_of_a_cone_is_alcance; tried on '
-lines out 302
+lines out 335
 run 0 spec check --states 0
 has out 'conjecture alcances.conj.1 proved as printed_intersection_is_alcances; not tried: '
 cat >claims.tex <<'TEX'

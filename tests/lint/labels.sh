@@ -5,8 +5,8 @@
 # of the proofs is a theorem. Nor is a conjecture, which `spec check` tries; the theorem that it leads to states it. Both
 # stand as statements in Especificacion.v, which exports them, and Main.v proves them by that name. Those of
 # spec/malla.tex stand in Malla.v, by hand, and those of spec/historia.tex in Cambios.v, Vista.v and Historia.v; those of
-# spec/tablas.tex, which speaks of the program's own state, stand in Tablas.v and TotalRows.v; what it says is no
-# clause of model, and the functions of scene and surface that carry it out name it.
+# spec/tablas.tex and spec/promocion.tex, which speak of the program's own states, stand in Tablas.v, TotalRows.v and
+# Promocion.v; what these say is no clause of model, and the functions of scene and surface that carry it out name it.
 kinds='pre|post|inv|def'
 label="[A-Za-z_]+\.($kinds)\.[0-9]+"
 tmp=$(mktemp -d) && trap 'rm -rf "$tmp"' EXIT
@@ -20,7 +20,7 @@ grep -ohE "\bclause [A-Za-z_]+_(pre|post|inv)_[0-9]+" -r include/durero/model | 
 grep -rh '' include/durero/model src/model | grep -v '^inline constexpr ' |
   grep -ohE "\b[A-Za-z_]+_(pre|post|inv)_[0-9]+\b" | constants >"$tmp/evaluated"
 grep -ohE "\b[A-Za-z_]+\.def\.[0-9]+" -r include/durero/model | sort -u >"$tmp/defs"
-grep -ohE "% $label" spec/tablas.tex | cut -c3- | sort -u >"$tmp/refined"
+grep -ohE "% $label" spec/tablas.tex spec/promocion.tex | cut -c3- | sort -u >"$tmp/refined"
 grep -ohE "\b$label" -r include/durero/scene src/scene include/durero/surface src/surface | sort -u |
   comm -12 - "$tmp/refined" >"$tmp/carried"
 grep -ohE "\b$label" -r tests --include=*.cpp | sort -u >"$tmp/tests"
@@ -70,9 +70,9 @@ missing() { comm -23 "$1" "$2" | sed "s|\$|: $3|"; }
     sed 's/(\*.*\*)//' proofs/Main*.v >"$tmp/main"
     cat "$tmp/axioms" "$tmp/conjectures" | while read -r named; do
       statement=$(echo "$named" | tr . _)
-      grep -q "^Definition $statement : Prop :=" proofs/Especificacion.v proofs/Tablas.v proofs/TotalRows.v proofs/Malla.v \
+      grep -q "^Definition $statement : Prop :=" proofs/Especificacion.v proofs/Tablas.v proofs/TotalRows.v proofs/Promocion.v proofs/Malla.v \
         proofs/Cambios.v proofs/Vista.v proofs/Historia.v ||
-        echo "$named: none of Especificacion.v, Tablas.v, TotalRows.v, Malla.v, Cambios.v, Vista.v and Historia.v states it"
+        echo "$named: none of Especificacion.v, Tablas.v, TotalRows.v, Promocion.v, Malla.v, Cambios.v, Vista.v and Historia.v states it"
       grep -qw "$statement" "$tmp/main" || echo "$named: no theorem of Main.v states $statement"
     done
     by_hand='proofs/Cambios.v proofs/Vista.v proofs/Historia.v'

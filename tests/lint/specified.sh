@@ -20,7 +20,7 @@ table() {
           count("clause", owner) + count("function", owner), count("test", owner),
           theorems[owner] == "" ? "–" : theorems[owner] }' "$tmp/index" |
     awk '{ stem = $1; sub(/^spec\//, "", stem); sub(/\.tex$/, "", stem); print order(stem) "\t" $0 }
-         function order(stem) { return index("tipos escena operaciones puntos interseccion tablas malla iluminacion luz distribuida haces proyeccion distancias instancias solidos auditoria historia", stem) + 100 }' |
+         function order(stem) { return index("tipos escena operaciones puntos interseccion promocion tablas malla iluminacion luz distribuida haces proyeccion distancias instancias solidos auditoria historia", stem) + 100 }' |
     LC_ALL=C sort | cut -f3
 }
 table >"$tmp/table"

@@ -9,7 +9,7 @@ capital() { printf '%s' "$1" | cut -c1 | tr '[:lower:]' '[:upper:]' | tr -d '\n'
   for text in spec/*.tex; do
     stem=$(basename "$text" .tex)
     case $stem in
-      tablas) layer=scene printed= ;;
+      promocion | tablas) layer=scene printed= ;;
       auditoria | distancias | distribuida | haces | historia | iluminacion | instancias | luz | malla | proyeccion | solidos) layer=model printed= ;;
       *) layer=model printed=spec/impresa/$stem.tex ;;
     esac
