@@ -219,8 +219,8 @@ void StateSpace::Impl::begin(const std::vector<zed::Valuation>& from) {
 void StateSpace::Impl::go_on(StateIndex at) {
   bool some = false;
   auto& operations = planned.operations();
+  const std::vector<ValueId> before(table.state(at).begin(), table.state(at).end());
   for (std::size_t i = 0; i < operations.size(); ++i) {
-    const std::vector<ValueId> before(table.state(at).begin(), table.state(at).end());
     const StepRows& rows = planned.rows(operations[i], before);
     some = some || rows.size() > 0;
     OperationCoverage& covered = report.operations[i];

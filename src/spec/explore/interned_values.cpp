@@ -40,7 +40,7 @@ std::uint64_t hash_of(std::span<const ValueId> ids, std::uint64_t seed) {
   return hash;
 }
 
-InternedValues::InternedValues() : entries_(1), slots_(1 << 12, 0) {}
+InternedValues::InternedValues() : entries_(1), slots_(1 << 12) {}
 
 bool InternedValues::is(const Entry& entry, const Entry& wanted, std::span<const ValueId> parts) const {
   return entry.form == wanted.form && entry.tag == wanted.tag && entry.number == wanted.number &&
@@ -62,32 +62,35 @@ const ValueId* InternedValues::copied(std::span<const ValueId> parts) {
   return blocks_.back().get() + used_ - parts.size();
 }
 
+std::uint64_t InternedValues::hash(const Entry& entry, std::span<const ValueId> parts) {
+  return hash_of(parts, mixed(static_cast<std::uint64_t>(entry.form) << 56U ^ std::uint64_t{entry.tag} << 20U ^
+                              static_cast<std::uint64_t>(entry.number)));
+}
+
 ValueId InternedValues::kept(const Entry& wanted, std::span<const ValueId> parts) {
-  const std::uint64_t seed = mixed(static_cast<std::uint64_t>(wanted.form) << 56U ^ std::uint64_t{wanted.tag} << 20U ^
-                                   static_cast<std::uint64_t>(wanted.number));
-  std::size_t at = hash_of(parts, seed) & (slots_.size() - 1);
-  for (; slots_[at] != 0; at = (at + 1) & (slots_.size() - 1))
-    if (is(entries_[slots_[at]], wanted, parts)) return slots_[at];
+  const std::uint64_t whole = hash(wanted, parts);
+  const auto upper = static_cast<std::uint32_t>(whole >> 32U);
+  std::size_t at = whole & (slots_.size() - 1);
+  for (; slots_[at].id != 0; at = (at + 1) & (slots_.size() - 1))
+    if (slots_[at].hash == upper && is(entries_[slots_[at].id], wanted, parts)) return slots_[at].id;
   Entry entry = wanted;
   entry.count = static_cast<std::uint32_t>(parts.size());
   entry.parts = copied(parts);
-  slots_[at] = static_cast<ValueId>(entries_.size());
+  const auto id = static_cast<ValueId>(entries_.size());
+  slots_[at] = {id, upper};
   entries_.push_back(entry);
-  const ValueId id = slots_[at];
   if (entries_.size() * 2 > slots_.size()) grow();
   return id;
 }
 
 void InternedValues::grow() {
-  std::vector<ValueId> longer(slots_.size() * 2, 0);
+  std::vector<Slot> longer(slots_.size() * 2);
   for (ValueId id = 1; id < entries_.size(); ++id) {
-    const Entry& entry = entries_[id];
-    if (entry.form == InternedForm::other) continue;  // it is not looked for
-    const std::uint64_t seed = mixed(static_cast<std::uint64_t>(entry.form) << 56U ^ std::uint64_t{entry.tag} << 20U ^
-                                     static_cast<std::uint64_t>(entry.number));
-    std::size_t at = hash_of(parts(id), seed) & (longer.size() - 1);
-    while (longer[at] != 0) at = (at + 1) & (longer.size() - 1);
-    longer[at] = id;
+    if (entries_[id].form == InternedForm::other) continue;  // it is not looked for
+    const std::uint64_t whole = hash(entries_[id], parts(id));
+    std::size_t at = whole & (longer.size() - 1);
+    while (longer[at].id != 0) at = (at + 1) & (longer.size() - 1);
+    longer[at] = {id, static_cast<std::uint32_t>(whole >> 32U)};
   }
   slots_ = std::move(longer);
 }
@@ -116,10 +119,10 @@ ValueId InternedValues::constructed(const zed::Atom& constructor, ValueId argume
   return composed(InternedForm::constructed, atom_tag(constructor), std::span(&argument, 1));
 }
 
-ValueId InternedValues::set(std::vector<ValueId>& members) {
+ValueId InternedValues::set(std::span<ValueId> members) {
   std::sort(members.begin(), members.end());
-  members.erase(std::unique(members.begin(), members.end()), members.end());
-  return sorted_set(members);
+  const auto end = std::unique(members.begin(), members.end());
+  return sorted_set(std::span<const ValueId>(members.begin(), end));
 }
 
 std::uint32_t InternedValues::atom_tag(const zed::Atom& atom) {

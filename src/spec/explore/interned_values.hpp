@@ -2,6 +2,7 @@
 /// The values of an exploration, each kept once: two are equal where their numbers are. A set keeps the numbers of its
 /// members sorted.
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,6 +16,9 @@ namespace durero::spec {
 
 /// The number of a value; 0 is that of an expression without a value.
 using ValueId = std::uint32_t;
+
+/// Some values; few of them need no heap.
+using ValueList = boost::container::small_vector<ValueId, 16>;
 
 /// The error of an operator that the kept values do not serve: the evaluator is to be asked then.
 class NotInterned : public std::runtime_error {
@@ -38,8 +42,10 @@ class InternedValues {
     return composed(InternedForm::binding, signature, parts);
   }
   ValueId constructed(const zed::Atom& constructor, ValueId argument);
-  ValueId set(std::vector<ValueId>& members);  ///< sorts them
+  ValueId set(std::span<ValueId> members);  ///< sorts them
+  ValueId set(ValueList& members) { return set(std::span(members.data(), members.size())); }
   ValueId sorted_set(std::span<const ValueId> members) { return composed(InternedForm::set, 0, members); }
+  ValueId sorted_set(const ValueList& members) { return sorted_set(std::span(members.data(), members.size())); }
   /// @}
   /// The number of a signature, whose names are sorted.
   std::uint32_t signature(const std::vector<zed::Name>& names);
@@ -77,6 +83,7 @@ class InternedValues {
 
   ValueId composed(InternedForm form, std::uint32_t tag, std::span<const ValueId> parts);
   ValueId kept(const Entry& entry, std::span<const ValueId> parts);
+  static std::uint64_t hash(const Entry& entry, std::span<const ValueId> parts);
   bool is(const Entry& entry, const Entry& wanted, std::span<const ValueId> parts) const;
   const ValueId* copied(std::span<const ValueId> parts);
   std::uint32_t atom_tag(const zed::Atom& atom);
@@ -86,7 +93,11 @@ class InternedValues {
   void grow();
 
   std::vector<Entry> entries_;
-  std::vector<ValueId> slots_;                      // the numbers by their hashes; 0 is a free place
+  struct Slot {
+    ValueId id = 0;          // 0 is a free place
+    std::uint32_t hash = 0;  // so that few others are looked at
+  };
+  std::vector<Slot> slots_;                         // the numbers by their hashes
   std::vector<std::unique_ptr<ValueId[]>> blocks_;  // the parts, in blocks that stay where they are
   std::size_t used_ = 0, left_ = 0;                 // so many numbers of the last block are taken, and free
   std::vector<zed::Atom> atoms_;

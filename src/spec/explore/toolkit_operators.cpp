@@ -6,7 +6,7 @@
 namespace durero::spec {
 namespace {
 
-using Ids = std::vector<ValueId>;
+using Ids = ValueList;
 
 /// The members of an interval that is listed: more are left to the evaluator.
 constexpr std::int64_t most_listed = 1'000'000;
@@ -156,30 +156,30 @@ ValueId extreme(InternedValues& values, ValueId set) {
 }
 
 ValueId concatenated(InternedValues& values, ValueId a, ValueId b) {
-  Ids all = sequence_elements(values, a);
-  const Ids more = sequence_elements(values, b);
+  std::vector<ValueId> all = sequence_elements(values, a);
+  const std::vector<ValueId> more = sequence_elements(values, b);
   all.insert(all.end(), more.begin(), more.end());
   return sequence_of(values, all);
 }
-Ids some_elements(InternedValues& values, ValueId sequence) {
-  Ids all = sequence_elements(values, sequence);
+std::vector<ValueId> some_elements(InternedValues& values, ValueId sequence) {
+  std::vector<ValueId> all = sequence_elements(values, sequence);
   if (all.empty()) throw NotInterned("a part of an empty sequence");
   return all;
 }
 ValueId head_of(InternedValues& values, ValueId a) { return some_elements(values, a).front(); }
 ValueId last_of(InternedValues& values, ValueId a) { return some_elements(values, a).back(); }
 ValueId tail_of(InternedValues& values, ValueId a) {
-  Ids all = some_elements(values, a);
+  std::vector<ValueId> all = some_elements(values, a);
   all.erase(all.begin());
   return sequence_of(values, all);
 }
 ValueId front_of(InternedValues& values, ValueId a) {
-  Ids all = some_elements(values, a);
+  std::vector<ValueId> all = some_elements(values, a);
   all.pop_back();
   return sequence_of(values, all);
 }
 ValueId reverse_of(InternedValues& values, ValueId a) {
-  Ids all = sequence_elements(values, a);
+  std::vector<ValueId> all = sequence_elements(values, a);
   std::reverse(all.begin(), all.end());
   return sequence_of(values, all);
 }
@@ -277,7 +277,7 @@ ValueId applied_pairs(const InternedValues& values, ValueId function, ValueId ar
 
 std::vector<ValueId> sequence_elements(const InternedValues& values, ValueId sequence) {
   const auto pairs = values.members(sequence);
-  Ids elements(pairs.size(), 0);
+  std::vector<ValueId> elements(pairs.size(), 0);
   for (const ValueId pair : pairs) {
     const auto parts = values.parts(pair);
     const std::int64_t place = values.whole_number(parts[0]);

@@ -99,7 +99,8 @@ IdCode TermTranslator::reference(const Node& node, const FrameScope& scope) {
     return [at = *place](IdFrame frame) { return frame[at]; };
   }
   if (is_global(node.name) && node.children.empty()) return [id = global(node.name)](IdFrame) { return id; };
-  if (node.name.word == "∅" && !is_global(node.name)) return [id = values_.sorted_set({})](IdFrame) { return id; };
+  if (node.name.word == "∅" && !is_global(node.name))
+    return [id = values_.sorted_set(std::span<const ValueId>())](IdFrame) { return id; };
   throw NotInterned("a name is the evaluator's");
 }
 
@@ -146,10 +147,9 @@ IdCode TermTranslator::each_part(const Node& node, const FrameScope& scope, Inte
   for (const Term& child : node.children) parts.push_back(expression(child, scope));
   const bool is_set = form == InternedForm::set;
   return [&values = values_, parts = std::move(parts), is_set](IdFrame frame) {
-    std::vector<ValueId> ids;
-    ids.reserve(parts.size());
+    ValueList ids;
     for (const IdCode& part : parts) ids.push_back(part(frame));
-    return is_set ? values.set(ids) : values.tuple(ids);
+    return is_set ? values.set(ids) : values.tuple({ids.data(), ids.size()});
   };
 }
 
@@ -177,7 +177,7 @@ IdCode TermTranslator::comprehension(const Node& node, const FrameScope& scope) 
       return values.pair(argument(frame), value(frame));
     };
   return [&values = values_, plan, value](IdFrame frame) {
-    std::vector<ValueId> members;
+    ValueList members;
     plan->each(frame, [&] {
       members.push_back(value(frame));
       // The evaluator knows which set has an undefined member.
