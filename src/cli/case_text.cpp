@@ -5,6 +5,7 @@
 
 #include "durero/io/json/json_writer.hpp"
 #include "durero/spec/animation_text.hpp"
+#include "explore_text.hpp"
 #include "spec_cases.hpp"
 
 namespace durero::cli {
@@ -57,8 +58,8 @@ void write_case_list(Writer& out, const char* key, const std::vector<std::string
 std::string cases_text(const Machine& machine, const OperationCases& cases) {
   const auto found =
       std::count_if(cases.cases.begin(), cases.cases.end(), [](const auto& each) { return each.is_found; });
-  std::string said = fmt::format("{} cases of {} operations, {} with an example\n", cases.cases.size(),
-                                 machine.operations().size(), found);
+  std::string said = fmt::format("{} of {}, {} with an example\n", number_of(cases.cases.size(), "case"),
+                                 number_of(machine.operations().size(), "operation"), found);
   for (const std::string& carrier : machine.carriers()) said += "  " + carrier + "\n";
   for (const std::string& bound : cases.bounded) said += "  bounded: " + bound + "\n";
   for (const std::string& whole : cases.whole) said += "  not taken apart: " + whole + "\n";
@@ -67,7 +68,7 @@ std::string cases_text(const Machine& machine, const OperationCases& cases) {
     if (!each.is_found) continue;
     said += spec::step_line(machine, each.admitted.front()) + "\n" +
             spec::state_table(machine, &each.way.back().after, each.admitted.front().after);
-    if (each.admitted.size() > 1) said += fmt::format("  or {} other answers\n", each.admitted.size() - 1);
+    if (each.admitted.size() > 1) said += "  or " + number_of(each.admitted.size() - 1, "other answer") + "\n";
   }
   return said;
 }

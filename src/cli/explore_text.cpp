@@ -13,11 +13,15 @@ using spec::FactCoverage;
 using spec::Machine;
 using spec::OperationCoverage;
 
+std::string number_of(std::uint64_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 namespace {
 
 std::string counts_text(const Machine& machine, const ExploreReport& report) {
-  std::string said = fmt::format("{}: {} states, {} transitions, {} steps deep\n", machine.state(), report.states,
-                                 report.transitions, report.depth);
+  std::string said = fmt::format("{}: {}, {}, {} deep\n", machine.state(), number_of(report.states, "state"),
+                                 number_of(report.transitions, "transition"), number_of(report.depth, "step"));
   for (const std::string& carrier : machine.carriers()) said += "  " + carrier + "\n";
   for (const std::string& constant : machine.taken()) said += "  " + constant + "\n";
   std::string sets;
@@ -35,11 +39,11 @@ std::string operations_text(const ExploreReport& report) {
   for (const OperationCoverage& each : report.operations) width = std::max(width, each.name.size());
   std::string said = "operations\n";
   for (const OperationCoverage& each : report.operations)
-    said +=
-        fmt::format("  {:<{}}  {}{}\n", each.name, width,
-                    each.transitions == 0 ? "never happened"
-                                          : fmt::format("{} transitions, in {} states", each.transitions, each.states),
-                    each.evaluated ? " (looked for by the evaluator)" : "");
+    said += fmt::format("  {:<{}}  {}{}\n", each.name, width,
+                        each.transitions == 0
+                            ? "never happened"
+                            : number_of(each.transitions, "transition") + ", in " + number_of(each.states, "state"),
+                        each.evaluated ? " (looked for by the evaluator)" : "");
   return said;
 }
 
@@ -58,8 +62,8 @@ std::string facts_text(const ExploreReport& report) {
 
 std::string deadlocks_text(const Machine& machine, const ExploreReport& report) {
   if (report.deadlocks == 0) return report.is_bounded() ? "no deadlock was found\n" : "no deadlock\n";
-  std::string said =
-      fmt::format("deadlock: in {} states no operation can happen; the first after this way:\n", report.deadlocks);
+  std::string said = fmt::format("deadlock: in {} no operation can happen; the first after this way:\n",
+                                 number_of(report.deadlocks, "state"));
   return said + way_story(machine, report.deadlock_ways.front());
 }
 

@@ -5,6 +5,8 @@
 
 namespace durero::cli {
 
+/// A number of things: `1 state`, `2 states`.
+std::string number_of(std::uint64_t count, const std::string& thing);
 /// Lines for people: the counts, the operations, deadlocks, what never happened, and each claim that is false.
 std::string explore_text(const spec::Machine& machine, const spec::ExploreReport& report);
 /// One JSON object (docs/formats/explore.md). `graph` may be null.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <optional>
 #include <tuple>
 
@@ -79,6 +80,15 @@ bool fails(const spec::ExploreReport& report, const std::vector<std::string>& on
          (asked("bounded") && report.is_bounded());
 }
 
+/// Explores. Throws io::InputError where the memory does not do.
+const spec::ExploreReport& explored(spec::StateSpace& space) {
+  try {
+    return space.explore();
+  } catch (const std::bad_alloc&) {
+    throw io::InputError("--memory", {1, 1}, "the memory did not do", "expected fewer --states, or a greater --memory");
+  }
+}
+
 int spec_explore(ExploreCall call) {
   const auto machine = machine_of(call.files, call.given, call.setup);
   bound_memory(call.memory);
@@ -91,7 +101,7 @@ int spec_explore(ExploreCall call) {
     return !stop;
   };
   const auto space = space_of(*machine, call);
-  const spec::ExploreReport& report = space->explore();
+  const spec::ExploreReport& report = explored(*space);
   progress.reset();
   if (report.initial == 0)
     throw io::InputError(call.files.empty() ? "spec" : call.files.front(), {1, 1}, "no initial state is found",

@@ -6,7 +6,7 @@ run 0 spec tests "$book" --members 2
 has out '9 cases of 7 operations, 9 with an example'
 has out 'case        RAddBirthday: name? ∉ known ∧ '
 has out 'RAddBirthday  date? = DATE1; name? = NAME1; result! = ok'
-has out '  or 1 other answers'
+has out '  or 1 other answer'
 
 cat >gate.tex <<'EOF'
 \begin{zed} Word ::= go | wait \end{zed}
@@ -17,7 +17,7 @@ cat >gate.tex <<'EOF'
   (n > 2 \land n' = 0 \land word! = wait) \end{schema}
 EOF
 run 0 spec tests gate.tex
-has out '3 cases of 1 operations, 2 with an example'
+has out '3 cases of 1 operation, 2 with an example'
 has out "infeasible  Pass: n > 2 ∧ n' = 0 ∧ word! = wait"
 run 0 spec tests gate.tex --json
 python3 - out >err 2>&1 <<'EOF' || fail 'the JSON'

@@ -37,7 +37,7 @@ explores 0 probe.tex
 has out 'Probe: 3 states, 2 transitions, 2 steps deep'
 has out '  Never  never happened'
 has out '  never true   Never: count > 5  (line 4)'
-has out 'deadlock: in 1 states no operation can happen; the first after this way:'
+has out 'deadlock: in 1 state no operation can happen; the first after this way:'
 has out '2. Step'
 explores 1 probe.tex --fail deadlock
 explores 1 probe.tex --fail never
@@ -64,6 +64,15 @@ refused 'durero: PREDICATE:1:1: ' probe.tex --always 'cuont < 2'
 refused 'expected a predicate' probe.tex --always 'count + 2'
 sed "s/count' = 0/count' = 9/" probe.tex >none.tex
 refused 'none.tex:1:1: no initial state is found; expected an initial schema that admits a state' none.tex
+
+# The memory bounds it.
+cat >many.tex <<'EOF'
+\begin{schema}{Many} s : \power \nat \end{schema}
+\begin{schema}{InitMany} Many~' \where s' = \emptyset \end{schema}
+\begin{schema}{Add} \Delta Many \\ n? : 1 \upto 24 \where s' = s \cup \{n?\} \end{schema}
+EOF
+explores 2 many.tex --states 100000000 --memory 64
+has err 'durero: --memory:1:1: the memory did not do; expected fewer --states, or a greater --memory'
 
 # The report as JSON, and the graph as JSON, as a drawing and for Graphviz.
 explores 1 "$book" --members 2 --json --graph --dot states.dot --svg states.svg
