@@ -146,15 +146,16 @@ bounded() {  # bounded OPTION WORDS ARGUMENT...
 }
 bounded --steps '--steps 300000 did not do: stopped after 300000 steps' --steps 300000 '∀ x, y, z : 1‥1000 • x ≤ 1000'
 bounded --steps '--steps 100000 ' --steps 100000 '# {s : ℙ (1‥16) | # s > 3}'
-bounded --steps '--steps 100000 ' --steps 100000 '∀ x : 1‥400 • # (ℙ (1‥(14 + x - x))) > 1'
+bounded --steps '--steps 100000 ' --steps 100000 '∀ x : 1‥400 • # {s : ℙ (1‥(14 + x - x)) | # s > 0} > 1'
 run 0 spec eval --steps 1000 '∀ x : 1‥100 • x ≤ 100'
 run 0 spec eval '# {s : ℙ (1‥12) | # s > 3}'
 is out 3797
 # A set that is never listed is not for want of steps or memory.
-refused 'EXPR:1:1: this is not decided: ℙ of a set of 40 members has more members than can be listed; expected a smaller set, whatever --steps and --memory' \
-  spec eval '# (ℙ (1‥40))'
-refused 'EXPR:1:1: this is not decided: 𝔽₁ of a set of 20 members has more' spec eval '# (𝔽₁ (1‥20))'
-refused 'EXPR:1:1: this is not decided: 1‥2000000 has more members than can be listed; expected a smaller set' spec eval '# (1‥2000000)'
+refused 'EXPR:1:1: this is not decided: ℙ this finite set has more members than can be listed; expected a smaller set, whatever --steps and --memory' \
+  spec eval '⋂ (ℙ (1‥40))'
+refused 'EXPR:1:1: this is not decided: 𝔽₁ this finite set has more' spec eval '⋂ (𝔽₁ (1‥20))'
+run 0 spec eval '# (ℙ (1‥40)) + # (1‥2000000)'
+is out 1099513627776
 if "$durero" version --json | grep -qF '"sanitizers":[]'; then  # which have memory of their own
   bounded --memory '--memory 200 MiB did not do: stopped after ' --memory 200 '# {s : ℙ (1‥19) | # s > 3}'
   bounded --memory '--memory 300 MiB did not do: stopped after ' --memory 300 '# {x, y : 1‥2000 | x < y}'

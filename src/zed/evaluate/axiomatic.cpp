@@ -6,6 +6,7 @@
 
 #include "zed/evaluate/cases.hpp"
 #include "zed/evaluate/compiler.hpp"
+#include "zed/evaluate/free_types.hpp"
 #include "zed/evaluate/intensional.hpp"
 #include "zed/evaluate/powers.hpp"
 #include "zed/operators.hpp"
@@ -65,9 +66,25 @@ std::optional<std::vector<TupleComponent>> in_order(const std::vector<Name>& nam
   return groups.size() == head.groups.size() ? std::optional(groups) : std::nullopt;
 }
 
+/// The formals of a generic box, and their actuals where it is referred to with these. In the box, the name alone is
+/// then the same instance.
+struct GenericInstance {
+  std::vector<Name> formals;
+  std::vector<Term> actuals{};
+  const Value* itself = nullptr;
+};
+
+/// Returns the scope in which the box is compiled: a formal without an actual is a whole type.
+Scope scope_of(Compiler& compiler, GenericInstance instance, const Name& name, const std::shared_ptr<Unit>& unit) {
+  instance.formals.push_back(any_value);
+  Scope scope = compiler.formals(instance.formals, instance.actuals, Scope{.unit = unit});
+  if (const Value* itself = instance.itself) scope.names[name] = {{}, [itself](Frame&) { return *itself; }};
+  return scope;
+}
+
 /// Returns the equation for f in `body` as a clause under the head of `forall`; nothing where it has another form.
-std::optional<Closure> clause(Compiler& compiler, const Name& function, std::vector<Name> formals, const Node& forall) {
-  formals.push_back(any_value);
+std::optional<Closure> clause(Compiler& compiler, const Name& function, const GenericInstance& instance,
+                              const Node& forall) {
   const Term& body = forall.children[0];
   if (!is_equation(body)) return std::nullopt;
   const Term &left = body->children[0], &right = body->children[1];
@@ -79,8 +96,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, std::vec
   const auto names = argument_names(applied->children[1]);
   if (!names) return std::nullopt;
   const auto unit = std::make_shared<Unit>();
-  const Scope outside =
-      compiler.formals(formals, {}, Scope{.unit = unit});  // where f is generic, its sets are whole types
+  const Scope outside = scope_of(compiler, instance, function, unit);
   Scope inner{.outer = &outside, .unit = unit};
   CompiledSchemaText head = compiler.head(*forall.text, outside, inner);
   const auto groups = in_order(*names, head, inner);
@@ -93,7 +109,7 @@ std::optional<Closure> clause(Compiler& compiler, const Name& function, std::vec
 
 /// Returns the clause of a function whose box states the laws of a power.
 Closure power_clause(Compiler& compiler, const Name& name, const Axiomatic& form) {
-  Closure closure = clause(compiler, name, {}, *power_head(name, form)).value();
+  Closure closure = clause(compiler, name, GenericInstance{}, *power_head(name, form)).value();
   closure.term = [arguments = std::move(closure.term)](Frame& frame) {
     const Value of = arguments(frame);
     return functions::power(first(of), second(of), frame.context);
@@ -123,26 +139,26 @@ bool defines_function(const Name& name, const Axiomatic& form) {
   return squared || !cases_of_function(form.text.predicates, name).clauses.empty();
 }
 
-void add_clauses(Clauses& to, Compiler& compiler, const Name& name, const std::vector<Name>& formals,
+void add_clauses(Clauses& to, Compiler& compiler, const Name& name, const GenericInstance& instance,
                  const Cases& cases) {
   to.all_said = to.all_said && cases.all_said;
   for (const Term& each : cases.clauses) {
-    auto compiled = clause(compiler, name, formals, *each);
+    auto compiled = clause(compiler, name, instance, *each);
     to.all_said = to.all_said && compiled;
     if (compiled) to.clauses.push_back(std::move(*compiled));
   }
 }
 
 /// Returns the clauses of a function in the predicates of the box, in their order.
-Clauses function_clauses(Compiler& compiler, const Name& name, const Axiomatic& form) {
+Clauses function_clauses(Compiler& compiler, const Name& name, const Axiomatic& form, const GenericInstance& instance) {
   Clauses clauses;
   for (const Predicate& predicate : form.text.predicates) {
     auto equation =
-        predicate.term->kind == Kind::forall ? clause(compiler, name, form.formals, *predicate.term) : std::nullopt;
+        predicate.term->kind == Kind::forall ? clause(compiler, name, instance, *predicate.term) : std::nullopt;
     if (equation)
       clauses.clauses.push_back(std::move(*equation));
     else
-      add_clauses(clauses, compiler, name, form.formals, cases_of_function({predicate}, name));
+      add_clauses(clauses, compiler, name, instance, cases_of_function({predicate}, name));
   }
   return clauses;
 }
@@ -217,7 +233,7 @@ Value Compiler::axiomatic(Meaning& global, Context& context) {
   }
   if (defines_function(name, form)) {
     return axiomatic_function(name.text(), [this, &form, name](Context& inside) {
-      Clauses clauses = function_clauses(*this, name, form);
+      Clauses clauses = function_clauses(*this, name, form, {form.formals});
       clauses.domain = stated_domain(*this, name, form, inside);
       if (form.formals.empty()) clauses.source = source(*this, name, form, inside);
       return clauses;
@@ -227,9 +243,40 @@ Value Compiler::axiomatic(Meaning& global, Context& context) {
   if (!cases_of_set(form.text.predicates, name).clauses.empty())
     return axiomatic_set(name.text(), [this, &form, name](Context&) {
       Clauses clauses;
-      add_clauses(clauses, *this, name, form.formals, cases_of_set(form.text.predicates, name));
+      add_clauses(clauses, *this, name, {form.formals}, cases_of_set(form.text.predicates, name));
       return clauses;
     });
+  throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
+}
+
+// The actuals are terms without local names. An instance by clauses may name itself, and the compiler owns it.
+Value Compiler::generic_instance(const Meaning& global, const std::vector<Term>& actuals, Context& context) {
+  const auto& form = std::get<Axiomatic>(global.paragraph->form);
+  const Name& name = global.name;
+  Value& kept = constants_.emplace_back();
+  const GenericInstance instance{form.formals, actuals, &kept};
+  const auto& predicates = form.text.predicates;
+  const auto whole = [&](const Term& term) {
+    const auto unit = std::make_shared<Unit>();
+    const Scope scope = scope_of(*this, instance, name, unit);
+    const Code code = expression(term, scope);
+    Frame frame(unit->size, context);
+    return code(frame);
+  };
+  for (const Predicate& each : predicates)
+    if (const Term* term = other_side(each.term, name)) return kept = whole(*term);
+  if (defines_function(name, form))
+    return kept = axiomatic_function(name.text(), [this, &form, name, instance](Context&) {
+             Clauses clauses = function_clauses(*this, name, form, instance);
+             clauses.all_said = false;  // the sets of its declaration may say more
+             return clauses;
+           });
+  if (!cases_of_set(predicates, name).clauses.empty())
+    return kept = axiomatic_set(name.text(), [this, &form, name, instance](Context&) {
+             Clauses clauses;
+             add_clauses(clauses, *this, name, instance, cases_of_set(form.text.predicates, name));
+             return clauses;
+           });
   throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
 }
 
@@ -253,16 +300,6 @@ Value Compiler::definition_value(const Meaning& global, Context& context) {
 }
 
 namespace {
-
-Value free_type(const Meaning& global) {
-  std::vector<Value> constants;
-  std::uint32_t order = 0;
-  for (const Branch& branch : std::get<FreeType>(global.paragraph->form).branches) {
-    if (branch.argument) return everything(global.name.text());
-    constants.push_back(Value::atom(global.name.text(), branch.name.text(), order++));
-  }
-  return Value::set(std::move(constants));
-}
 
 const std::string branch_type(const Meaning& global) { return std::get<FreeType>(global.paragraph->form).name.text(); }
 
@@ -290,10 +327,21 @@ class Busy {
 }  // namespace
 
 Value Compiler::constructor_arguments(const Meaning& global, Context& context) {
-  const auto unit = std::make_shared<Unit>();
-  const Code code = expression(branch(global).argument, Scope{.unit = unit});
-  Frame frame(unit->size, context);
-  return code(frame);
+  return evaluated(branch(global).argument, context);
+}
+
+/// Returns the values of a free type: a finite set where its constructors have finitely many arguments.
+Value Compiler::free_type(const Meaning& global, Context& context) {
+  std::vector<FreeBranch> branches;
+  for (const Branch& each : std::get<FreeType>(global.paragraph->form).branches) {
+    const auto order = static_cast<std::uint32_t>(branches.size());
+    branches.push_back({Value::atom(global.name.text(), each.name.text(), order), {}});
+    if (each.argument)
+      branches.back().arguments = [this, argument = each.argument](Context& inside) {
+        return evaluated(argument, inside);
+      };
+  }
+  return free_type_set(global.name.text(), std::move(branches), context);
 }
 
 Value Compiler::global(Meaning& global, Context& context) {
@@ -306,7 +354,7 @@ Value Compiler::global(Meaning& global, Context& context) {
       global.value = everything(global.name.text());
       break;
     case Meaning::Kind::free_type:
-      global.value = free_type(global);
+      global.value = free_type(global, apart);
       break;
     case Meaning::Kind::constant:
       global.value = Value::atom(branch_type(global), global.name.text(), global.order);

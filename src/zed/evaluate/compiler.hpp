@@ -13,6 +13,7 @@
 namespace durero::zed {
 
 struct OperatorRow;
+struct RelationOf;
 
 /// A unit is the layout of one frame. It grows while code is compiled for it.
 struct Unit {
@@ -115,6 +116,7 @@ class Compiler {
 
   // Predicates and schemas are compiled in predicates.cpp, schemas.cpp and heads.cpp.
   Property relation(const Term& term, const Scope& scope);
+  void add_bounds(std::vector<ValueBound>& to, const RelationOf& relation, const Scope& scope) const;
   Property let_predicate(const Term& term, const Scope& scope);
   Property quantified(const Term& term, const Scope& scope);
   Property exists_one(const Node& node, const Scope& scope);
@@ -135,6 +137,9 @@ class Compiler {
   Value axiomatic(Meaning& global, Context& context);
   Value schema_value(const Meaning& global, Context& context);
   Value constructor_arguments(const Meaning& global, Context& context);
+  Value free_type(const Meaning& global, Context& context);
+  Value generic_instance(const Meaning& global, const std::vector<Term>& actuals, Context& context);
+  Code instance_with(const Node& node, const Meaning& global, const Scope& scope);
   Value definition_value(const Meaning& global, Context& context);
 
   const Local* find(const Name& name, const Scope& scope) const;

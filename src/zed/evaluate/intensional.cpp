@@ -9,6 +9,29 @@
 namespace durero::zed {
 namespace {
 
+/// Returns the other parts of all pairs that a head makes whose part `part` is this value, each once. Nothing where
+/// they cannot be listed.
+std::optional<std::vector<Value>> other_parts(Frame& frame, const std::function<Value(Frame&)>& pair,
+                                              const Value& known, std::size_t part, const CompiledSchemaText& head,
+                                              Context& context) {
+  std::vector<Value> others;
+  const Necessary no(context, false);
+  const Truth some = head.search->each(
+      frame,
+      [&](Frame& inside) {
+        others.push_back(pair(inside).tuple()->parts[1 - part]);
+        return true;
+      },
+      [&](Frame& inside) {
+        const Value here = pair(inside);
+        if (!here.tuple()) return here.is_undefined() ? Truth::no : lost(context);
+        return equal(here.tuple()->parts[part], known, context);
+      });
+  const Value all = some == Truth::open ? Value(Open{}) : Value::set(std::move(others));
+  const bool listed = all.set() && (!all.set()->family() || all.set()->members()->size() <= 1);
+  return listed ? std::optional(*all.set()->members()) : std::nullopt;
+}
+
 class Comprehension : public Set {
  public:
   Comprehension(Closure closure, Steps& steps) : closure_(std::move(closure)), steps_(steps) {}
@@ -61,6 +84,34 @@ class Comprehension : public Set {
     return *numbers_;
   }
 
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    if (members()) return Set::some_members(scope, context);
+    const auto& variables = closure_.head.search->variables();
+    if (closure_.term || variables.size() != 1 || closure_.head.groups[0].names || !variables[0].set) return {};
+    Frame frame = closure_.frame(context);
+    const Value set = variables[0].set(frame);
+    std::vector<Value> some = set.set() ? set.set()->some_members(scope, context) : std::vector<Value>();
+    std::erase_if(some, [&](const Value& each) { return contains(each, context) != Truth::yes; });
+    return some;
+  }
+
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    const ApplicationDepth deeper(context);
+    Frame frame = closure_.frame(context);
+    return other_parts(
+        frame, [&](Frame& inside) { return pair(inside); }, known, part, closure_.head, context);
+  }
+
+  Truth has_partner(const Value& known, std::size_t part, Context& context) const override {
+    const ApplicationDepth deeper(context);
+    Frame frame = closure_.frame(context);
+    return closure_.head.search->exists(frame, [&](Frame& inside) {
+      const Value here = pair(inside);
+      if (!here.tuple()) return here.is_undefined() ? Truth::no : lost(context);
+      return equal(here.tuple()->parts[part], known, context);
+    });
+  }
+
   bool closed() const override { return closure_.closed(); }
   std::size_t listed() const override { return members_ ? members_->set()->listed() : 0; }
 
@@ -79,6 +130,9 @@ class Comprehension : public Set {
 
  private:
   void list() const;
+  Value pair(Frame& inside) const {
+    return closure_.term ? closure_.term(inside) : characteristic(inside, closure_.head.groups);
+  }
 
   Closure closure_;
   Steps& steps_;
@@ -91,7 +145,7 @@ class Comprehension : public Set {
 void Comprehension::list() const {
   Context context(steps_);
   Frame frame = closure_.frame(context);
-  if (!closure_.head.search->bounds_numbers(frame)) return;
+  if (!closure_.head.search->may_be_listed(frame)) return;
   try {
     std::vector<Value> values;
     const Truth some = closure_.head.search->each(frame, [&](Frame& inside) {
@@ -173,6 +227,21 @@ class Lambda : public Set {
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
   }
 
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 0) return value_at(*this, known, context);
+    const ApplicationDepth deeper(context);
+    Frame frame = closure_.frame(context);
+    return other_parts(
+        frame, [&](Frame& inside) { return maplet(inside); }, known, part, closure_.head, context);
+  }
+  Truth has_partner(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 0) return in_domain(known, context);
+    const ApplicationDepth deeper(context);
+    Frame frame = closure_.frame(context);
+    return closure_.head.search->exists(frame,
+                                        [&](Frame& inside) { return equal(closure_.term(inside), known, context); });
+  }
+
   std::size_t listed() const override { return pairs_ ? pairs_->set()->listed() : 0; }
 
   // Over finite sets a λ is a finite function.
@@ -188,13 +257,16 @@ class Lambda : public Set {
   std::string spelled(Wording wording) const override { return closure_.spelled(wording); }
 
  private:
+  Value maplet(Frame& inside) const {
+    return Value::pair(characteristic(inside, closure_.head.groups), closure_.term(inside));
+  }
   void list() const {
     Context context(steps_);
     Frame frame = closure_.frame(context);
     if (!closure_.head.search->enumerable(frame)) return;
     std::vector<Value> pairs;
     const Truth some = closure_.head.search->each(frame, [&](Frame& inside) {
-      pairs.push_back(Value::pair(characteristic(inside, closure_.head.groups), closure_.term(inside)));
+      pairs.push_back(maplet(inside));
       return true;
     });
     Value function = Value::set(std::move(pairs));
@@ -241,6 +313,10 @@ class AxiomaticFunction : public Set {
   Truth contains(const Value& pair, Context& context) const override {
     if (!pair.tuple()) return lost(context);
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
+  }
+
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    return part == 0 ? value_at(*this, known, context) : std::nullopt;
   }
 
   std::string spelled(Wording) const override { return name_; }

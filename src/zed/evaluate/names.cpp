@@ -32,12 +32,26 @@ Code Compiler::name(const Node& node, const Scope& scope) {
   if (!node.children.empty()) {
     if (std::holds_alternative<Schema>(global->paragraph->form))
       return schema_set(reference(node.name, node.children, node.place), scope);
+    if (const auto* box = std::get_if<Axiomatic>(&global->paragraph->form); box && !box->formals.empty())
+      return instance_with(node, *global, scope);
     const auto* definition = std::get_if<Definition>(&global->paragraph->form);
     if (!definition || definition->formals.empty()) cannot(node, node.name.text() + " is not evaluated with actuals");
     const Scope inner = formals(definition->formals, node.children, scope);
     return expression(definition->value, inner);
   }
   return [this, global](Frame& frame) { return global->value ? *global->value : this->global(*global, frame.context); };
+}
+
+/// A generic box with actuals that name nothing local is evaluated once.
+Code Compiler::instance_with(const Node& node, const Meaning& global, const Scope& scope) {
+  const std::size_t before = reads_.size();
+  for (const Term& actual : node.children) expression(actual, scope);
+  if (reads_.size() != before)
+    cannot(node, node.name.text() + " is not evaluated with actuals that depend on variables");
+  return [this, &global, actuals = node.children, value = &constants_.emplace_back()](Frame& frame) {
+    if (value->is_undefined()) *value = generic_instance(global, actuals, frame.context);
+    return *value;
+  };
 }
 
 Scope Compiler::formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope) {

@@ -1,7 +1,9 @@
 /// Compiles predicates to properties.
 
 #include <algorithm>
+#include <iterator>
 
+#include "zed/evaluate/bounds.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/operators.hpp"
@@ -53,6 +55,13 @@ Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelati
     left = std::move(right);
   }
   return result;
+}
+
+Property link(Code left, Code right, ToolkitRelation holds) {
+  return test_of([left = std::move(left), right = std::move(right), holds](Frame& frame) {
+    const Value a = left(frame);
+    return asked(holds, a, right(frame), frame.context);
+  });
 }
 
 /// A ∀ is false where some way to satisfy the head does not satisfy the body: such a way is looked for.
@@ -157,14 +166,17 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
   if (relations.size() > 1) {
     Property chain = test_of([operands, relations](Frame& frame) { return chained(operands, relations, frame); }, term);
     chain.depends = std::move(depends);
+    for (std::size_t i = 0; i < relations.size(); ++i) {
+      chain.links.push_back(link(operands[i], operands[i + 1], relations[i]));
+      add_bounds(chain.bounds,
+                 {node.names[i].word, {node.children[i], operands[i]}, {node.children[i + 1], operands[i + 1]}}, scope);
+    }
     return chain;
   }
-  Property property = test_of(
-      [left = operands[0], right = operands[1], holds = relations[0]](Frame& frame) {
-        const Value a = left(frame);
-        return asked(holds, a, right(frame), frame.context);
-      },
-      term);
+  Property property = link(operands[0], operands[1], relations[0]);
+  property.term = term;
+  add_bounds(property.bounds, {node.names[0].word, {node.children[0], operands[0]}, {node.children[1], operands[1]}},
+             scope);
   property.depends = std::move(depends);
   if (!match::is_equation(term)) return property;
   for (const std::size_t side : {0U, 1U}) {
@@ -178,6 +190,16 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
     }
   }
   return property;
+}
+
+void Compiler::add_bounds(std::vector<ValueBound>& to, const RelationOf& relation, const Scope& scope) const {
+  const auto slot = [&](const Term& term) -> std::optional<unsigned> {
+    const Local* local = term->kind == Kind::reference && term->children.empty() ? find(term->name, scope) : nullptr;
+    return local ? local->slot : std::nullopt;
+  };
+  const auto is_toolkit = [&](const Name& name) { return !find(name, scope) && !definitions_.find(name); };
+  std::vector<ValueBound> found = bounds_of(relation, slot, is_toolkit);
+  std::move(found.begin(), found.end(), std::back_inserter(to));
 }
 
 Property Compiler::quantified(const Term& term, const Scope& scope) {

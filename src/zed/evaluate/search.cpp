@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/evaluate/bounds.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -116,6 +117,8 @@ Solver::Solver(std::vector<Variable> variables, Property goal, std::vector<unsig
   for (const Variable& variable : variables_) slots.push_back(variable.slot);
   add_apart(goal_, slots, apart_);
   collect_spans(goal_, spans_);
+  bounds_ = collected_bounds(goal_);
+  numbers_to_try_ = small_numbers(goal_);
 }
 
 bool Solver::enumerable(Frame& frame) const {

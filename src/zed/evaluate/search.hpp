@@ -20,6 +20,14 @@ struct Equation {
   std::vector<unsigned> reads;  ///< the value depends on these slots
 };
 
+/// A bound is what a conjunct says of a variable: wherever it holds, the value is one of finitely many.
+struct ValueBound {
+  unsigned slot = 0;
+  /// Returns a finite set with each such value that is in the set from which the variable is declared. Undefined where
+  /// they cannot be listed yet.
+  std::function<Value(Frame&, const Value& declared)> values;
+};
+
 /// A property is a compiled predicate. A declaration `x : S` is one too: `x ∈ S`.
 struct Property {
   enum class Kind { all, any, exists, test };
@@ -29,6 +37,8 @@ struct Property {
   Test test;                             ///< a test asks this
   std::vector<Equation> equations;       ///< a test `x = e` determines these
   std::vector<Equation> spans;           ///< a test `dom x = e` or `ran x = e` determines x where e is empty
+  std::vector<ValueBound> bounds{};      ///< a test bounds these variables
+  std::vector<Property> links{};         ///< a test a < b < c is the conjunction of these
   unsigned declared = 0;                 ///< a declaration declares the variable in this slot
   Code set;                              ///< a declaration has a set, and no other property has
   std::vector<unsigned> reads;           ///< this set depends on these slots
@@ -87,9 +97,9 @@ class Solver {
   bool enumerable(Frame& frame) const;
   /// Says which numbers the only variable ranges over; none where there are several variables, or it is not known.
   Numbers numbers(Frame& frame) const;
-  /// Says whether a search for bounds is worth while: some variable is a number of an infinite set, the others are
-  /// determined or in finite sets, and the goal states more than memberships in these sets.
-  bool bounds_numbers(Frame& frame) const;
+  /// Says whether a search for all values is worth while: some variable is a number of an infinite set, or has a bound,
+  /// the others are determined or in finite sets, and the goal states more than memberships in these sets.
+  bool may_be_listed(Frame& frame) const;
   /// Says whether every value of the variables' types makes the goal hold.
   bool total(Frame& frame) const;
   /// Says whether equations give every variable its value, so that determine() sets them all.
@@ -102,11 +112,18 @@ class Solver {
   const Property& goal() const { return goal_; }
 
   /// @{ Looks for numbers in `set` for a variable that is not known yet. candidates() returns every number that is
-  /// allowed by the conjuncts without any other unknown; some_number() tells whether some number makes the goal and
-  /// `extra` hold. Nothing where that cannot be decided.
-  std::optional<std::vector<Real>> candidates(const Variable& variable, const Set& set, Frame& frame) const;
+  /// allowed by the conjuncts, and by `extra`, without any other unknown; some_number() tells whether some number makes
+  /// the goal and `extra` hold. Nothing where that cannot be decided.
+  std::optional<std::vector<Real>> candidates(const Variable& variable, const Set& set, Frame& frame,
+                                              const Test& extra) const;
   std::optional<Truth> some_number(const Variable& variable, const Set& set, Frame& frame, const Test& extra) const;
   /// @}
+  /// Returns finitely many values that a variable which is not known yet can only have: the fewest that a bound gives.
+  /// Nothing where none does.
+  std::optional<std::vector<Value>> bounded(const Variable& variable, const Value& declared, Frame& frame) const;
+  /// Returns the numbers that are tried where nothing bounds them: small ones, and the numerals of the goal with their
+  /// neighbours.
+  const std::vector<Real>& numbers_to_try() const { return numbers_to_try_; }
 
  private:
   struct Run;
@@ -117,6 +134,8 @@ class Solver {
   std::vector<Test>
       apart_;  // these conjuncts of the goal depend on no variable, so they are asked before any is sought
   std::vector<Equation> spans_;
+  std::vector<ValueBound> bounds_;
+  std::vector<Real> numbers_to_try_;
   std::vector<unsigned> wholes_;
 };
 

@@ -10,7 +10,8 @@ namespace durero::zed {
 namespace {
 
 void conjuncts_of(const Property& property, std::vector<const Property*>& to) {
-  if (property.kind != Property::Kind::all) return to.push_back(&property);
+  if (property.kind != Property::Kind::all && property.links.empty()) return to.push_back(&property);
+  for (const Property& link : property.links) to.push_back(&link);
   for (const Property& part : property.parts) conjuncts_of(part, to);
 }
 
@@ -76,7 +77,7 @@ Numbers Solver::numbers(Frame& frame) const {
   return set.set() ? set.set()->numbers() : Numbers::none;
 }
 
-bool Solver::bounds_numbers(Frame& frame) const {
+bool Solver::may_be_listed(Frame& frame) const {
   if (only_declarations(goal_)) return false;
   bool some = false;
   for (const Variable& variable : variables_) {
@@ -84,18 +85,22 @@ bool Solver::bounds_numbers(Frame& frame) const {
     const Value set = variable.set ? variable.set(frame) : Value();
     if (!set.set()) return false;
     if (set.set()->members()) continue;
-    if (set.set()->numbers() == Numbers::none) return false;
+    const auto bounds_it = [&](const ValueBound& bound) { return bound.slot == variable.slot; };
+    if (set.set()->numbers() == Numbers::none && std::none_of(bounds_.begin(), bounds_.end(), bounds_it)) return false;
     some = true;
   }
   return some;
 }
 
-std::optional<std::vector<Real>> Solver::candidates(const Variable& variable, const Set& set, Frame& frame) const {
+std::optional<std::vector<Real>> Solver::candidates(const Variable& variable, const Set& set, Frame& frame,
+                                                    const Test& extra) const {
   TentativeValue trial(frame, variable.slot);
   Context& context = frame.context;
   const auto in_set = [&] { return set.contains(frame.slots[variable.slot], context); };
   std::vector<const Property*> conjuncts, followed;
   conjuncts_of(goal_, conjuncts);
+  const Property of_extra = test_of(extra ? extra : Test([](Frame&) { return Truth::yes; }));
+  if (extra) conjuncts.push_back(&of_extra);
   auto cuts = cuts_of(trial.id(), set.numbers(), context, in_set);
   if (!cuts) return std::nullopt;
   for (const Property* conjunct : conjuncts) {

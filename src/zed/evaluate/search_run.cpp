@@ -2,6 +2,7 @@
 /// and numbers that are bounded or tried.
 
 #include <algorithm>
+#include <cmath>
 
 #include "zed/evaluate/search.hpp"
 
@@ -25,8 +26,7 @@ class Supposed {
   decltype(Context::values_found) found_;
 };
 
-constexpr int greatest_tried = 16;  // the greatest number tried where nothing bounds it
-constexpr int most_tries = 300;     // the most such numbers for all variables of a search together
+constexpr int most_tries = 600;  // the most values tried for all variables of a search together
 
 }  // namespace
 
@@ -40,6 +40,7 @@ struct Solver::Run {
   std::uint32_t first_unknown = 0;
   bool unknowns = false, enumerated = false, stopped = false;
   int tries = 0;
+  std::size_t share = 0;  // so many values are tried of each variable: those of all are within most_tries
   Truth result = Truth::no;
 
   void from(std::size_t i) {
@@ -104,7 +105,13 @@ struct Solver::Run {
       ++open;
       if (!is_number(i)) continue;
       last = &variable;
-      if (const auto numbers = search.candidates(variable, *sets[i].set(), frame)) return each_of(variable, *numbers);
+      if (const auto numbers = search.candidates(variable, *sets[i].set(), frame, extra))
+        return each_of(variable, *numbers);
+    }
+    for (std::size_t i = 0; i < search.variables_.size(); ++i) {
+      const Variable& variable = search.variables_[i];
+      if (!frame.slots[variable.slot].get<Unknown>()) continue;
+      if (const auto values = search.bounded(variable, sets[i], frame)) return each_of(variable, *values);
     }
     if (!visit && open == 1 && last) {
       const Set& set = *sets[static_cast<std::size_t>(last - search.variables_.data())].set();
@@ -113,7 +120,7 @@ struct Solver::Run {
         if (*some == Truth::yes) return judge(*some);
       }
     }
-    if (last && !visit && is_alone()) try_some(*last);
+    if (!visit && is_alone()) try_some(open);
     if (!stopped) judge(lost(frame.context));
   }
 
@@ -124,19 +131,33 @@ struct Solver::Run {
                                                [](const auto& value) { return value.has_value(); });
   }
 
-  /// A number that makes the goal true is a witness; where no small one does, nothing is known.
-  void try_some(const Variable& variable) {
-    const Value& set = sets[static_cast<std::size_t>(&variable - search.variables_.data())];
-    for (int n = 0; n <= greatest_tried; ++n) {
-      try_one(variable, set, Real(n));
-      if (n > 0) try_one(variable, set, Real(-n));
+  /// A value that makes the goal true is a witness; where no small one does, nothing is known. One variable is tried
+  /// here, and for each value of it the next one.
+  void try_some(std::size_t open) {
+    if (share == 0)
+      share = static_cast<std::size_t>(std::pow(most_tries, 1.0 / static_cast<double>(std::max<std::size_t>(open, 1))));
+    const SmallScope scope{search.numbers_to_try(), share};
+    for (std::size_t i = 0; i < search.variables_.size(); ++i) {
+      const Variable& variable = search.variables_[i];
+      if (!has_open(frame.slots[variable.slot]) || variable.value || !sets[i].set()) continue;
+      const std::vector<Value> some = small_members(*sets[i].set(), scope);
+      for (const Value& value : some) try_one(variable, sets[i], value);
+      if (!some.empty()) return;
     }
   }
 
-  void try_one(const Variable& variable, const Value& set, const Real& number) {
+  std::vector<Value> small_members(const Set& set, const SmallScope& scope) {
+    try {
+      return set.some_members(scope, frame.context);
+    } catch (const EvaluationError&) {  // none are known
+      return {};
+    }
+  }
+
+  void try_one(const Variable& variable, const Value& set, const Value& value) {
     if (stopped || ++tries > most_tries) return;
     try {
-      if (contains_value(set, number, frame.context) == Truth::yes) each_of(variable, {number});
+      if (contains_value(set, value, frame.context) == Truth::yes) each_of(variable, std::vector<Value>{value});
     } catch (const EvaluationError&) {  // of this one it is not known
     }
   }
@@ -146,14 +167,16 @@ struct Solver::Run {
            sets[i].set()->numbers() != Numbers::none;
   }
 
-  void each_of(const Variable& variable, const std::vector<Real>& numbers) {
-    const std::uint32_t id = frame.slots[variable.slot].get<Unknown>()->id;
-    enumerated = enumerated || numbers.size() > 1;
-    for (std::size_t i = 0; i < numbers.size() && !stopped; ++i) {
+  template <class Values>
+  void each_of(const Variable& variable, const Values& values) {
+    const Unknown* unknown = frame.slots[variable.slot].get<Unknown>();
+    const std::uint32_t id = unknown ? unknown->id : Context::none;
+    enumerated = enumerated || values.size() > 1;
+    for (std::size_t i = 0; i < values.size() && !stopped; ++i) {
       frame.context.steps.take();
       const Supposed supposed(frame);
-      frame.slots[variable.slot] = numbers[i];
-      frame.context.values_found[id] = numbers[i];
+      frame.slots[variable.slot] = values[i];
+      if (id != Context::none) frame.context.values_found[id] = values[i];
       settle();
     }
   }

@@ -17,6 +17,11 @@ class FiniteSet : public Set {
   const std::vector<Value>* members() const override { return &members_; }
   std::size_t listed() const override { return members_.size(); }
   bool family() const override { return family_; }
+  Numbers numbers() const override {
+    if (members_.empty() || !members_[0].real()) return Numbers::none;
+    const auto is_whole = [](const Value& member) { return member.real()->is_integer(); };
+    return std::all_of(members_.begin(), members_.end(), is_whole) ? Numbers::integers : Numbers::reals;
+  }
   bool closed() const override {  // only sets among its members can hide an unknown: Value::set takes no others
     return !family_ || std::all_of(members_.begin(), members_.end(), zed::closed);
   }
@@ -92,6 +97,11 @@ class Everything : public Set {
   Truth contains(const Value&, Context&) const override { return Truth::yes; }
   bool total() const override { return true; }
   Numbers numbers() const override { return numbers_; }
+  std::vector<Value> some_members(const SmallScope& scope, Context&) const override {
+    if (numbers_ == Numbers::none) return {};
+    const std::size_t most = std::min(scope.most, scope.numbers.size());
+    return {scope.numbers.begin(), scope.numbers.begin() + static_cast<std::ptrdiff_t>(most)};
+  }
   std::string spelled(Wording) const override { return name_; }
 
  private:
@@ -104,17 +114,32 @@ class Integers : public Set {
   Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
   Truth contains(const Value& value, Context& context) const override {
     if (const auto* real = value.real()) return truth(real->is_integer() && (!least_ || *real >= Real(*least_)));
-    const auto* unknown = value.get<Unknown>();
-    const Watch* watch = context.watch;
-    if (!unknown || !watch || watch->unknown != unknown->id || watch->numbers != Numbers::integers)
-      return lost(context);
-    return least_ ? compared(value, Real(*least_), context) : Truth::yes;  // the unknown ranges over the integers
+    if (!is_whole(value, context.watch)) return lost(context);
+    return least_ ? compared(value, Real(*least_), context) : Truth::yes;
   }
   Numbers numbers() const override { return Numbers::integers; }
+  std::vector<Value> some_members(const SmallScope& scope, Context&) const override {
+    std::vector<Value> some;
+    for (const Real& number : scope.numbers)
+      if (some.size() < scope.most && number.is_integer() && (!least_ || number >= Real(*least_)))
+        some.emplace_back(number);
+    return some;
+  }
   std::string spelled(Wording) const override { return name_; }
   const std::optional<int>& least() const { return least_; }
 
  private:
+  /// Says whether a value that is not known is a whole number whatever it depends on: the unknown that is watched,
+  /// where that ranges over the integers, or a polynomial in it with whole coefficients.
+  static bool is_whole(const Value& value, const Watch* watch) {
+    if (!watch || watch->numbers != Numbers::integers) return false;
+    if (const auto* unknown = value.get<Unknown>()) return watch->unknown == unknown->id;
+    const auto* shared = value.get<PolynomialPtr>();
+    if (!shared || (*shared)->unknown != watch->unknown) return false;
+    const Polynomial& polynomial = **shared;
+    return polynomial.constant.is_integer() && polynomial.slope.is_integer() && polynomial.square.is_integer();
+  }
+
   std::string name_;
   std::optional<int> least_;
 };

@@ -1,5 +1,7 @@
 #include "zed/value/cuts.hpp"
 
+#include <algorithm>
+
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -74,6 +76,43 @@ std::optional<std::vector<Real>> every_number(Numbers numbers, const Cuts& cuts,
       every.push_back(*stretch.high);
   }
   return every;
+}
+
+namespace {
+
+/// The least member of a stretch on which it is so, or the greatest: an integer beside its end. Undefined where it has
+/// no end on that side, and where the numbers are dense.
+Value end_of(Numbers numbers, const Stretch& stretch, bool greatest) {
+  if (numbers != Numbers::integers || !(greatest ? stretch.high : stretch.low)) return {};
+  return whole(greatest ? first_integer({nullptr, stretch.high}) : first_integer(stretch));
+}
+
+}  // namespace
+
+std::optional<Value> extreme_number(Numbers numbers, const Cuts& cuts, const At& at, bool greatest) {
+  std::vector<Stretch> all = stretches(cuts);
+  if (greatest) std::reverse(all.begin(), all.end());
+  for (const Stretch& stretch : all) {
+    const auto t = sample(numbers, stretch);
+    const Truth inside = t ? at(*t) : Truth::no;
+    if (inside == Truth::open) return std::nullopt;
+    if (inside == Truth::yes) return end_of(numbers, stretch, greatest);
+    const Real* behind = greatest ? stretch.low : stretch.high;
+    if (!behind || !is_among(numbers, *behind)) continue;
+    const Truth there = at(*behind);
+    if (there == Truth::open) return std::nullopt;
+    if (there == Truth::yes) return Value(*behind);
+  }
+  return Value();
+}
+
+bool is_infinite(Numbers numbers, const Cuts& cuts, const At& at) {
+  const std::vector<Stretch> all = stretches(cuts);
+  return std::any_of(all.begin(), all.end(), [&](const Stretch& stretch) {
+    if (numbers == Numbers::integers && stretch.low && stretch.high) return false;
+    const auto t = sample(numbers, stretch);
+    return t && at(*t) == Truth::yes;
+  });
 }
 
 std::optional<Cuts> cuts_of(std::uint32_t t, Numbers numbers, Context& context, const std::function<Truth()>& truth) {

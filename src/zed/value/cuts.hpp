@@ -23,6 +23,13 @@ Truth some_number(Numbers numbers, const Cuts& cuts, const At& at);
 std::optional<std::vector<Real>> every_number(Numbers numbers, const Cuts& cuts, const At& at);
 inline constexpr int most_numbers = 1 << 20;
 
+/// Returns the least number at which it is so, or the greatest; undefined where there is none, as in a stretch without
+/// an end. Nothing where it is not decided at a number.
+std::optional<Value> extreme_number(Numbers numbers, const Cuts& cuts, const At& at, bool greatest);
+
+/// Says whether it is so at infinitely many numbers, as far as is decided.
+bool is_infinite(Numbers numbers, const Cuts& cuts, const At& at);
+
 /// Returns where `truth`, evaluated with an unknown number t, may change with t. Nothing where it depends on t in a way
 /// that is not followed.
 std::optional<Cuts> cuts_of(std::uint32_t t, Numbers numbers, Context& context, const std::function<Truth()>& truth);

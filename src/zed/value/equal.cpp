@@ -1,6 +1,7 @@
 /// Equality is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
 
 #include "zed/value/context.hpp"
+#include "zed/value/number_sets.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
 
@@ -105,12 +106,24 @@ std::optional<Truth> equal_infinite_sets(const Set& a, const Set& b) {
   return one_is_finite && (f || g || x || y) ? std::optional(Truth::no) : std::nullopt;
 }
 
-Truth equal_sets(const Set& a, const Set& b) {
+/// Says whether two sets of numbers, one of which cannot be listed, have the same members.
+std::optional<Truth> equal_numbers(const Value& a, const Value& b, Context& context) {
+  if (a.set()->numbers() == Numbers::none || b.set()->numbers() == Numbers::none) return std::nullopt;
+  const auto there = numbers_are_among(a, b, context);
+  if (there && *there == Truth::no) return there;
+  const auto back = numbers_are_among(b, a, context);
+  if (back && *back == Truth::no) return back;
+  return there ? back : there;
+}
+
+Truth equal_sets(const Value& left_set, const Value& right_set, Context& context) {
+  const Set &a = *left_set.set(), &b = *right_set.set();
   if (&a == &b) return Truth::yes;
   if (const auto known = equal_infinite_sets(a, b)) return *known;
   const auto *x = a.members(), *y = b.members();
   if (x && y && x->empty() != y->empty()) return Truth::no;
   if (!x || !y || a.family() || b.family()) {
+    if (const auto of_numbers = equal_numbers(left_set, right_set, context)) return *of_numbers;
     const std::string left = a.text(), right = b.text();
     if (left == right)
       throw EvaluationError("whether two sets are equal cannot be decided: the members of neither, " + left +
@@ -186,7 +199,7 @@ Truth equal(const Value& a, const Value& b, Context& context) {
   if (const auto *s = a.binding(), *t = b.binding(); s && t && *s->names == *t->names) {
     return s == t ? Truth::yes : equal_parts(s->values, t->values, context);
   }
-  if (const auto *s = a.set(), *t = b.set(); s && t) return equal_sets(*s, *t);
+  if (a.set() && b.set()) return equal_sets(a, b, context);
   if (const auto *s = a.get<ConstructedPtr>(), *t = b.get<ConstructedPtr>(); s && t) {
     if (compare((*s)->constructor, (*t)->constructor) != 0) return Truth::no;
     return equal((*s)->argument, (*t)->argument, context);

@@ -5,6 +5,7 @@
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
+#include "zed/value/small_members.hpp"
 
 namespace durero::zed {
 namespace {
@@ -67,11 +68,74 @@ class FunctionSet : public Set {
     return listed_->set()->members();
   }
 
+  std::optional<Value> members_up_to(std::size_t size, Context& context) const override {
+    const auto *from = from_.set()->members(), *to = to_.set()->members();
+    if (!from || !to || from_.set()->family() || to_.set()->family()) return std::nullopt;
+    if (from->size() > most_bounded_members ||
+        to->size() > most_bounded_members / std::max<std::size_t>(from->size(), 1))
+      return std::nullopt;
+    auto sets = all_subsets(pairs_of(*from, *to), size);
+    if (!sets) return std::nullopt;
+    std::erase_if(*sets, [&](const Value& each) { return contains(each, context) == Truth::no; });
+    return Value::set(std::move(*sets));
+  }
+
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    if (members()) return Set::some_members(scope, context);
+    std::vector<Value> to = to_.set()->some_members(scope, context);
+    if (form_.total) {
+      const auto* from = from_.set()->members();
+      return from ? some_total(*from, to, scope.most) : std::vector<Value>();
+    }
+    std::vector<Value> from = from_.set()->some_members(scope, context);
+    if (from.size() > most_tried_parts) from.resize(most_tried_parts);
+    if (to.size() > most_tried_parts) to.resize(most_tried_parts);
+    return subsets_of(pairs_of(from, to), scope.most, false);
+  }
+
   std::string spelled(Wording wording) const override {
     return "(" + from_.set()->spelled(wording) + " " + symbol_ + " " + to_.set()->spelled(wording) + ")";
   }
 
  private:
+  static constexpr std::size_t most_tried_parts = 4;  // of 16 pairs there are 137 sets of at most 2
+
+  static std::vector<Value> pairs_of(const std::vector<Value>& from, const std::vector<Value>& to) {
+    std::vector<Value> pairs;
+    for (const Value& first : from)
+      for (const Value& second : to) pairs.push_back(Value::pair(first, second));
+    return pairs;
+  }
+
+  /// Some total functions from these values: those to the first few values, then constant ones, and one that gives each
+  /// argument a value of its own.
+  static std::vector<Value> some_total(const std::vector<Value>& from, const std::vector<Value>& to, std::size_t most) {
+    std::size_t few = 0, ways = 0;
+    const auto functions = [&](std::size_t values) {
+      std::size_t product = 1;
+      for (std::size_t i = 0; i < from.size() && product <= most; ++i) product *= values;
+      return product;
+    };
+    while (few < to.size() && functions(few + 1) <= most) ways = functions(++few);
+    std::vector<Value> some;
+    const auto add = [&](auto&& place) {
+      std::vector<Value> pairs;
+      for (std::size_t i = 0; i < from.size(); ++i) pairs.push_back(Value::pair(from[i], to[place(i)]));
+      some.push_back(finite(std::move(pairs)));
+    };
+    for (std::size_t way = 0; way < ways; ++way) {
+      std::size_t rest = way;
+      add([&](std::size_t) {
+        const std::size_t place = rest % few;
+        rest /= few;
+        return place;
+      });
+    }
+    for (std::size_t i = few; i < to.size() && !from.empty(); ++i) add([&](std::size_t) { return i; });
+    if (from.size() <= to.size() && few < from.size()) add([](std::size_t i) { return i; });
+    return some;
+  }
+
   static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {
     if (set.set()->total()) return Truth::yes;
     Truth result = Truth::yes;

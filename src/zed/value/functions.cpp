@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "zed/value/number_sets.hpp"
+#include "zed/value/rules.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
 #include "zed/value/toolkit_functions.hpp"
@@ -12,6 +14,8 @@ namespace durero::zed {
 namespace {
 
 using Values = std::vector<Value>;
+
+bool is_rule(const Value& relation) { return relation.set() && !relation.set()->members(); }
 
 Value part_of(const Value& pair, std::size_t part) {
   if (pair.is_undefined()) return {};
@@ -34,6 +38,7 @@ Value restricted(const Value& relation, const Value& set, std::size_t part, bool
   return with(relation, set, [&]() -> Value {
     if (const auto* f = settled(relation); f && part == 0 && in && set.set() && set.set()->members())
       return restricted_to(*f, *set.set()->members());
+    if (is_rule(relation)) return restricted_rule(relation, set, part, in, context);
     Values kept;
     for (const Value& pair : enumerated(relation, "the restriction of")) {
       const Truth inside = contains_value(set, pair.tuple()->parts[part], context);
@@ -47,6 +52,7 @@ Value restricted(const Value& relation, const Value& set, std::size_t part, bool
 // R∼⦇S⦈ is { p : R | second p ∈ S • first p }, so R∼ need not be made.
 Value inverse_image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
+    if (is_rule(relation)) return functions::image(inverse_rule(relation), set, context);
     Values firsts;
     for (const Value& pair : enumerated(relation, "the inverse of")) {
       const Truth inside = contains_value(set, second(pair), context);
@@ -65,8 +71,11 @@ Value symmetric_difference(const Value& a, const Value& b, Context& context) {
   return set_union(set_difference(a, b, context), set_difference(b, a, context), context);
 }
 
-Value cardinality(const Value& set, Context&) {
+// Only a finite set has a size.
+Value cardinality(const Value& set, Context& context) {
   return with(set, [&]() -> Value {
+    if (const auto known = set.set() ? set.set()->size() : std::nullopt) return *known;
+    if (is_infinite(set, context)) return {};
     const auto& members = enumerated(set, "the size of");
     if (set.set()->family() && members.size() > 1) {
       throw EvaluationError("the size of " + set.text() + ": its members cannot be compared");
@@ -80,14 +89,18 @@ Value first_of(const Value& pair, Context&) { return part_of(pair, 0); }
 Value second_of(const Value& pair, Context&) { return part_of(pair, 1); }
 
 Value identity(const Value& set, Context&) {
-  Values pairs;
-  for (const Value& member : enumerated(set, "the identity on")) pairs.push_back(Value::pair(member, member));
-  return finite(std::move(pairs));
+  return with(set, [&]() -> Value {
+    if (is_rule(set)) return identity_rule(set);
+    Values pairs;
+    for (const Value& member : enumerated(set, "the identity on")) pairs.push_back(Value::pair(member, member));
+    return finite(std::move(pairs));
+  });
 }
 
 Value range(const Value& relation, Context&) {
   return with(relation, [&]() -> Value {
     if (const auto* f = settled(relation)) return f->range();
+    if (is_rule(relation)) return range_of_rule(relation);
     Values seconds;
     for (const Value& pair : enumerated(relation, "the range of")) seconds.push_back(second(pair));
     return Value::set(std::move(seconds));
@@ -96,6 +109,7 @@ Value range(const Value& relation, Context&) {
 
 Value inverse(const Value& relation, Context&) {
   return with(relation, [&]() -> Value {
+    if (is_rule(relation)) return inverse_rule(relation);
     Values pairs;
     for (const Value& pair : enumerated(relation, "the inverse of")) {
       pairs.push_back(Value::pair(second(pair), first(pair)));
@@ -107,6 +121,7 @@ Value inverse(const Value& relation, Context&) {
 Value overriding(const Value& a, const Value& b, Context& context) {
   return with(a, b, [&] {
     if (auto overridden = settled_overriding(a, b, context)) return *std::move(overridden);
+    if (is_rule(a) || is_rule(b)) return overriding_rules(a, b);
     return set_union(domain_subtraction(domain(b, context), a, context), b, context);
   });
 }
@@ -115,10 +130,12 @@ Value image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values reached;
     if (const auto* by_images = dynamic_cast<const ImageSet*>(relation.set())) return by_images->image(set, context);
-    if (relation.set() && !relation.set()->members()) {  // the function is known by its values
+    if (is_rule(relation)) {
       for (const Value& argument : enumerated(set, "the image of")) {
-        Value result = relation.set()->apply(argument, context);
-        if (!result.is_undefined()) reached.push_back(std::move(result));
+        auto results = relation.set()->partners(argument, 0, context);
+        if (!results)
+          throw EvaluationError("the image of " + argument.text() + " through " + relation.text() + " is not known");
+        std::move(results->begin(), results->end(), std::back_inserter(reached));
       }
       return Value::set(std::move(reached));
     }
@@ -133,6 +150,7 @@ Value image(const Value& relation, const Value& set, Context& context) {
 
 Value forward_composition(const Value& a, const Value& b, Context& context) {
   return with(a, b, [&]() -> Value {
+    if (is_rule(a)) return composed_rules(a, b);
     Values pairs;
     for (const Value& from : enumerated(a, "the composition of")) {
       context.steps.take(1 + steps_for(b));
@@ -171,6 +189,12 @@ Value range_subtraction(const Value& relation, const Value& set, Context& contex
 
 }  // namespace functions
 
+std::optional<std::vector<Value>> value_at(const Set& function, const Value& argument, Context& context) {
+  Value value = function.apply(argument, context);
+  if (may_be_undefined(value) && !value.is_undefined()) return std::nullopt;
+  return value.is_undefined() ? Values() : Values{std::move(value)};
+}
+
 namespace {
 
 class FunctionValue : public Set {
@@ -186,6 +210,12 @@ class FunctionValue : public Set {
   Truth in_domain(const Value& argument, Context& context) const override {
     const Value result = apply(argument, context);
     return result.is_open() ? lost(context) : truth(!result.is_undefined());
+  }
+  std::optional<Values> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 0) return value_at(*this, known, context);
+    if (row_.evaluation.unary != functions::successor || !known.real()) return std::nullopt;
+    if (!known.real()->is_integer() || *known.real() < Real(1)) return Values();
+    return Values{*known.real() - Real(1)};
   }
   Truth contains(const Value& pair, Context& context) const override {
     if (!pair.tuple()) return lost(context);

@@ -25,6 +25,10 @@ class ImageSet : public Set {
 /// Returns f(x).
 Value apply_value(const Value& function, const Value& argument, Context& context);
 
+/// Returns the values that a set which is a function relates to the argument: one, or none outside of the domain.
+/// Nothing where that cannot be said.
+std::optional<std::vector<Value>> value_at(const Set& function, const Value& argument, Context& context);
+
 /// Returns the pairs of a relation whose `part`, 0 or 1, is in the set, or is not: ◁ ▷ ⩤ ⩥.
 Value restricted(const Value& relation, const Value& set, std::size_t part, bool in, Context& context);
 /// Returns R∼⦇S⦈.

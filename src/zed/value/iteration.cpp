@@ -27,6 +27,10 @@ class ReflexiveClosure : public ImageSet {
     return reached.set()->members()->size() == 1 ? argument : Value();
   }
   Truth in_domain(const Value&, Context&) const override { return Truth::yes; }
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 1) return std::nullopt;
+    return enumerated(image(Value::set({known}), context), "what is reached, of");
+  }
   bool closed() const override { return zed::closed(relation_); }
   std::string spelled(Wording wording) const override { return "(" + relation_.set()->spelled(wording) + " ∗)"; }
 
@@ -41,7 +45,8 @@ class Iterated : public ImageSet {
 
   Value image(const Value& set, Context& context) const override {
     Value reached = set;
-    for (Real n = times_; sign(n) > 0; n = n - Real(1)) {
+    const Real one(1);
+    for (Real n = times_; sign(n) > 0; n = n - one) {
       context.steps.take(1 + steps_for(reached));
       reached = functions::image(relation_, reached, context);
     }
@@ -61,6 +66,10 @@ class Iterated : public ImageSet {
     if (has_open(argument)) return lost(context);
     return truth(!enumerated(image(Value::set({argument}), context), "what is reached, of").empty());
   }
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 1) return std::nullopt;
+    return enumerated(image(Value::set({known}), context), "what is reached, of");
+  }
   bool closed() const override { return zed::closed(relation_); }
   std::string spelled(Wording wording) const override {
     return "(" + relation_.set()->spelled(wording) + " ↗ " + Value(times_).text() + " ↙)";
@@ -77,6 +86,9 @@ class Iteration : public Set {
   explicit Iteration(Value times) : times_(std::move(times)) {}
   Value apply(const Value& relation, Context& context) const override {
     return functions::iterated(relation, times_, context);
+  }
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    return part == 0 ? value_at(*this, known, context) : std::nullopt;
   }
   Truth in_domain(const Value& relation, Context& context) const override {
     return waiting(relation) ? lost(context) : truth(!relation.is_undefined());
@@ -110,6 +122,7 @@ namespace functions {
 
 Value closure(const Value& relation, Context& context) {
   return with(relation, [&]() -> Value {
+    enumerated(relation, "the closure of");
     Value closed = relation;
     for (;;) {
       Value more = set_union(closed, forward_composition(closed, relation, context), context);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "zed/value/functions.hpp"
+#include "zed/value/number_sets.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/toolkit_functions.hpp"
 
@@ -19,12 +20,19 @@ class NonzeroIntegers : public Set {
     return here == Truth::no ? here : both(here, relations::unequal(value, Real(), context));
   }
   Numbers numbers() const override { return Numbers::integers; }
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    std::vector<Value> some = functions::all_integers().set()->some_members(scope, context);
+    std::erase_if(some, [](const Value& number) { return sign(*number.real()) == 0; });
+    return some;
+  }
   std::string spelled(Wording) const override { return "ℤ₁"; }
 };
 
 /// Returns the least or the greatest member of a set of numbers; undefined for the empty set.
-Value extreme(const Value& set, bool greatest) {
+Value extreme(const Value& set, bool greatest, Context& context) {
   return with(set, [&]() -> Value {
+    if (set.set() && !set.set()->members())
+      if (auto number = extreme_number(set, greatest, context)) return std::move(*number);
     const auto& members = enumerated(set, "the least member of");
     if (members.empty()) return {};
     return greatest ? members.back() : members.front();
@@ -113,15 +121,16 @@ Value interval(const Value& a, const Value& b, Context&) {
   return with(a, b, [&]() -> Value {
     const Real &from = *a.real(), &to = *b.real();
     if (!from.is_integer() || !to.is_integer()) throw EvaluationError("‥ between numbers that are not integers");
-    if (to - from > Real(most_listed_numbers)) throw TooManyMembers(a.text() + "‥" + b.text());
+    if (to - from > Real(most_listed_numbers)) return long_interval(from, to);
     std::vector<Value> members;
-    for (Real number = from; number <= to; number = number + Real(1)) members.emplace_back(number);
+    const Real one(1);
+    for (Real number = from; number <= to; number = number + one) members.emplace_back(number);
     return finite(std::move(members));
   });
 }
 
-Value minimum(const Value& set, Context&) { return extreme(set, false); }
-Value maximum(const Value& set, Context&) { return extreme(set, true); }
+Value minimum(const Value& set, Context& context) { return extreme(set, false, context); }
+Value maximum(const Value& set, Context& context) { return extreme(set, true, context); }
 
 }  // namespace functions
 }  // namespace durero::zed

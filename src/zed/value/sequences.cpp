@@ -4,6 +4,7 @@
 
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/small_members.hpp"
 #include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
@@ -11,11 +12,7 @@ namespace {
 
 using Values = std::vector<Value>;
 
-Value sequence(const Values& items) {
-  Values pairs;
-  for (const Value& item : items) pairs.push_back(Value::pair(Real(static_cast<double>(pairs.size() + 1)), item));
-  return finite(std::move(pairs));
-}
+Value sequence(const Values& items) { return sequence_of(items); }
 
 /// Returns the items in order; nothing for a relation that is no sequence. Its pairs are sorted by their first parts,
 /// so the positions 1‥n, each once, stand in this order.
@@ -62,13 +59,45 @@ class SequenceSet : public Set {
 
   bool closed() const override { return zed::closed(of_); }
 
+  // The sequences of distinct members of a finite set are finitely many, and so are those of none.
+  const std::vector<Value>* members() const override {
+    const auto* of = of_.set()->members();
+    if (!of || of_.set()->family() || !(distinct_ || of->empty()) || of->size() > most_listed_items) return nullptr;
+    if (!listed_) listed_ = up_to(*of, of->size());
+    return listed_->set()->members();
+  }
+  std::size_t listed() const override { return listed_ ? listed_->set()->listed() : 0; }
+
+  std::optional<Value> members_up_to(std::size_t size, Context&) const override {
+    const auto* of = of_.set()->family() ? nullptr : of_.set()->members();
+    return of ? up_to(*of, size) : std::nullopt;
+  }
+
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    if (members()) return Set::some_members(scope, context);
+    std::vector<Value> items = of_.set()->some_members(scope, context);
+    if (items.size() > most_tried_items) items.resize(most_tried_items);
+    return sequences_of(items, scope.most, nonempty_, distinct_);
+  }
+
   std::string spelled(Wording wording) const override {
     return std::string("(") + (distinct_ ? "iseq " : nonempty_ ? "seq₁ " : "seq ") + of_.set()->spelled(wording) + ")";
   }
 
  private:
+  static constexpr std::size_t most_listed_items = 7;  // of 7 members there are 13700 sequences, and of 8 some 110000
+  static constexpr std::size_t most_tried_items = 5;   // of 5 there are 31 sequences of at most 2
+
+  std::optional<Value> up_to(const Values& of, std::size_t length) const {
+    auto sequences = all_sequences(of, length, distinct_);
+    if (!sequences) return std::nullopt;
+    if (nonempty_) sequences->erase(sequences->begin());
+    return Value::set(std::move(*sequences));
+  }
+
   Value of_;
   bool nonempty_, distinct_;
+  mutable std::optional<Value> listed_;
 };
 
 Value sequence_set(const Value& of, bool nonempty, bool distinct) {
@@ -100,7 +129,7 @@ namespace functions {
 
 Value successor(const Value& number, Context&) {
   return with(number, [&]() -> Value {
-    if (!number.real()->is_integer()) return {};
+    if (!number.real()->is_integer() || sign(*number.real()) < 0) return {};
     return *number.real() + Real(1);
   });
 }

@@ -2,12 +2,35 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "zed/value/cuts.hpp"
+#include "zed/value/number_sets.hpp"
 #include "zed/value/settled_functions.hpp"
 
 namespace durero::zed {
 namespace {
+
+/// The partners for which a pair is in the other set, or is not. Nothing where that is open.
+std::optional<std::vector<Value>> partners_by(const std::optional<std::vector<Value>>& partners, const Value& known,
+                                              std::size_t part, const Value& other, bool in, Context& context) {
+  if (!partners) return std::nullopt;
+  std::vector<Value> kept;
+  for (const Value& each : *partners) {
+    const Truth here = contains_value(other, part == 0 ? Value::pair(known, each) : Value::pair(each, known), context);
+    if (here == Truth::open) return std::nullopt;
+    if ((here == Truth::yes) == in) kept.push_back(each);
+  }
+  return kept;
+}
+
+/// Some members of a set, without those that another has, or does not have.
+std::vector<Value> some_filtered(const Value& set, const Value& other, bool in, const SmallScope& scope,
+                                 Context& context) {
+  std::vector<Value> some = set.set()->some_members(scope, context);
+  std::erase_if(some, [&](const Value& each) { return contains_value(other, each, context) != truth(in); });
+  return some;
+}
 
 template <bool conjunctive>
 class TwoSets : public Set {
@@ -28,13 +51,35 @@ class TwoSets : public Set {
     if (!listed_) {
       listed_ = true;
       if (conjunctive && closed()) {
-        points_ = points_in_common(*a_.set(), *b_.set(), steps_);
+        points_ = listed_numbers(*this, steps_);
+        if (!points_) points_ = points_in_common(*a_.set(), *b_.set(), steps_);
         if (!points_) points_ = points_in_common(*b_.set(), *a_.set(), steps_);
       }
     }
     return points_ ? points_->set()->members() : nullptr;
   }
   std::size_t listed() const override { return points_ ? points_->set()->listed() : 0; }
+  Numbers numbers() const override {
+    if (!conjunctive) return numbers_of_both(*a_.set(), *b_.set());
+    return a_.set()->numbers() == Numbers::integers ? Numbers::integers : b_.set()->numbers();
+  }
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    if (conjunctive) return some_filtered(a_, b_, true, scope, context);
+    std::vector<Value> some = a_.set()->some_members(scope, context), more = b_.set()->some_members(scope, context);
+    std::move(more.begin(), more.end(), std::back_inserter(some));
+    return some;
+  }
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    auto here = a_.set()->partners(known, part, context);
+    if (conjunctive) return partners_by(here, known, part, b_, true, context);
+    const auto there = b_.set()->partners(known, part, context);
+    if (!here || !there) return std::nullopt;
+    here->insert(here->end(), there->begin(), there->end());
+    if (std::any_of(here->begin(), here->end(), has_intensional)) return std::nullopt;
+    std::sort(here->begin(), here->end(), precedes);
+    here->erase(std::unique(here->begin(), here->end(), same), here->end());
+    return here;
+  }
   Value unknown(Context& context) const override { return a_.set()->unknown(context); }
   bool closed() const override { return zed::closed(a_) && zed::closed(b_); }
   std::string spelled(Wording wording) const override {
@@ -51,7 +96,12 @@ class TwoSets : public Set {
 
 class Difference : public Set {
  public:
-  Difference(Value a, Value b) : a_(std::move(a)), b_(std::move(b)) {}
+  Difference(Value a, Value b, Steps& steps) : a_(std::move(a)), b_(std::move(b)), steps_(steps) {}
+  const std::vector<Value>* members() const override {
+    if (!std::exchange(listed_, true) && closed()) numbers_ = listed_numbers(*this, steps_);
+    return numbers_ ? numbers_->set()->members() : nullptr;
+  }
+  std::size_t listed() const override { return numbers_ ? numbers_->set()->listed() : 0; }
   Truth contains(const Value& value, Context& context) const override {
     const Truth in = contains_value(a_, value, context);
     if (in == Truth::no) return in;
@@ -59,6 +109,13 @@ class Difference : public Set {
     const Truth out = !contains_value(b_, value, context);
     if (out == Truth::no) return out;
     return in == Truth::open ? in : out;
+  }
+  Numbers numbers() const override { return a_.set()->numbers(); }
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    return some_filtered(a_, b_, false, scope, context);
+  }
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    return partners_by(a_.set()->partners(known, part, context), known, part, b_, false, context);
   }
   Value unknown(Context& context) const override { return a_.set()->unknown(context); }
   bool closed() const override { return zed::closed(a_) && zed::closed(b_); }
@@ -68,6 +125,9 @@ class Difference : public Set {
 
  private:
   Value a_, b_;
+  Steps& steps_;
+  mutable bool listed_ = false;
+  mutable std::optional<Value> numbers_;
 };
 
 class BigUnion : public Set {
@@ -75,6 +135,17 @@ class BigUnion : public Set {
   explicit BigUnion(Value sets) : sets_(std::move(sets)) {}
   Truth contains(const Value& value, Context& context) const override {
     return sets_.set()->some_contains(value, context);
+  }
+  Numbers numbers() const override {
+    const auto* sets = sets_.set()->members();
+    if (!sets) return Numbers::none;
+    Value some = empty_set();
+    for (const Value& each : *sets) {
+      const Numbers kind = numbers_of_both(*some.set(), *each.set());
+      if (kind == Numbers::none && !(each.set()->members() && each.set()->members()->empty())) return kind;
+      if (kind != some.set()->numbers()) some = each;
+    }
+    return some.set()->numbers();
   }
   bool closed() const override { return zed::closed(sets_); }
   std::optional<Curve> curve(Context& context) const override { return sets_.set()->curve(context); }
@@ -121,6 +192,7 @@ Value filtered(const std::vector<Value>& members, const Value& other, bool in, C
 const std::vector<Value>& enumerated(const Value& value, const char* what) {
   const Set& set = as_set(value);
   if (const auto* members = set.members()) return *members;
+  if (set.size()) throw TooManyMembers(set.text());
   throw EvaluationError(std::string(what) + " " + set.text() + ": its members cannot be enumerated");
 }
 
@@ -147,7 +219,7 @@ Value set_difference(const Value& a, const Value& b, Context& context) {
   if (missing(a, b)) return {};
   if (waiting(a) || waiting(b)) return Open{};
   if (const auto* x = as_set(a).members()) return filtered(*x, b, false, context);
-  return SetPtr(std::make_shared<const Difference>(a, b));
+  return SetPtr(std::make_shared<const Difference>(a, b, context.steps));
 }
 
 Value big_union(const Value& a, Context& context) {
@@ -200,6 +272,8 @@ Truth subset(const Value& a, const Value& b, Context& context) {
   if (as_set(b).total()) return Truth::yes;
   Truth result = Truth::yes;
   const Necessary no(context, false);
+  if (!as_set(a).members())
+    if (const auto of_numbers = numbers_are_among(a, b, context)) return *of_numbers;
   for (const Value& member : enumerated(a, "whether every member is in another set, for the set")) {
     const Truth here = contains_value(b, member, context);
     if (here == Truth::no) return here;

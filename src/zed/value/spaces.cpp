@@ -2,13 +2,19 @@
 
 #include <algorithm>
 
+#include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
+#include "zed/value/small_members.hpp"
 #include "zed/value/toolkit_functions.hpp"
 
 namespace durero::zed {
 namespace {
 
 constexpr std::size_t most_members = 1 << 20;
+constexpr std::size_t most_listed_base =
+    20;  // of a power set: 2^20 subsets take some 100 MiB, and those of 20 are not listed
+constexpr std::size_t most_counted_base = 1
+                                          << 16;  // the number of subsets of a greater set takes more than 2^16 digits
 
 class PowerSet : public Set {
  public:
@@ -35,10 +41,8 @@ class PowerSet : public Set {
   // The subsets stand in order of size, as sets are ordered.
   const std::vector<Value>* members() const override {
     const auto* base = base_.set()->members();
-    if (!base) return nullptr;
+    if (!base || base->size() >= most_listed_base) return nullptr;
     if (!members_) {
-      if (base->size() >= 20)
-        throw TooManyMembers(symbol() + " of a set of " + std::to_string(base->size()) + " members");
       std::vector<Value> subsets;
       for (std::size_t bits = form_.nonempty ? 1 : 0; bits < (std::size_t{1} << base->size()); ++bits) {
         std::vector<Value> some;
@@ -50,6 +54,26 @@ class PowerSet : public Set {
       members_ = Value::set(std::move(subsets));
     }
     return members_->set()->members();
+  }
+
+  std::optional<Real> size() const override {
+    const auto* base = base_.set()->family() ? nullptr : base_.set()->members();
+    if (!base || base->size() > most_counted_base) return std::nullopt;
+    Real size(form_.nonempty ? 0 : 1), power(1);
+    for (std::size_t i = 0; i < base->size(); ++i) power = power + power;
+    return form_.nonempty ? power - Real(1) : power;
+  }
+
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    return subsets_of(base_.set()->some_members(scope, context), scope.most, form_.nonempty);
+  }
+
+  std::optional<Value> members_up_to(std::size_t size, Context&) const override {
+    const auto* base = base_.set()->family() ? nullptr : base_.set()->members();
+    auto subsets = base ? all_subsets(*base, size) : std::nullopt;
+    if (!subsets) return std::nullopt;
+    if (form_.nonempty) std::erase_if(*subsets, [](const Value& each) { return each.set()->members()->empty(); });
+    return Value::set(std::move(*subsets));
   }
 
   std::string spelled(Wording wording) const override { return symbol() + " " + base_.set()->spelled(wording); }
@@ -93,15 +117,11 @@ class ProductSet : public Set {
 
   const std::vector<Value>* members() const override {
     if (members_) return members_->set()->members();
-    std::size_t size = 1;
-    for (const Value& factor : factors_) {
-      const auto* members = factor.set()->members();
-      if (!members) return nullptr;
-      size *= members->size();
-      if (size > most_members) throw TooManyMembers(text());
-    }
+    if (!is_listed()) return nullptr;
     std::vector<std::vector<Value>> rows{{}};
+    if (std::any_of(factors_.begin(), factors_.end(), is_empty)) rows.clear();
     for (const Value& factor : factors_) {
+      if (rows.empty()) break;
       std::vector<std::vector<Value>> longer;
       for (const auto& row : rows) {
         for (const Value& member : *factor.set()->members()) {
@@ -118,6 +138,39 @@ class ProductSet : public Set {
     return members_->set()->members();
   }
 
+  std::optional<Real> size() const override {
+    Real size(1);
+    for (const Value& factor : factors_) {
+      if (is_empty(factor)) return Real();
+      const auto of_factor = factor.set()->size();
+      if (!of_factor) return std::nullopt;
+      size = size * *of_factor;
+    }
+    return size;
+  }
+
+  std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
+    return some_tuples(factors_, scope, context);
+  }
+
+  // A × B relates each member of A to all of B.
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (factors_.size() != 2) return std::nullopt;
+    const Truth in = contains_value(factors_[part], known, context);
+    if (in == Truth::no) return std::vector<Value>();
+    const auto* others = in == Truth::yes ? factors_[1 - part].set()->members() : nullptr;
+    return others ? std::optional(*others) : std::nullopt;
+  }
+  Truth has_partner(const Value& known, std::size_t part, Context& context) const override {
+    if (factors_.size() != 2) throw EvaluationError(text() + " is no relation");
+    if (is_empty(factors_[1 - part])) return Truth::no;
+    const auto* others = factors_[1 - part].set()->members();
+    const Truth in = contains_value(factors_[part], known, context);
+    if (in == Truth::yes && !others && factors_[1 - part].set()->numbers() == Numbers::none)
+      throw EvaluationError("whether " + factors_[1 - part].text() + " is empty cannot be decided");
+    return in;
+  }
+
   std::string spelled(Wording wording) const override {
     std::string text;
     for (const Value& factor : factors_) text += (text.empty() ? "" : " × ") + factor.set()->spelled(wording);
@@ -125,6 +178,18 @@ class ProductSet : public Set {
   }
 
  private:
+  static bool is_empty(const Value& factor) { return factor.set()->members() && factor.set()->members()->empty(); }
+  bool is_listed() const {
+    if (std::any_of(factors_.begin(), factors_.end(), is_empty)) return true;
+    std::size_t size = 1;
+    for (const Value& factor : factors_) {
+      const auto* members = factor.set()->members();
+      if (!members || members->size() > most_members / size) return false;
+      size *= members->size();
+    }
+    return true;
+  }
+
   std::vector<Value> factors_;
   mutable std::optional<Value> members_;
 };
@@ -144,6 +209,14 @@ class ConstructorFunction : public Set {
   Truth contains(const Value& pair, Context& context) const override {
     if (!pair.tuple()) return lost(context);
     return equal(apply(pair.tuple()->parts[0], context), pair.tuple()->parts[1], context);
+  }
+  // A constructor is an injection.
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 0) return value_at(*this, known, context);
+    const auto* constructed = known.get<ConstructedPtr>();
+    if (!constructed && !known.get<Atom>()) return std::nullopt;
+    if (!constructed || compare((*constructed)->constructor, name_) != 0) return std::vector<Value>();
+    return std::vector<Value>{(*constructed)->argument};
   }
   bool closed() const override { return zed::closed(arguments_); }
   std::string spelled(Wording) const override { return name_->text; }

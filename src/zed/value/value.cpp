@@ -178,10 +178,51 @@ std::optional<Curve> Set::curve(Context&) const { return std::nullopt; }
 
 Value Set::unknown(Context& context) const { return Unknown{context.fresh()}; }
 
-Value Set::apply(const Value&, Context&) const { throw EvaluationError(text() + " cannot be applied"); }
+Value Set::apply(const Value& argument, Context& context) const {
+  if (has_open(argument)) return Open{};
+  const auto values = partners(argument, 0, context);
+  if (!values) throw EvaluationError(text() + " cannot be applied");
+  if (values->size() == 1) return values->front();
+  if (std::any_of(values->begin(), values->end(), has_intensional))
+    throw EvaluationError("whether " + text() + " has one value at " + argument.text() +
+                          " cannot be decided: it depends on sets whose members cannot be enumerated");
+  return {};
+}
 
-Truth Set::in_domain(const Value&, Context&) const {
-  throw EvaluationError("the domain of " + text() + " is not known");
+Truth Set::in_domain(const Value& argument, Context& context) const { return has_partner(argument, 0, context); }
+
+std::optional<Real> Set::size() const {
+  const auto* listed = family() ? nullptr : members();
+  return listed ? std::optional(Real(static_cast<double>(listed->size()))) : std::nullopt;
+}
+
+std::vector<Value> Set::some_members(const SmallScope& scope, Context&) const {
+  const auto* all = members();
+  if (!all) return {};
+  return {all->begin(), all->begin() + static_cast<std::ptrdiff_t>(std::min(all->size(), scope.most))};
+}
+
+std::optional<Value> Set::members_up_to(std::size_t, Context&) const { return std::nullopt; }
+
+std::optional<std::vector<Value>> Set::partners(const Value& known, std::size_t part, Context& context) const {
+  const auto* pairs = members();
+  if (!pairs || family() || has_intensional(known)) return std::nullopt;
+  context.steps.take(1 + pairs->size() / 8);
+  std::vector<Value> others;
+  for (const Value& pair : *pairs) {
+    const TupleValue* tuple = pair.tuple();
+    if (!tuple || tuple->parts.size() != 2) throw EvaluationError(text() + " is no relation");
+    if (same(tuple->parts[part], known)) others.push_back(tuple->parts[1 - part]);
+  }
+  return others;
+}
+
+Truth Set::has_partner(const Value& known, std::size_t part, Context& context) const {
+  if (has_open(known)) return lost(context);
+  const auto others = partners(known, part, context);
+  if (!others)
+    throw EvaluationError(std::string("the ") + (part == 0 ? "domain" : "range") + " of " + text() + " is not known");
+  return truth(!others->empty());
 }
 
 Truth Set::some_contains(const Value& value, Context& context) const {

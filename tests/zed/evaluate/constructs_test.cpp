@@ -242,9 +242,9 @@ TEST_CASE("what the evaluator does not know, or cannot list, it says") {
       return error.what();
     }
   };
-  CHECK(why("(_ < _) ↗ 2 ↙ ⦇ {1} ⦈") == "(_<_) cannot be applied");
-  CHECK(why("(_ < _) ∗") == "the composition of (_<_): its members cannot be enumerated");
-  CHECK(why("# ℕ") == "the size of ℕ: its members cannot be enumerated");
+  CHECK(why("(_ < _) ↗ 2 ↙ ⦇ {1} ⦈") == "the image of 1 through (_<_) is not known");
+  CHECK(why("(_ < _) ∗") == "the closure of (_<_): its members cannot be enumerated");
+  CHECK(why("# (ℕ × ℕ)") == "the size of (ℕ × ℕ): its members cannot be enumerated");
   CHECK(why("# (seq {1})") == "the size of (seq {1}): its members cannot be enumerated");
   CHECK(why("# (1‥20 → 1‥20)") == "the size of (this finite set → this finite set): its members cannot be enumerated");
 }

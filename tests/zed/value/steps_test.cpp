@@ -42,7 +42,7 @@ TEST_CASE("a search takes a step for each member that it visits, and a relation 
 }
 
 TEST_CASE("work on a large set takes steps in proportion, whoever asks for it") {
-  CHECK(steps_of("# (ℙ (1‥12))") >= (1 << 12) / 8);
+  CHECK(steps_of("(ℙ (1‥12)) ∪ ∅") >= (1 << 12) / 8);
   CHECK(steps_of("(1‥4000) ∪ (2‥5000)") >= 9000 / 8);
   CHECK(steps_of("⋃ {x : 1‥100 • 1‥x}") >= 100 * 100 / 2 / 8);
   CHECK(steps_of("(λ x : 1‥1000 • x) ⨾ (λ x : 1‥1000 • x)") >= 1000 * 1000 / 8);

@@ -216,6 +216,13 @@ enum class Numbers : std::uint8_t {
   reals      ///< real numbers
 };
 
+/// The small values that a search for a witness tries.
+struct SmallScope {
+  std::vector<Real> numbers;  ///< in the order in which they are tried
+  std::size_t most = 64;      ///< no set gives more members than these
+  unsigned depth = 3;         ///< constructors of free types are nested so deep
+};
+
 /// The questions that every set answers, whatever its form.
 class Set {
  public:
@@ -229,6 +236,19 @@ class Set {
   virtual Truth contains(const Value& value, Context& context) const = 0;
   /// Returns the members of a finite set, sorted, each once. It is null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
+  /// Returns the number of members of a finite set, where nobody need list them; nothing where it is not known.
+  virtual std::optional<Real> size() const;
+  /// Returns some members, small ones first: a search tries them, and they say nothing of other members. Each is one as
+  /// far as is known.
+  virtual std::vector<Value> some_members(const SmallScope& scope, Context& context) const;
+  /// Returns every member that is a set of so many members at most, as a finite set. Nothing where they cannot be
+  /// listed.
+  virtual std::optional<Value> members_up_to(std::size_t size, Context& context) const;
+  /// Returns the other parts of all pairs of the relation whose part `part`, 0 or 1, is this value, each once. Nothing
+  /// where they cannot be listed.
+  virtual std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const;
+  /// Says whether some pair of the relation has this part.
+  virtual Truth has_partner(const Value& known, std::size_t part, Context& context) const;
   /// Returns the number of members that the set has listed so far: a set may be listed when it is first asked for its
   /// members.
   virtual std::size_t listed() const { return 0; }
@@ -245,7 +265,7 @@ class Set {
   virtual std::optional<Curve> curve(Context& context) const;
   /// Makes a member with every part unknown.
   virtual Value unknown(Context& context) const;
-  /// Applies the set as a function.
+  /// Applies the set as a function. Throws EvaluationError where it is not known what it relates to the argument.
   virtual Value apply(const Value& argument, Context& context) const;
   /// Says whether the set as a function is defined there.
   virtual Truth in_domain(const Value& argument, Context& context) const;

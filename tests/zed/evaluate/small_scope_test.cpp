@@ -1,0 +1,407 @@
+/// What a search finds of sets, sequences, functions and rules, against what is so of each value of a small scope in
+/// turn: the second is asked of known values alone, or is computed here of numbers.
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "durero/zed/evaluate/evaluate.hpp"
+#include "durero/zed/syntax/parser.hpp"
+#include "durero/zed/types/typecheck.hpp"
+#include "support/catch.hpp"
+#include "support/sanitized.hpp"
+#include "zed/evaluate/random_cases.hpp"
+
+namespace durero::zed::test {
+namespace {
+
+constexpr std::uint64_t most_scope_steps = 400'000;
+
+std::uint64_t scope_seed() {
+  const char* seed = std::getenv("DURERO_SEED");
+  return seed ? std::strtoull(seed, nullptr, 10) : 1;
+}
+
+/// Answers questions; nothing where one is not decided.
+class ScopeAnswers {
+ public:
+  ScopeAnswers() : evaluator_(sections(), {}, &steps_) {}
+
+  std::string truth(const std::string& predicate, const Valuation& locals = {}) {
+    return decided([&]() -> std::string {
+      const Truth here = evaluator_.holds(parse_unicode(predicate), locals);
+      return here == Truth::open ? "" : here == Truth::yes ? "true" : "false";
+    });
+  }
+  std::string value(const std::string& expression) {
+    return decided([&] {
+      const Value value = evaluator_.value(parse_unicode(expression));
+      return value.is_open() || (value.set() && !value.set()->members()) ? "" : value.text();
+    });
+  }
+  Value listed(const std::string& expression) { return evaluator_.value(parse_unicode(expression)); }
+
+ private:
+  static std::vector<Section> sections() {
+    const Specification read = read_text("─\nT ::= t0 | t1⟪0 ‥ 1⟫\n└\n", "scope");
+    REQUIRE(read.defects.empty());
+    return read.sections;
+  }
+  template <class Ask>
+  std::string decided(Ask&& ask) {
+    steps_ = Steps(most_scope_steps);
+    try {
+      return ask();
+    } catch (const EvaluationError&) {
+      return {};
+    } catch (const StepsSpent&) {
+      return {};
+    }
+  }
+
+  Steps steps_;
+  Evaluator evaluator_;
+};
+
+/// A kind of variable: the sets from which it is declared, the values gone through, and what bounds it to them.
+struct VariableKind {
+  const char* declared;
+  const char* gone_through;
+  std::vector<std::string> bounds, atoms;
+};
+
+const std::vector<VariableKind>& variable_kinds() {
+  static const std::vector<VariableKind> all = {
+      {"seq (0 ‥ 2)",
+       "({⟨⟩} ∪ {a : 0 ‥ 2 • ⟨a⟩} ∪ {a, b : 0 ‥ 2 • ⟨a, b⟩})",
+       {"# v ≤ 2", "# v < 3", "2 ≥ # v", "3 > # v", "(# v = 2 ∨ # v ≤ 1)", "0 ≤ # v < 3"},
+       {"# v = 1", "v prefix ⟨0, 1, 2⟩", "head v = 1", "1 ∈ ran v", "v = rev v", "v ⁀ ⟨1⟩ = ⟨1⟩ ⁀ v", "last v > head v",
+        "(∀ i : dom v • v i ≥ 1)", "v 1 ≠ v 2", "ran v ⊆ {0, 2}", "(∃ w : seq (0 ‥ 2) • w ⁀ w = v)",
+        "(∃ w : seq ℕ • v = ⟨1⟩ ⁀ w ∧ # w ≤ 3)", "v ∈ iseq (0 ‥ 2)", "v ∈ ⦃⦄"}},
+      {"seq ℕ",
+       "({⟨⟩, ⟨0⟩, ⟨1⟩, ⟨2⟩, ⟨0, 1⟩, ⟨1, 2⟩, ⟨0, 1, 2⟩})",
+       {"v infix ⟨0, 1, 2⟩", "(∃ w, u : seq ℕ • w ⁀ v ⁀ u = ⟨0, 1, 2⟩)",
+        "v ∈ {⟨⟩, ⟨0⟩, ⟨1⟩, ⟨2⟩, ⟨0, 1⟩, ⟨1, 2⟩, ⟨0, 1, 2⟩}", "(v prefix ⟨0, 1, 2⟩ ∨ v suffix ⟨0, 1, 2⟩ ∨ v = ⟨1⟩)"},
+       {"# v ≥ 2", "head v = 1", "1 ∈ ran v", "v ⁀ ⟨2⟩ = ⟨0, 1, 2⟩", "⟨0⟩ ⁀ v prefix ⟨0, 1⟩", "last v = 2", "v ≠ ⟨⟩"}},
+      {"ℙ ℕ",
+       "ℙ (1 ‥ 3)",
+       {"v ⊆ 1 ‥ 3", "v ∪ {1} = v ∪ {1} ∧ v ∪ {3} ⊆ 1 ‥ 3", "(∃ w : ℙ ℕ • v ∪ w = {1, 2, 3})", "v ∈ ℙ (1 ‥ 3)",
+        "(v ⊂ {1, 2, 3} ∨ v ∪ ∅ = {1, 2, 3})"},
+       {"1 ∈ v", "# v = 2", "# v ≤ 1", "v ⊆ {2, 3}", "v ∪ {1} = {1, 2}", "v ∩ {1, 2} = {1}", "min v = 2", "max v > 2",
+        "(∃ w : ℙ ℕ • w ⊂ v ∧ # w = 1)", "(∀ n : v • n ≥ 2)", "v ⊂ 1 ‥ 2", "(∃ n : ℕ • n ∈ v ∧ n mod 2 = 0)"}},
+      {"0 ‥ 1 ⇸ ℕ",
+       "(0 ‥ 1 ⇸ 0 ‥ 2)",
+       {"v ⊆ (0 ‥ 1) × (0 ‥ 2)", "v ∈ 0 ‥ 1 ⇸ 0 ‥ 2"},
+       {"v 0 = 1", "dom v = {0}", "ran v ⊆ {1}", "# v = 1", "v ∈ 0 ‥ 1 → ℕ", "v⦇{0}⦈ = {2}", "v 0 < v 1",
+        "v ⊕ {0 ↦ 1} = v", "(∃ n : ℕ • v n = n)", "v∼ ∈ ℕ ⇸ ℕ"}},
+      {"0 ‥ 1 → 0 ‥ 2",
+       "({a, b : 0 ‥ 2 • {(0, a), (1, b)}})",
+       {"true", "v ⊆ (0 ‥ 1) × (0 ‥ 2)"},
+       {"v 0 = 1", "v 0 < v 1", "ran v = {2}", "v ∈ 0 ‥ 1 ↣ ℕ", "(∃ n : ℕ • v n = n + 1)"}},
+      {"T", "{t0, t1 0, t1 1}", {"true"}, {"v = t0", "(∃ n : 0 ‥ 1 • v = t1 n)", "v ∈ ran t1", "v ≠ t1 0"}},
+  };
+  return all;
+}
+
+std::string random_predicate(const VariableKind& kind, Random& random, int depth) {
+  if (depth == 0 || random.below(3) == 0) {
+    const std::string& atom = random.one_of(kind.atoms);
+    return atom == "v ∈ ⦃⦄" ? "v = ⟨⟩" : atom;
+  }
+  const std::string p = random_predicate(kind, random, depth - 1);
+  const std::string q = random_predicate(kind, random, depth - 1);
+  switch (random.below(5)) {
+    case 0:
+      return fmt::format("(¬ {})", p);
+    case 1:
+      return fmt::format("({} ∨ {})", p, q);
+    case 2:
+      return fmt::format("({} ⇒ {})", p, q);
+    default:
+      return fmt::format("({} ∧ {})", p, q);
+  }
+}
+
+/// The values gone through of which it is so; nothing where it is not decided of one.
+std::optional<std::vector<Value>> those_of_scope(ScopeAnswers& oracle, const VariableKind& kind,
+                                                 const std::string& said) {
+  std::vector<Value> right;
+  const Value all = oracle.listed(kind.gone_through);
+  for (const Value& each : *all.set()->members()) {
+    const std::string here = oracle.truth(said, {{Name{"v", ""}, each}});
+    if (here.empty()) return std::nullopt;
+    if (here == "true") right.push_back(each);
+  }
+  return right;
+}
+
+/// Asks a random question; counts it, and fails where the answer is wrong.
+void ask_of(ScopeAnswers& oracle, const VariableKind& kind, Random& random, std::size_t& asked, std::size_t& open) {
+  const std::string p = random_predicate(kind, random, 2), bound = random.one_of(kind.bounds);
+  const auto right = those_of_scope(oracle, kind, p);
+  if (!right) return;
+  const std::size_t all = oracle.listed(kind.gone_through).set()->members()->size();
+  const auto say = [](bool truth) { return std::string(truth ? "true" : "false"); };
+  std::string z, said, expected;
+  switch (random.below(5)) {
+    case 0:
+      z = fmt::format("∃ v : {} • {} ∧ {}", kind.declared, bound, p);
+      said = oracle.truth(z);
+      expected = say(!right->empty());
+      break;
+    case 1:
+      z = fmt::format("∀ v : {} | {} • {}", kind.declared, bound, p);
+      said = oracle.truth(z);
+      expected = say(right->size() == all);
+      break;
+    case 2:
+      z = fmt::format("∃₁ v : {} • {} ∧ {}", kind.declared, p, bound);
+      said = oracle.truth(z);
+      expected = say(right->size() == 1);
+      break;
+    case 3:
+      z = fmt::format("∃ v : {} • {}", kind.declared, p);
+      said = oracle.truth(z);
+      expected = right->empty() ? said : "true";  // there may be one further on
+      break;
+    default:
+      z = fmt::format("{{v : {} | {} ∧ {}}}", kind.declared, p, bound);
+      said = oracle.value(z);
+      expected = Value::set(*right).text();
+      break;
+  }
+  ++asked;
+  open += said.empty() ? 1 : 0;
+  if (!said.empty() && said != expected) FAIL_CHECK(z << "\n  is " << expected << " and not " << said);
+}
+
+TEST_CASE("what is searched for of sets, sequences and functions is what is found by going through") {
+  ScopeAnswers oracle;
+  for (const VariableKind& kind : variable_kinds()) {
+    Random random(scope_seed());
+    std::size_t asked = 0, open = 0;
+    const std::size_t questions = durero::test::fewer_when_sanitized(300);
+    for (std::size_t i = 0; i < questions; ++i) ask_of(oracle, kind, random, asked, open);
+    INFO(kind.declared << ": " << open << " of " << asked << " not decided");
+    CHECK(asked > 0);
+    CHECK(open * 3 <= asked);
+  }
+}
+
+/// A relation of numbers as a rule, and the same of the numbers of a small scope alone.
+struct NumberRule {
+  std::string rule, listed;
+};
+
+NumberRule random_rule(Random& random, int depth) {
+  static const std::vector<NumberRule> rules = {
+      {"succ", "{x : 0 ‥ 90 • (x, x + 1)}"},
+      {"(λ x : ℕ • 2 * x)", "{x : 0 ‥ 90 • (x, 2 * x)}"},
+      {"(λ x : ℕ | x > 2 • x - 2)", "{x : 3 ‥ 90 • (x, x - 2)}"},
+      {"{x : ℕ • (x, x + 3)}", "{x : 0 ‥ 90 • (x, x + 3)}"},
+      {"{x : ℕ; y : 0 ‥ 1 • (x, x + y)}", "{x : 0 ‥ 90; y : 0 ‥ 1 • (x, x + y)}"},
+      {"{x, y : ℕ | y = 5}", "{x, y : 0 ‥ 90 | y = 5}"},
+      {"(ℕ × {3})", "((0 ‥ 90) × {3})"},
+      {"(id ℕ)", "(id (0 ‥ 90))"},
+      {"{1 ↦ 4, 2 ↦ 7, 2 ↦ 1}", "{1 ↦ 4, 2 ↦ 7, 2 ↦ 1}"},
+  };
+  if (depth == 0) return random.one_of(rules);
+  const NumberRule a = random_rule(random, depth - 1), b = random_rule(random, depth - 1);
+  static const std::vector<const char*> binary = {"({} ⨾ {})", "({} ∘ {})", "({} ⊕ {})",
+                                                  "({} ∪ {})", "({} ∩ {})", "({} ∖ {})"};
+  static const std::vector<const char*> unary = {"({{1, 2}} ◁ {})", "({{1, 2}} ⩤ {})", "({} ▷ {{3, 4, 5}})",
+                                                 "({} ⩥ {{3, 4, 5}})", "({} ∼)"};
+  if (random.below(2) == 0) {
+    const char* form = random.one_of(unary);
+    return {fmt::format(fmt::runtime(form), a.rule), fmt::format(fmt::runtime(form), a.listed)};
+  }
+  const char* form = random.one_of(binary);
+  return {fmt::format(fmt::runtime(form), a.rule, b.rule), fmt::format(fmt::runtime(form), a.listed, b.listed)};
+}
+
+// At 0‥6 no rule leads beyond 90, but for what is inverted: its questions are of numbers that few steps reach.
+TEST_CASE("a rule relates what the same relation of a small scope does") {
+  ScopeAnswers oracle;
+  Random random(scope_seed());
+  std::size_t open = 0;
+  const std::size_t questions = durero::test::fewer_when_sanitized(600);
+  for (std::size_t i = 0; i < questions; ++i) {
+    const NumberRule of = random_rule(random, 1 + static_cast<int>(random.below(2)));
+    const std::size_t at = random.below(7), to = random.below(9);
+    static const std::vector<const char*> forms = {"{0} {1}", "({1}, {2}) ∈ {0}", "{1} ∈ dom {0}", "{2} ∈ ran {0}",
+                                                   "{0}⦇{{{1}, {2}}}⦈"};
+    const char* form = random.one_of(forms);
+    const auto z = [&](const std::string& relation) { return fmt::format(fmt::runtime(form), relation, at, to); };
+    const bool is_value = std::string(form).find("∈") == std::string::npos;
+    const std::string said = is_value ? oracle.value(z(of.rule)) : oracle.truth(z(of.rule));
+    const std::string right = is_value ? oracle.value(z(of.listed)) : oracle.truth(z(of.listed));
+    open += said.empty() ? 1 : 0;
+    if (!said.empty() && said != right) FAIL_CHECK(z(of.rule) << "\n  is " << right << " and not " << said);
+  }
+  INFO(open << " of " << questions << " not decided");
+  CHECK(open * 4 <= questions);
+}
+
+/// A set of integers, and which of −20‥20 it has: beyond −10 and 10 nothing changes.
+struct IntegerSet {
+  std::string z;
+  std::function<bool(int)> has;
+};
+
+std::string numeral(int n) { return n < 0 ? fmt::format("(-({}))", -n) : std::to_string(n); }
+
+IntegerSet random_integers(Random& random, int depth) {
+  const int low = static_cast<int>(random.below(9)) - 4, high = low + static_cast<int>(random.below(5));
+  if (depth == 0 || random.below(4) == 0) switch (random.below(7)) {
+      case 0:
+        return {"ℕ", [](int n) { return n >= 0; }};
+      case 1:
+        return {"ℕ₁", [](int n) { return n >= 1; }};
+      case 2:
+        return {"ℤ", [](int) { return true; }};
+      case 3:
+        return {fmt::format("{{x : ℤ | x < {}}}", numeral(low)), [low](int n) { return n < low; }};
+      case 4:
+        return {fmt::format("{{x : ℕ | x * x > {}}}", numeral(high)), [high](int n) { return n >= 0 && n * n > high; }};
+      case 5:
+        return {fmt::format("({} ‥ {})", numeral(low), numeral(high)),
+                [low, high](int n) { return low <= n && n <= high; }};
+      default:
+        return {fmt::format("{{{}, {}}}", numeral(low), numeral(high)),
+                [low, high](int n) { return n == low || n == high; }};
+    }
+  const IntegerSet a = random_integers(random, depth - 1), b = random_integers(random, depth - 1);
+  switch (random.below(4)) {
+    case 0:
+      return {fmt::format("({} ∩ {})", a.z, b.z), [a, b](int n) { return a.has(n) && b.has(n); }};
+    case 1:
+      return {fmt::format("({} ∖ {})", a.z, b.z), [a, b](int n) { return a.has(n) && !b.has(n); }};
+    case 2:
+      return {fmt::format("(⋃ {{{}, {}}})", a.z, b.z), [a, b](int n) { return a.has(n) || b.has(n); }};
+    default:
+      return {fmt::format("({} ∪ {})", a.z, b.z), [a, b](int n) { return a.has(n) || b.has(n); }};
+  }
+}
+
+constexpr int furthest_integer = 20;
+
+std::string least_of(const IntegerSet& of, int sign) {
+  for (int n = -furthest_integer; n <= furthest_integer; ++n)
+    if (of.has(sign * n)) return n == -furthest_integer ? "undefined" : std::to_string(sign * n);
+  return "undefined";
+}
+
+std::string size_of(const IntegerSet& of) {
+  int members = 0;
+  for (int n = -furthest_integer; n <= furthest_integer; ++n) members += of.has(n) ? 1 : 0;
+  const bool infinite = of.has(-furthest_integer) || of.has(furthest_integer);
+  return infinite ? "undefined" : std::to_string(members);
+}
+
+bool at_every(const std::function<bool(int)>& is_so) {
+  for (int n = -furthest_integer; n <= furthest_integer; ++n)
+    if (!is_so(n)) return false;
+  return true;
+}
+
+TEST_CASE("sets of integers without a list are compared, counted and bounded as their members are") {
+  ScopeAnswers oracle;
+  Random random(scope_seed());
+  std::size_t open = 0;
+  const std::size_t questions = durero::test::fewer_when_sanitized(1500);
+  for (std::size_t i = 0; i < questions; ++i) {
+    const IntegerSet a = random_integers(random, 2), b = random_integers(random, 1);
+    const auto say = [](bool truth) { return std::string(truth ? "true" : "false"); };
+    const bool inside = at_every([&](int n) { return !a.has(n) || b.has(n); });
+    const bool same = at_every([&](int n) { return a.has(n) == b.has(n); });
+    std::string z, right;
+    switch (random.below(6)) {
+      case 0:
+        z = fmt::format("{} = {}", a.z, b.z), right = say(same);
+        break;
+      case 1:
+        z = fmt::format("{} ⊆ {}", a.z, b.z), right = say(inside);
+        break;
+      case 2:
+        z = fmt::format("{} ⊂ {}", a.z, b.z), right = say(inside && !same);
+        break;
+      case 3:
+        z = "min (" + a.z + ")", right = least_of(a, 1);
+        break;
+      case 4:
+        z = "max (" + a.z + ")", right = least_of(a, -1);
+        break;
+      default:
+        z = "# (" + a.z + ")", right = size_of(a);
+        break;
+    }
+    const bool is_value = z.starts_with("m") || z.starts_with("#");
+    const std::string said = is_value ? oracle.value(z) : oracle.truth(z);
+    open += said.empty() ? 1 : 0;
+    if (!said.empty() && said != right) FAIL_CHECK(z << "\n  is " << right << " and not " << said);
+  }
+  INFO(open << " of " << questions << " not decided");
+  CHECK(open * 20 <= questions);
+}
+
+TEST_CASE("a witness, or a value against, of any kind is looked for among small ones, and proves what it shows") {
+  ScopeAnswers asked;
+  CHECK(asked.truth("∃ f : 1 ‥ 2 → ℕ • f 1 = 3 ∧ f 2 = 4") == "true");
+  CHECK(asked.truth("∃ x, y, z : ℕ₁ • x * x + y * y = z * z") == "true");
+  CHECK(asked.truth("∃ x : ℕ • x mod 7 = 3") == "true");
+  CHECK(asked.truth("∃ x : ℕ • x div 10 = 123") == "");
+  CHECK(asked.truth("∃ x : ℕ • x * x * x = 8000000 ∧ x > 199") == "true");
+  CHECK(asked.truth("∃ A : ℙ (1 ‥ 30) • # A = 2") == "true");
+  CHECK(asked.truth("∀ s, t : seq ℕ • s ⁀ t = t ⁀ s") == "false");
+  CHECK(asked.truth("∀ s, t : seq ℕ • # (s ⁀ t) = # s + # t") == "");
+  CHECK(asked.truth("∀ x : ℕ • ∃ y : ℕ • y = x + 1") == "true");
+  CHECK(asked.truth("∀ x : ℕ • ∃ y : ℕ • y = x - 1") == "false");
+}
+
+TEST_CASE("members of a bounded size are all gone through") {
+  ScopeAnswers asked;
+  CHECK(asked.truth("∃ s : seq {1, 2} • # s = 3 ∧ s 1 ≠ s 2") == "true");
+  CHECK(asked.truth("∃ s : seq {1, 2} • # s ≤ 3 ∧ s = s ⁀ s ∧ s ≠ ⟨⟩") == "false");
+  CHECK(asked.value("# {s : seq {1, 2} | # s ≤ 2}") == "7");
+  CHECK(asked.value("# {s : seq {1, 2} | # s < 2}") == "3");
+  CHECK(asked.value("# {s : seq₁ {1, 2} | # s ≤ 2}") == "6");
+  CHECK(asked.value("# (iseq {1, 2, 3})") == "16");
+  CHECK(asked.value("# {s : ℙ ℕ | s ⊆ 1 ‥ 2}") == "4");
+  CHECK(asked.value("# {s, t : seq ℕ | s ⁀ t = ⟨1, 2, 3⟩}") == "4");
+  CHECK(asked.value("# {s, t : ℙ ℕ | s ∪ t = {1, 2}}") == "9");
+  CHECK(asked.value("{x, y : ℕ | y < x < 3}") == "{1 ↦ 0, 2 ↦ 0, 2 ↦ 1}");
+  CHECK(asked.value("# {s : seq ℕ | s prefix ⟨1⟩ ∨ s = ⟨7⟩}") == "3");
+  CHECK(asked.truth("∃ s : seq ℕ • (s prefix ⟨1⟩ ∨ # s = 3) ∧ # s > 2") == "true");
+  CHECK(asked.value("# {f : 1 ‥ 3 ⇸ 1 ‥ 3 | # f ≤ 1}") == "10");
+}
+
+TEST_CASE("what is made of infinite functions is applied") {
+  ScopeAnswers asked;
+  CHECK(asked.value("(succ ∘ succ) 3") == "5");
+  CHECK(asked.value("succ (-(1))") == "undefined");
+  CHECK(asked.value("((λ x : ℕ • x * x) ⊕ {1 ↦ 7}) 3") == "9");
+  CHECK(asked.value("((λ x : ℕ • x * x) ⊕ {1 ↦ 7}) 1") == "7");
+  CHECK(asked.value("{x : ℕ • (x, x + 1)} 0") == "1");
+  CHECK(asked.value("{x : ℕ; y : 1 ‥ 5 | y < x • (x, x + y)} 3") == "undefined");
+  CHECK(asked.value("(succ ∼) 5") == "4");
+  CHECK(asked.value("(succ ∼) 0") == "undefined");
+  CHECK(asked.truth("2 ∈ ran {x : ℕ • (x, x + 2)}") == "true");
+  CHECK(asked.truth("1 ∈ ran {x : ℕ • (x, x + 2)}") == "false");
+  CHECK(asked.truth("t0 ∈ ran t1") == "false");
+  CHECK(asked.value("((1 ‥ 10) × {3}) 10") == "3");
+  CHECK(asked.value("((1 ‥ 10) × {3, 4}) 1") == "undefined");
+}
+
+TEST_CASE("the sizes of sets that nobody lists are counted") {
+  ScopeAnswers asked;
+  CHECK(asked.value("# (ℙ (1 ‥ 40))") == "1099511627776");
+  CHECK(asked.value("# (ℙ₁ (1 ‥ 40))") == "1099511627775");
+  CHECK(asked.value("# (1 ‥ 1000000000)") == "1000000000");
+  CHECK(asked.value("# ((1 ‥ 1000000000) × {1, 2})") == "2000000000");
+  CHECK(asked.truth("∅ × {1} = (1 ‥ 1000000000) × ∅") == "true");
+  CHECK(asked.value("# T") == "3");
+  CHECK(asked.truth("∀ x : 1 ‥ 1000000000 • x > 0") == "true");
+}
+
+}  // namespace
+}  // namespace durero::zed::test
