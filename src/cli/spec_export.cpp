@@ -33,7 +33,7 @@ void add_spec_export(CLI::App& spec, int& status) {
   auto* command = spec.add_subcommand("export", "Write the Z text in another language");
   const auto options = std::make_shared<SpecExportOptions>();
   command->add_flag("--coq")->required()->description(
-      "As Coq: proofs/Especificacion.v is that of spec/*.tex but tablas.tex");
+      "As Coq: proofs/Especificacion.v is that of the texts in spec/ that have one state, Escena");
   command->add_option("-o,--output", options->to, "File to write; without it, the standard output");
   command->add_option("FILE", options->files, "Z texts in LaTeX mark-up; their parents are found beside them")
       ->required();
