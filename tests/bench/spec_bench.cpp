@@ -8,7 +8,6 @@
 #include "durero/spec/spec.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "support/scenes.hpp"
-#include "support/tree.hpp"
 
 using namespace durero;
 
@@ -23,7 +22,7 @@ spec::Setup book_of_six() {
 }
 
 void explore(benchmark::State& state) {
-  const spec::Machine machine(zed::read_files({test::source_dir() + "/demo/birthday_book.tex"}), book_of_six());
+  const spec::Machine machine(zed::read_files({DURERO_BOOK}), book_of_six());
   spec::ExploreBounds bounds;
   bounds.symmetry = state.range(0) != 0;
   std::uint64_t states = 0;
@@ -37,7 +36,7 @@ BENCHMARK(explore)->ArgName("symmetry")->Arg(0)->Arg(1)->Unit(benchmark::kMillis
 
 /// Steps of the book that are given whole (target 50,000 a second).
 void admit(benchmark::State& state) {
-  const spec::Machine machine(zed::read_files({test::source_dir() + "/demo/birthday_book.tex"}), book_of_six());
+  const spec::Machine machine(zed::read_files({DURERO_BOOK}), book_of_six());
   spec::ExploreBounds bounds;
   bounds.states = 1000;
   spec::StateSpace space(machine, bounds);
