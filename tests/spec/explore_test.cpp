@@ -195,6 +195,18 @@ TEST_CASE("planned operations find what the evaluator finds: sequences, local va
                   members(2));
 }
 
+TEST_CASE("planned operations find what the evaluator finds: a relation that is applied is no function everywhere") {
+  CHECK(check_agreement(R"(
+\begin{zed} [X] \end{zed}
+\begin{schema}{S} r : X \rel 0 \upto 1 \end{schema}
+\begin{schema}{Init} S~' \where r' = \emptyset \end{schema}
+\begin{schema}{Put} \Delta S \\ x? : X \\ k? : 0 \upto 1 \where r' = r \cup \{x? \mapsto k?\} \end{schema}
+\begin{schema}{Get} \Xi S \\ x? : X \\ k! : 0 \upto 1 \where k! = r(x?) \end{schema}
+\begin{schema}{Miss} \Xi S \\ x? : X \where \lnot (r(x?) = 0) \end{schema}
+)",
+                        members(2)));
+}
+
 TEST_CASE("planned operations find what the evaluator finds: a promoted operation, bindings and quantifiers") {
   check_agreement(R"(
 \begin{zed} [K] \end{zed}
@@ -343,7 +355,8 @@ TEST_CASE("a conjecture that is false somewhere is shown with a shortest way the
       "\\begin{zed} \\vdash? \\forall Up @ n < 1 \\end{zed}\n";
   ExploreBounds bounds = plain();
   bounds.always = {"n < 3", "n ≤ 3"};
-  const ExploreReport report = explored(counter("3") + claims, bounds);
+  const std::string down = schema("Down", "\\Delta S", "n' = n - 1");  // of which the claims about Up say nothing
+  const ExploreReport report = explored(counter("3", down) + claims, bounds);
   CHECK(report.claims == 5);
   REQUIRE(report.refuted.size() == 3);
   std::map<std::string, std::size_t> lengths;

@@ -1,6 +1,7 @@
 /// Asks the evaluator what the translated code does not serve, and keeps its answers.
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
+#include "toolkit_operators.hpp"
 #include "translator.hpp"
 
 namespace durero::spec {
@@ -39,30 +40,34 @@ ValueId TermTranslator::global(const Name& name) {
   ValueId id = 0;
   try {
     id = values_.of(value);
-  } catch (const NotInterned&) {
-    id = values_.whole(value);
-  } catch (const zed::EvaluationError&) {  // the set has more members than are listed
+  } catch (const std::runtime_error&) {  // it is known by membership, or has more members than are listed
     id = values_.whole(value);
   }
   global_values_.emplace(name, id);
   return id;
 }
 
+ValueId TermTranslator::applied(ValueId function, ValueId argument) {
+  if (values_.form(function) == InternedForm::set) return applied_pairs(values_, function, argument);
+  const auto at = applications_.find({function, argument});
+  if (at != applications_.end()) return at->second;
+  const ValueId result = asked_of(parts_, zed::node(Kind::truth, {}), [&] {
+    return values_.of(parts_.evaluator->apply(values_.value(function), values_.value(argument)));
+  });
+  applications_.emplace(std::pair(function, argument), result);
+  return result;
+}
+
 bool TermTranslator::contained(ValueId set, ValueId value) {
   if (values_.form(set) == InternedForm::set) return values_.has(set, value);
-  const auto [at, is_new] = memberships_.emplace(std::pair(set, value), false);
-  if (!is_new) return at->second;
-  try {
-    const zed::Truth truth = asked_of(parts_, zed::node(Kind::truth, {}), [&] {
-      return parts_.evaluator->contains(values_.value(set), values_.value(value));
-    });
-    if (truth == zed::Truth::open) throw Undecided("a membership is open");
-    at->second = truth == zed::Truth::yes;
-  } catch (...) {
-    memberships_.erase(at);
-    throw;
-  }
-  return at->second;
+  const auto at = memberships_.find({set, value});
+  if (at != memberships_.end()) return at->second;
+  const zed::Truth truth = asked_of(parts_, zed::node(Kind::truth, {}), [&] {
+    return parts_.evaluator->contains(values_.value(set), values_.value(value));
+  });
+  if (truth == zed::Truth::open) throw Undecided("a membership is open");
+  memberships_.emplace(std::pair(set, value), truth == zed::Truth::yes);
+  return truth == zed::Truth::yes;
 }
 
 void TermTranslator::collect(const Term& term, const FrameScope& scope, std::map<Name, unsigned>& into) {
@@ -115,11 +120,11 @@ IdCode TermTranslator::asked_value(const Term& term, const FrameScope& scope) {
       [this, term, locals = locals_in(term, scope), known = std::make_shared<AnswerTable<ValueId>>()](IdFrame frame) {
         std::vector<ValueId> key = ids_of(locals, frame);
         if (const auto at = known->find(key); at != known->end()) return at->second;
-        const zed::Value value =
-            asked_of(parts_, term, [&] { return parts_.evaluator->value(term, valuation(locals, frame)); });
-        if (value.is_open()) throw Undecided(zed::to_unicode(term) + " is open");
-        const ValueId id =
-            locals.empty() && value.set() && !value.set()->members() ? values_.whole(value) : values_.of(value);
+        const ValueId id = asked_of(parts_, term, [&] {
+          const zed::Value value = parts_.evaluator->value(term, valuation(locals, frame));
+          if (value.is_open()) throw Undecided(zed::to_unicode(term) + " is open");
+          return locals.empty() && value.set() && !value.set()->members() ? values_.whole(value) : values_.of(value);
+        });
         known->emplace(std::move(key), id);
         return id;
       };

@@ -167,7 +167,6 @@ bool PlannedMachine::admits(const PlannedOperation& operation, std::span<const V
 
 StepRows& PlannedMachine::rows(PlannedOperation& operation, std::span<const ValueId> before) {
   rows_.reset(operation.width());
-  if (operation.needs_invariant && !invariant(before)) return rows_;
   if (!operation.plan) {
     evaluate(operation, before);
     return rows_;
@@ -177,6 +176,7 @@ StepRows& PlannedMachine::rows(PlannedOperation& operation, std::span<const Valu
   const bool repeats = operation.plan->repeats();
   auto& ids = rows_.ids();
   try {
+    if (operation.needs_invariant && !invariant(before)) return rows_;
     operation.plan->each(frame(), [&] {
       const std::size_t begin = ids.size();
       for (const auto* places : {&operation.given, &operation.returned, &operation.after})
@@ -196,10 +196,10 @@ StepRows& PlannedMachine::rows(PlannedOperation& operation, std::span<const Valu
 void PlannedMachine::each_side(
     PlannedOperation& operation, std::span<const ValueId> before,
     const std::function<void(const std::vector<Term>& sides, std::span<const ValueId> row)>& visit) {
-  if (operation.needs_invariant && !invariant(before)) return;
   for (std::size_t i = 0; i < operation.before.size(); ++i) frame_[operation.before[i]] = before[i];
   std::vector<ValueId> row;
   try {
+    if (operation.needs_invariant && !invariant(before)) return;
     operation.plan->each(frame(), [&] {
       row.clear();
       for (const auto* places : {&operation.given, &operation.returned, &operation.after})

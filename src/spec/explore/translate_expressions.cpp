@@ -41,7 +41,7 @@ IdCode TermTranslator::expression(const Term& term, const FrameScope& scope) {
   IdCode code;
   try {
     code = translated(term, scope);
-  } catch (const NotInterned&) {
+  } catch (const std::runtime_error&) {  // it is not served here, or a name in it has no value
     return asked_value(term, scope);
   }
   if (term->kind == Kind::reference || term->kind == Kind::number) return code;
@@ -126,20 +126,6 @@ IdCode TermTranslator::application(const Term& term, const FrameScope& scope) {
     const ValueId left = f(frame), right = x(frame);
     return left == 0 || right == 0 ? 0 : applied(left, right);
   };
-}
-
-ValueId TermTranslator::applied(ValueId function, ValueId argument) {
-  if (values_.form(function) == InternedForm::set) return applied_pairs(values_, function, argument);
-  const auto [at, is_new] = applications_.emplace(std::pair(function, argument), 0);
-  if (!is_new) return at->second;
-  try {
-    parts_.begin_question();
-    at->second = values_.of(parts_.evaluator->apply(values_.value(function), values_.value(argument)));
-  } catch (...) {
-    applications_.erase(at);
-    throw;
-  }
-  return at->second;
 }
 
 IdCode TermTranslator::each_part(const Node& node, const FrameScope& scope, InternedForm form) {

@@ -27,7 +27,7 @@ IdTest TermTranslator::predicate(const Term& term, const FrameScope& scope) {
   IdTest test;
   try {
     test = translated_test(term, scope);
-  } catch (const NotInterned&) {
+  } catch (const std::runtime_error&) {  // it is not served here, or a name in it has no value
     return asked_truth(term, scope);
   }
   IdTest asked = asked_truth(term, scope);
