@@ -113,7 +113,7 @@ class BlockWriter {
     if (i == 0 && is_bare && block_.environment == "zsection" && !to_latex()) return;
     const bool is_formal = i == title_ || i == where_ || (where_ && i == *where_ + 1);
     if (is_formal) formal(layout);
-    if (i == where_) layout.back().indent = 0;
+    if (i == where_ || (to_ == Form::spivey && i == title_ && i > 0)) layout.back().indent = 0;  // fuzz has no \t there
     if (layout.size() == 1 && i > 0) {
       out_ += beside(i, i < title_ ? 0 : layout.front().blanks);
       return;

@@ -288,6 +288,9 @@ class TextWriter {
 
   /// All of what was written is cut into as many paragraphs as were written, in their mark-up.
   void agree() {
+    if (count_ == 0)
+      throw ZError({1, 1}, "a section without a paragraph cannot be written in " + in_words(to_),
+                   "expected one or more");
     if (to_ == Form::spivey && form_of(out_) != to_) out_.insert(0, spivey_sign);
     if (out_.size() > max_bytes)
       throw ZError({1, 1}, "the text would be too large to be read", "expected one of less than a MiB when written");

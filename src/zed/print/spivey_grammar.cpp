@@ -67,6 +67,10 @@ class SpiveyGrammar {
   void declaration(const Declaration& each) const {
     switch (each.form) {
       case Declaration::Form::typed:
+        for (std::size_t i = 0; i < each.names.size(); ++i)
+          if (known_.contains(each.names[i].text()))
+            refuse_in_spivey("the name " + each.names[i].text() + " of a schema for another", each.places[i],
+                             "a name of its own");
         return expression(each.term);
       case Declaration::Form::defined:
         refuse_in_spivey("a declaration by ==", each.place, "NAME : SET, and an equation");
@@ -157,19 +161,29 @@ class SpiveyGrammar {
     }
   }
 
+  /// The functions whose signs stand before operands alone in Spivey's Z.
+  static bool is_sign(const Term& term) {
+    return term->kind == Kind::reference && (term->name.word == "#_" || term->name.word == "-_");
+  }
+
   void expression(const Term& term) const {
     switch (term->kind) {
       case Kind::reference:
+        if (is_sign(term))
+          refuse_in_spivey("the function (" + term->name.word.substr(0, 1) + " _)", term->place,
+                           "it before an operand");
         name(term->name, term->place);
         return each_expression(term->children);
       case Kind::number:
         return;
+      case Kind::application:
+        if (!is_sign(term->children[0]) || !term->children[0]->children.empty()) expression(term->children[0]);
+        return expression(term->children[1]);
       case Kind::set_extension:
       case Kind::tuple:
       case Kind::product:
       case Kind::power:
       case Kind::selection:
-      case Kind::application:
         return each_expression(term->children);
       case Kind::comprehension:
       case Kind::lambda:

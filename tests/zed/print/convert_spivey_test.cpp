@@ -166,6 +166,17 @@ TEST_CASE("what Spivey's Z has no form for is refused at its place") {
         "2: a schema text without a declaration cannot be written in Spivey's Z");
 }
 
+TEST_CASE("what fuzz cannot take is refused, or written otherwise") {
+  CHECK(refused_in_spivey("A == (\\# \\_)[B]") == "2:19: the function (# _) cannot be written in Spivey's Z");
+  CHECK(refused_in_spivey("A == (\\negate \\_)") == "2:19: the function (- _) cannot be written in Spivey's Z");
+  CHECK(zed_in_spivey("A == \\# B + \\negate 1") == "\\begin{zed}\n  A == \\# B + - 1\n\\end{zed}");
+  CHECK_THAT(spivey_of("┌ S\n  x : ℕ\n|\n  x > 1\n└\n"),
+             Catch::Contains("\\begin{schema}{S}\n  x : \\nat\n\\where\n  \\t1 x > 1\n\\end{schema}"));
+  CHECK_THROWS_WITH(spivey_of(header), Catch::Contains("a section without a paragraph cannot be written"));
+  CHECK(refused_in_spivey("S == [ x, S : \\num ]") ==
+        "2:23: the name S of a schema for another cannot be written in Spivey's Z");
+}
+
 TEST_CASE("what binds otherwise in Spivey's Z is refused, and not changed") {
   // ISO: (f 1)∼, and S ∧ (S ⧹ (x)); Spivey: f (1∼), and (S ∧ S) ⧹ (x).
   CHECK(refused_in_spivey("A == f~1 \\inv") == "2:13: this paragraph would be another in Spivey's Z");
