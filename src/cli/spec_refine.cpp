@@ -1,6 +1,8 @@
 // durero spec refine ABSTRACT CONCRETE --by RETRIEVE FILE…: the obligations of a data refinement, written and tried.
 #include "spec_refine.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,6 +12,7 @@
 #include "durero/io/output_file.hpp"
 #include "durero/io/standard_output.hpp"
 #include "durero/spec/refinement_trial.hpp"
+#include "durero/zed/hol/hol.hpp"
 #include "progress.hpp"
 #include "spec.hpp"
 #include "spec_run_typed.hpp"
@@ -21,7 +24,7 @@ struct RefineCall {
   spec::RefinementCall call;
   spec::RefinementBounds bounds;
   std::vector<std::string> files, pairs, given;
-  std::string write;
+  std::string write, coq, isabelle;
   bool some = false, quiet = false;
 };
 
@@ -47,12 +50,30 @@ void write_obligations(const RefineCall& call, const zed::Specification& text, c
   out.commit();
 }
 
+/// The obligations with the text's definitions, for a proof assistant.
+void export_obligations(const std::string& file, zed::ProofAssistant prover, const zed::Specification& text,
+                        const std::vector<spec::Obligation>& all) {
+  if (file.empty()) return;
+  std::vector<zed::NamedClaim> claims;
+  for (const spec::Obligation& each : all) {
+    std::string name = "obligation_" + each.label;
+    std::replace(name.begin(), name.end(), '.', '_');
+    claims.push_back({std::move(name), each.claim});
+  }
+  io::OutputFile out(file);
+  out.write(zed::to_hol(text, zed::check(text), claims, prover, std::filesystem::path(file).stem().string()));
+  out.commit();
+}
+
 int answer(const RefineCall& call, const zed::Specification& text, const spec::Refinement& refinement) {
   std::optional<Progress> progress(std::in_place, call.quiet, "spec refine");
   const spec::RefinementTrial trial = spec::try_refinement(text, refinement, call.bounds);
   progress.reset();
   note_taken(trial.taken);
   write_obligations(call, text, refinement, trial.functional);
+  const std::vector<spec::Obligation> stated = spec::obligations(refinement, trial.functional);
+  export_obligations(call.coq, zed::ProofAssistant::coq, text, stated);
+  export_obligations(call.isabelle, zed::ProofAssistant::isabelle, text, stated);
   io::print(spec::refinement_answer(text, refinement, call.bounds, trial));
   return trial.holds() && (call.some || refinement.alone.empty()) ? 0 : 1;
 }
@@ -104,6 +125,8 @@ void add_spec_refine(CLI::App& spec, int& status) {
       ->check(whole_number(1, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command->add_option("--write", options->write, "Write the obligations, too: LaTeX in a file NAME.tex, else Unicode");
+  command->add_option("--coq", options->coq, "Write the definitions and the obligations in Coq, too");
+  command->add_option("--isabelle", options->isabelle, "Write them as a theory of Isabelle/HOL, too");
   add_quiet(*command, options->quiet);
   command->footer(
       "The obligations say that nobody who uses the operations can tell the concrete state from the abstract one:\n"

@@ -1,5 +1,6 @@
 # durero spec refine: the obligations of a data refinement, written and tried.
-demo=$(CDPATH='' cd -- "$(dirname -- "$0")/../../demo" && pwd)
+here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
+demo=$(CDPATH='' cd -- "$here/../../demo" && pwd)
 . "$(dirname "$0")/harness.sh"
 
 # The arrays refine the book, and the obligations that are written are read back.
@@ -42,6 +43,27 @@ run 1 spec refine BirthdayBook BirthdayBook1 --by Abs birthday_book_wrong_index.
 has out '  NAME == {ann, bob}'
 run 0 spec refine BirthdayBook BirthdayBook1 --by Abs birthday_book_arrays.tex --states 5 --scope 2
 has out 'scope 2: 5 pairs of states reached, '
+
+# The obligations are written for Coq and for Isabelle; Coq takes them, refutes what is false and proves what is true.
+run 0 spec refine BirthdayBook BirthdayBook1 --by Abs birthday_book_arrays.tex --scope 1 --coq arrays.v --isabelle Arrays.thy
+has arrays.v 'Definition obligation_AddBirthday1_conj_2 : Prop :='
+has Arrays.thy 'definition obligation_AddBirthday1_conj_2 :: "bool" where'
+has Arrays.thy 'theory Arrays'
+run 1 spec refine Coin Coin1 --by AbsCoin coin.tex --scope 1 --coq forward.v
+run 0 spec refine Coin Coin1 --by AbsCoin coin.tex --scope 1 --coq backward.v --backward
+if command -v coqc >/dev/null; then
+  cp "$here"/coin_forward.v "$here"/coin_backward.v .
+  for file in arrays forward backward coin_forward coin_backward; do
+    checks=$((checks + 1))
+    coqc -q -Q . Export "$file.v" >out 2>err || fail "coqc $file.v"
+  done
+else
+  echo "coqc is absent: what is written for Coq is not compiled"
+fi
+{ cat coin.tex; printf '\\begin{zed} Pairs[X] == X \\cross X \\end{zed}\n'; } >generic.tex
+refused 'generic.tex:' spec refine Coin Coin1 --by AbsCoin generic.tex --scope 1 --coq generic.v
+has err 'a generic definition has no rule of translation to higher-order logic'
+absent generic.v
 
 # Errors are one line.
 refused 'coin.tex:1:1: the text has no schema Coim; expected Coin' spec refine Coim Coin1 --by AbsCoin coin.tex
