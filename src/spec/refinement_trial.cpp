@@ -27,8 +27,10 @@ ObligationTrial retrieve_trial(const zed::Specification& text, const Refinement&
                                const RefinementBounds& bounds, bool functional) {
   std::vector<ObligationTrial> all = untried(refinement, functional);
   ObligationTrial trial = std::move(all.front());
-  for (std::size_t scope = 1; scope <= bounds.scope && !trial.counterexample; ++scope)
-    Simulation(text, refinement, bounds, scope, all).try_retrieve(trial);
+  for (std::size_t scope = 1; scope <= bounds.scope && !trial.counterexample; ++scope) {
+    Simulation simulation(text, refinement, bounds, scope, all);
+    if (simulation.is_possible()) simulation.try_retrieve(trial);
+  }
   return trial;
 }
 
@@ -46,7 +48,7 @@ RefinementTrial try_refinement(const zed::Specification& text, const Refinement&
   if (is_of_retrieve(result.all.front().obligation)) result.all.front() = std::move(of_retrieve);
   for (std::size_t scope = 1; scope <= bounds.scope; ++scope) {
     Simulation simulation(text, refinement, bounds, scope, result.all);
-    simulation.run(result.functional);
+    if (simulation.is_possible()) simulation.run(result.functional);
     result.bounds.push_back(simulation.bounds_line());
     result.taken = simulation.taken();
   }

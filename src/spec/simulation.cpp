@@ -79,7 +79,20 @@ Simulation::Simulation(const zed::Specification& text, const Refinement& refinem
 
 std::vector<std::string> Simulation::taken() const { return taken_lines(parts_->evaluator->taken()); }
 
+bool Simulation::is_possible() const {
+  for (const Name& constant : parts_->evaluator->constants()) try {
+      parts_->begin_question();
+      parts_->evaluator->value(constant);
+    } catch (const zed::Unsatisfied&) {
+      return false;
+    } catch (const zed::EvaluationError&) {  // whoever needs its value is told so
+    } catch (const zed::StepsSpent&) {
+    }
+  return true;
+}
+
 std::string Simulation::bounds_line() const {
+  if (!is_possible()) return fmt::format("scope {}: the constants of the text have no values in it", scope_);
   const char* what = refinement_.backward ? "states" : "pairs of states";
   return fmt::format("scope {}: {} {} reached{}, {} states listed{}", scope_, reached_, what,
                      all_reached_ ? ", all that these inputs lead to" : "", listed_,

@@ -28,6 +28,8 @@ class Simulation {
   /// `trials` are those of obligations(), and outlive it, as the rest does. Throws what Machine does.
   Simulation(const zed::Specification& text, const Refinement& refinement, const RefinementBounds& bounds,
              std::size_t scope, std::vector<ObligationTrial>& trials);
+  /// Whether the constants of the text may have values in the scope; if not, the text says nothing of it.
+  bool is_possible() const;
   /// Tries whether the retrieve schema is a function, or total, on the concrete states in the scope.
   void try_retrieve(ObligationTrial& trial);
   /// Tries the others.

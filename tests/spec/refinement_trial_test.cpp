@@ -18,10 +18,13 @@ std::string source_of(const std::string& name) {
   return all.str();
 }
 
-/// A demo's text, with something else in the place of a part of it.
-zed::Specification changed(const std::string& name, const std::string& part = "", const std::string& instead = "") {
+/// A text and what stands instead of it.
+using Change = std::pair<std::string, std::string>;
+
+/// A demo's text with changes.
+zed::Specification changed(const std::string& name, const std::vector<Change>& changes) {
   std::string text = source_of(name);
-  if (!part.empty()) {
+  for (const auto& [part, instead] : changes) {
     REQUIRE(text.find(part) != text.npos);
     text.replace(text.find(part), part.size(), instead);
   }
@@ -30,6 +33,11 @@ zed::Specification changed(const std::string& name, const std::string& part = ""
   REQUIRE(zed::check(read).ok());
   return read;
 }
+
+zed::Specification changed(const std::string& name, const std::string& part, const std::string& instead) {
+  return changed(name, {{part, instead}});
+}
+zed::Specification changed(const std::string& name) { return changed(name, std::vector<Change>()); }
 
 const RefinementCall by_arrays{"BirthdayBook", "BirthdayBook1", "Abs"}, by_late_coin{"Coin", "Coin1", "AbsCoin"};
 
@@ -180,6 +188,14 @@ TEST_CASE("faults of a backward simulation are found") {
   }
 }
 
+TEST_CASE("a coin that is drawn anew at each look is no refinement of one that stays") {
+  const Tried wrong = tried(changed("coin.tex", {{"hand' = empty  % Look.post.2", "hand' = hand  % Look.post.2"},
+                                                 {"tossed' = no  % Look1.post.1", "tossed' = yes  % Look1.post.1"}}),
+                            backward(by_late_coin));
+  CAPTURE(wrong.answer());
+  CHECK(wrong.holds_but({"Look1.conj.2"}));
+}
+
 TEST_CASE("an obligation without a case, or that is not decided, is no obligation that holds") {
   const Tried never =
       tried(changed("coin.tex", "tossed' = yes  % Toss1", "tossed' = yes \\land tossed = yes  % Toss1"), by_late_coin);
@@ -192,6 +208,52 @@ TEST_CASE("an obligation without a case, or that is not decided, is no obligatio
                            by_late_coin);
   CAPTURE(open.answer());
   CHECK_FALSE(open.trial.holds());
+}
+
+TEST_CASE("a scope in which the constants of the text have no values says nothing") {
+  // With one member of NAME there are no two, and only there does Go1 refuse
+  // nothing that Go admits.
+  auto text = zed::read_text(R"(
+\begin{zed} [NAME] \end{zed}
+\begin{axdef} a, b : NAME \where a \neq b \end{axdef}
+\begin{schema}{S} x : NAME \end{schema}
+\begin{schema}{InitS} S~' \end{schema}
+\begin{schema}{Go} \Delta S \where x' = x \end{schema}
+\begin{schema}{S1} y : NAME \end{schema}
+\begin{schema}{R} S; S1 \where x = y \end{schema}
+\begin{schema}{InitS1} S1~' \end{schema}
+\begin{schema}{Go1} \Delta S1 \where y' = y \land (\forall z : NAME @ z = y) \end{schema}
+)",
+                             "two.tex");
+  REQUIRE(text.ok());
+  const Tried one = tried(text, {"S", "S1", "R"}, 1);
+  CAPTURE(one.answer());
+  CHECK(one.trial.bounds[0] == "scope 1: the constants of the text have no values in it");
+  CHECK_FALSE(one.trial.holds());
+  CHECK(std::ranges::all_of(one.trial.all, [](const auto& each) { return each.held == 0 && !each.counterexample; }));
+  const Tried two = tried(text, {"S", "S1", "R"});
+  REQUIRE(two.of("Go1.conj.1").counterexample);
+  CHECK(two.of("Go1.conj.1").counterexample->scope == 2);
+}
+
+TEST_CASE("what only a value outside of the scope would make true is not decided") {
+  auto text = zed::read_text(R"(
+\begin{schema}{S} n : \nat \end{schema}
+\begin{schema}{InitS} S~' \where n' = 0 \end{schema}
+\begin{schema}{Jump} \Delta S \where n' * n' * n' = n' + 999900 \end{schema}
+\begin{schema}{S1} m : \nat \end{schema}
+\begin{schema}{R} S; S1 \where n = m \end{schema}
+\begin{schema}{InitS1} S1~' \where m' = 0 \end{schema}
+\begin{schema}{Jump1} \Delta S1 \where m' = 100 \end{schema}
+)",
+                             "far.tex");
+  REQUIRE(text.ok());
+  const Tried far = tried(text, {"S", "S1", "R"});
+  CAPTURE(far.answer());
+  CHECK(far.of("Jump1.conj.1").open > 0);
+  CHECK(far.of("Jump1.conj.1").held == 0);
+  CHECK_FALSE(far.of("Jump1.conj.1").counterexample);
+  CHECK_THAT(far.answer(), Contains("not decided: the values of n' do not end with the scope"));
 }
 
 }  // namespace durero::spec
