@@ -252,14 +252,15 @@ class RandomMachine {
                    "\\{~ y : s | y \\in \\dom f @ f(y) ~\\} = \\{k?\\}", "(x?, k?) \\in f \\lor n = k?"});
   }
   std::string after_set() {
-    return one_of({"s' = s", "s' = s \\cup \\{x?\\}", "s' = s \\setminus \\{x?\\}", "s' = \\dom f'", "s' \\subseteq s",
-                   "s' = \\{~ y : X | y \\notin s ~\\}",
+    return one_of({"s' = s", "s' = s \\cup \\{x?\\}", "s' = s \\lor s' = \\{x?\\}", "s' = s \\setminus \\{x?\\}",
+                   "s' = \\dom f'", "s' \\subseteq s", "s' = \\{~ y : X | y \\notin s ~\\}",
                    "(x? \\in s \\land s' = \\{x?\\}) \\lor (x? \\notin s \\land s' = s)",
                    "s' = \\IF n = 0 \\THEN X \\ELSE s", "\\# s' = k?"});
   }
   std::string after_function() {
-    return one_of({"f' = f", "f' = f \\oplus \\{x? \\mapsto k?\\}", "f' = \\{x?\\} \\ndres f", "f' = s \\dres f",
-                   "f' = (\\lambda y : s @ k?)", "f' = f \\nrres \\{k?\\}", "\\dom f' = \\dom f",
+    return one_of({"f' = f", "f' = f \\oplus \\{x? \\mapsto k?\\}", "f' = f \\cup \\{x? \\mapsto k?\\}",
+                   "f' = \\{x?\\} \\ndres f", "f' = s \\dres f", "f' = (\\lambda y : s @ k?)",
+                   "f' = f \\nrres \\{k?\\}", "\\dom f' = \\dom f",
                    "f' = \\{~ y : s; z : 0 \\upto 1 | z = n \\div 2 @ y \\mapsto z ~\\}"});
   }
   std::string after_number() {
@@ -336,9 +337,9 @@ TEST_CASE("numbers that nothing bounds are tried within bounds, and the report s
   CHECK(report.bounded == std::vector<std::string>{"Jump: some values of by? were tried: --numbers"});
   bounds.states = 4;
   CHECK(explored(counter("9"), bounds).bounded == std::vector<std::string>{"states: --states"});
-  const ExploreReport within =
-      explored(counter("9", schema("Down", "\\Delta S \\\\ by? : \\nat", "by? \\leq n \\\\ n' = n - by?")), bounds);
+  const ExploreReport within = explored(counter("9", schema("Down", "\\Xi S \\\\ by? : \\nat", "by? < n + 2")), bounds);
   CHECK(within.bounded == std::vector<std::string>{"states: --states"});  // n bounds by?
+  CHECK(within.operations[0].transitions == 2 + 3 + 4 + 5);
 }
 
 TEST_CASE("the numbers of a quantifier are not bounded as those of an operation are") {

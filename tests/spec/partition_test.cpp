@@ -69,6 +69,11 @@ TEST_CASE("an operation without a disjunction is one case") {
   const OperationCases found = cases_of(all.str(), machine);
   CHECK(found.cases.size() == 9);  // two of seven operations are disjunctions of two
   CHECK(std::all_of(found.cases.begin(), found.cases.end(), [](const OperationCase& each) { return each.is_found; }));
+  for (const OperationCase& each : found.cases)
+    if (each.operation == "NotKnown") {  // any date will do
+      REQUIRE(each.admitted.size() == 2);
+      CHECK_FALSE(each.admitted[0] == each.admitted[1]);
+    }
 }
 
 }  // namespace
