@@ -28,7 +28,7 @@ Value subsets_left(const Value& set, const Value&, Context&) { return set.set() 
 
 /// Every sequence whose items stand in a row in s.
 Value infixes_left(const Value& s, const Value&, Context&) {
-  std::vector<Value> items, pieces{empty_set()};
+  std::vector<Value> items, pieces{sequence_of({})};
   if (!s.set()) return {};
   for (const Value& pair : *s.set()->members()) {
     const Real* position = pair.tuple() ? first(pair).real() : nullptr;
@@ -182,6 +182,8 @@ std::optional<std::vector<Value>> Solver::bounded(const Variable& variable, cons
     if (!members || values.set()->family()) continue;
     if (!fewest || members->size() < fewest->size()) fewest = *members;
   }
+  if (fewest && declared.set() && declared.set()->declares_sequences())
+    for (Value& each : *fewest) each = declared.set()->as_declared(each);
   return fewest;
 }
 

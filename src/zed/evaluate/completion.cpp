@@ -15,6 +15,17 @@ struct Completion::State {
   std::vector<Solver> sides;
 };
 
+namespace {
+
+/// The value as it is written where it is declared from the set of the variable.
+Value written_as_declared(const Value& value, const Variable& variable, Frame& frame) {
+  if (!value.set() && !value.tuple()) return value;
+  const Value set = variable.set ? variable.set(frame) : Value();
+  return set.set() && set.set()->declares_sequences() ? set.set()->as_declared(value) : value;
+}
+
+}  // namespace
+
 const std::vector<Name>& Completion::sought() const { return state_->sought; }
 
 Truth Completion::each(std::span<const Value> known,
@@ -28,7 +39,8 @@ Truth Completion::each(std::span<const Value> known,
   for (const Solver& side : state_->sides) {
     const Truth here = side.each(frame, [&](Frame& inside) {
       std::vector<Value> values;
-      for (const unsigned slot : state_->slots) values.push_back(inside.slots[slot]);
+      for (std::size_t i = 0; i < state_->slots.size(); ++i)
+        values.push_back(written_as_declared(inside.slots[state_->slots[i]], side.variables()[i], inside));
       stopped = !visit(values);
       return !stopped;
     });

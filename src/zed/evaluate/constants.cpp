@@ -81,6 +81,17 @@ std::vector<Name> Constants::names() {
   return names;
 }
 
+/// The value as it is written where it is declared from the constant's set.
+Value Constants::as_declared(const Value& value, const Meaning& constant, Context& context) {
+  const Term* set = value.set() || value.tuple() ? declared_set(constant.name, box_of(constant)) : nullptr;
+  try {
+    const Value declared = set ? compiler_.evaluated(*set, context) : Value();
+    return declared.set() && declared.set()->declares_sequences() ? declared.set()->as_declared(value) : value;
+  } catch (const EvaluationError&) {  // it is written as it was made
+    return value;
+  }
+}
+
 Value Constants::by_equation(const Meaning& constant, Context& context) {
   for (const Fact& fact : facts())
     if (const Term* value = other_side(fact.predicate.term, constant.name)) return compiler_.evaluated(*value, context);
@@ -166,7 +177,7 @@ Value Constants::looked_for(Meaning& constant, Context& context) {
                       (sought.size() == 1 ? "it" : "them"));
   if (found == Truth::open) throw Undetermined(constant.name.text());
   for (std::size_t i = 0; i < sought.size(); ++i) {
-    sought[i]->value = choice.values()[i];
+    sought[i]->value = as_declared(choice.values()[i], *sought[i], context);
     std::erase_if(taken_, [&](const auto& each) { return each.first == sought[i]->name; });
     if (choice.was_taken(i)) taken_.emplace_back(sought[i]->name, choice.values()[i]);
   }
@@ -194,14 +205,14 @@ Value Constants::value(Meaning& constant, Context& context) {
       throw;
     }
   }
-  constant.value = given;
+  constant.value = as_declared(given, constant, context);
   try {
     check(constant, context);
   } catch (...) {
     constant.value.reset();
     throw;
   }
-  return given;
+  return *constant.value;
 }
 
 }  // namespace durero::zed

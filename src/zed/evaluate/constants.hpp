@@ -45,6 +45,7 @@ class Constants {
   void add_facts(const Axiomatic& form);
   void add_declaration(Meaning& constant);
   Value by_equation(const Meaning& constant, Context& context);
+  Value as_declared(const Value& value, const Meaning& constant, Context& context);
   bool is_given_by_equation(const Meaning& constant);
   bool is_known_apart(Meaning& constant, Context& context);
   std::vector<Meaning*> known_together(Meaning& constant, Context& context);

@@ -65,6 +65,15 @@ class Comprehension : public Set {
     return unknown_characteristic(frame, closure_.head);
   }
 
+  bool declares_sequences() const override {
+    const Value set = declared_from();
+    return set.set() && set.set()->declares_sequences();
+  }
+  Value as_declared(const Value& member) const override {
+    const Value set = declared_from();
+    return set.set() ? set.set()->as_declared(member) : member;
+  }
+
   bool total() const override {
     if (!total_) {
       Context context(steps_);
@@ -86,10 +95,7 @@ class Comprehension : public Set {
 
   std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
     if (members()) return Set::some_members(scope, context);
-    const auto& variables = closure_.head.search->variables();
-    if (closure_.term || variables.size() != 1 || closure_.head.groups[0].names || !variables[0].set) return {};
-    Frame frame = closure_.frame(context);
-    const Value set = variables[0].set(frame);
+    const Value set = declared_from();
     std::vector<Value> some = set.set() ? set.set()->some_members(scope, context) : std::vector<Value>();
     std::erase_if(some, [&](const Value& each) { return contains(each, context) != Truth::yes; });
     return some;
@@ -130,6 +136,14 @@ class Comprehension : public Set {
 
  private:
   void list() const;
+  /// The set from which the only variable is declared, where the members are its values.
+  Value declared_from() const {
+    const auto& variables = closure_.head.search->variables();
+    if (closure_.term || variables.size() != 1 || closure_.head.groups[0].names || !variables[0].set) return {};
+    Context context(steps_);
+    Frame frame = closure_.frame(context);
+    return variables[0].set(frame);
+  }
   Value pair(Frame& inside) const {
     return closure_.term ? closure_.term(inside) : characteristic(inside, closure_.head.groups);
   }

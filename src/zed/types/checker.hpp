@@ -58,6 +58,9 @@ class Checker {
   Type wrong(Place place, std::string what, std::string expected);
 
   /// Refuses what the paragraph has left undetermined, unless it has errors already.
+  /// Takes what is checked for a term without a text around it: an empty sequence that nothing gives a type is one of
+  /// numbers then.
+  void take_alone() { alone_ = true; }
   void finish_paragraph();
 
   /// Determines what the types of bindings and tuples were not known for; to be called before a paragraph declares.
@@ -134,7 +137,8 @@ class Checker {
   std::vector<FieldTable> scopes_;
   std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined
   std::vector<Selection> selections_;
-  Place at_;  // the node being checked stands here
+  bool alone_ = false;  // the term is no part of a text
+  Place at_;            // the node being checked stands here
   std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
   std::size_t work_ = 0, variables_ = 0;
 };

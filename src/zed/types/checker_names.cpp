@@ -187,6 +187,7 @@ void Checker::finish_paragraph() {
     for (const auto& [name, instance] : generics_) {
       spend(instance.second.size());
       if (!instance.second.has_variables()) continue;
+      if (alone_ && name.word == "⟨,,⟩" && unify(instance.second, Type::given({"𝔸", ""}))) continue;
       error(instance.first, fmt::format("the generic actuals of {} are not determined", name.text()),
             name.word == "{}" ? "expected ∅[…], or a use that gives its type"
                               : fmt::format("expected {}[…], or a use that gives its type", name.text()));

@@ -242,6 +242,7 @@ Typing check_term(const Typing& known, const std::string& section, const Term& t
   Checker::Globals globals = scope == known.scopes.end() ? Checker::Globals() : scope->second;
   Checker checker(file, globals, toolkit == known.sees_toolkit.end() || toolkit->second, typing);
   checker.push(locals);
+  checker.take_alone();
   try {
     check_at_end(checker, term);
   } catch (const ZError& error) {  // a limit is reached

@@ -9,12 +9,14 @@ namespace {
 
 class FiniteSet : public Set {
  public:
-  explicit FiniteSet(std::vector<Value> sorted)
+  explicit FiniteSet(std::vector<Value> sorted, bool is_sequence = false)
       : members_(std::move(sorted)),
+        is_sequence_(is_sequence),
         family_(std::any_of(members_.begin(), members_.end(), has_intensional)),
         of_sets_(family_ && std::any_of(members_.begin(), members_.end(), has_intensional_argument)) {}
 
   const std::vector<Value>* members() const override { return &members_; }
+  bool is_sequence() const override { return is_sequence_; }
   std::size_t listed() const override { return members_.size(); }
   bool family() const override { return family_; }
   Numbers numbers() const override {
@@ -87,6 +89,7 @@ class FiniteSet : public Set {
   }
 
   std::vector<Value> members_;
+  bool is_sequence_;
   bool family_;
   bool of_sets_;  // some pair's first part cannot be compared
 };
@@ -147,6 +150,10 @@ class Integers : public Set {
 }  // namespace
 
 Value finite(std::vector<Value> sorted) { return SetPtr(std::make_shared<const FiniteSet>(std::move(sorted))); }
+
+Value finite_sequence(std::vector<Value> pairs) {
+  return SetPtr(std::make_shared<const FiniteSet>(std::move(pairs), true));
+}
 
 const Value& empty_set() {
   static const Value empty = finite({});

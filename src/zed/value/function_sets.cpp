@@ -58,6 +58,18 @@ class FunctionSet : public Set {
     return result;
   }
 
+  bool declares_sequences() const override {
+    return from_.set()->declares_sequences() || to_.set()->declares_sequences();
+  }
+  Value as_declared(const Value& member) const override {
+    const auto* members = member.set() ? member.set()->members() : nullptr;
+    if (!members || !declares_sequences()) return member;
+    std::vector<Value> pairs;
+    for (const Value& pair : *members)
+      pairs.push_back(Value::pair(from_.set()->as_declared(first(pair)), to_.set()->as_declared(second(pair))));
+    return Value::set(std::move(pairs));
+  }
+
   bool closed() const override { return zed::closed(from_) && zed::closed(to_); }
   std::size_t listed() const override { return listed_ ? listed_->set()->listed() : 0; }
 

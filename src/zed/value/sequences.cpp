@@ -59,6 +59,18 @@ class SequenceSet : public Set {
 
   bool closed() const override { return zed::closed(of_); }
 
+  bool declares_sequences() const override { return true; }
+  Value as_declared(const Value& member) const override {
+    const bool parts = of_.set()->declares_sequences();
+    const auto in_order = member.set() && member.set()->members() && (parts || !member.set()->is_sequence())
+                              ? items(member)
+                              : std::nullopt;
+    if (!in_order) return member;
+    Values declared;
+    for (const Value& item : *in_order) declared.push_back(parts ? of_.set()->as_declared(item) : item);
+    return sequence(declared);
+  }
+
   // The sequences of distinct members of a finite set are finitely many, and so are those of none.
   const std::vector<Value>* members() const override {
     const auto* of = of_.set()->members();
@@ -135,7 +147,9 @@ Value successor(const Value& number, Context&) {
 }
 
 /// ⟨a, b⟩ is written as this function of the set {(1, a), (2, b)}: the sequence is that set.
-Value sequence_of_pairs(const Value& pairs, Context&) { return pairs; }
+Value sequence_of_pairs(const Value& pairs, Context&) {
+  return of_items(pairs, false, [](const Values& items) { return sequence(items); });
+}
 
 Value sequences(const Value& set, Context&) { return sequence_set(set, false, false); }
 Value nonempty_sequences(const Value& set, Context&) { return sequence_set(set, true, false); }

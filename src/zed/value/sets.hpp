@@ -14,6 +14,9 @@ inline bool precedes(const Value& a, const Value& b) { return compare(a, b) < 0;
 
 /// Makes a finite set of members that are sorted, each once.
 Value finite(std::vector<Value> sorted);
+/// Makes the finite set of the pairs of a sequence, which is written as one. Precondition: their first parts are 1‥n in
+/// this order.
+Value finite_sequence(std::vector<Value> pairs);
 const Value& empty_set();
 
 /// Makes a set of which every value of its type is a member: 𝔸, ℝ, a given set.

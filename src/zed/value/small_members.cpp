@@ -52,7 +52,7 @@ Value sequence_of(const std::vector<Value>& items) {
   Values pairs;
   pairs.reserve(items.size());
   for (const Value& item : items) pairs.push_back(Value::pair(Real(static_cast<double>(pairs.size() + 1)), item));
-  return finite(std::move(pairs));
+  return finite_sequence(std::move(pairs));
 }
 
 std::vector<Value> subsets_of(std::vector<Value> values, std::size_t most, bool nonempty) {

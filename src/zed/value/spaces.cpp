@@ -21,6 +21,14 @@ class PowerSet : public Set {
   PowerSet(Value base, PowerForm form) : base_(std::move(base)), form_(form) {}
 
   bool total() const override { return !form_.finite && !form_.nonempty && base_.set()->total(); }
+  bool declares_sequences() const override { return base_.set()->declares_sequences(); }
+  Value as_declared(const Value& member) const override {
+    const auto* members = member.set() ? member.set()->members() : nullptr;
+    if (!members || !declares_sequences()) return member;
+    std::vector<Value> declared;
+    for (const Value& each : *members) declared.push_back(base_.set()->as_declared(each));
+    return Value::set(std::move(declared));
+  }
   bool closed() const override { return zed::closed(base_); }
 
   Truth contains(const Value& value, Context& context) const override {
@@ -92,6 +100,18 @@ class ProductSet : public Set {
 
   bool total() const override {
     return std::all_of(factors_.begin(), factors_.end(), [](const Value& factor) { return factor.set()->total(); });
+  }
+
+  bool declares_sequences() const override {
+    return std::any_of(factors_.begin(), factors_.end(),
+                       [](const Value& factor) { return factor.set()->declares_sequences(); });
+  }
+  Value as_declared(const Value& member) const override {
+    const auto* tuple = member.tuple();
+    if (!tuple || tuple->parts.size() != factors_.size() || !declares_sequences()) return member;
+    std::vector<Value> parts;
+    for (std::size_t i = 0; i < factors_.size(); ++i) parts.push_back(factors_[i].set()->as_declared(tuple->parts[i]));
+    return Value::tuple(std::move(parts));
   }
 
   Truth contains(const Value& value, Context& context) const override {

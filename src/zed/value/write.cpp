@@ -14,17 +14,8 @@ bool all_pairs(const std::vector<Value>& values) {
   });
 }
 
-/// Says whether sorted pairs are those of a sequence: their first parts are 1, 2, … in this order.
-bool is_sequence(const std::vector<Value>& pairs) {
-  double position = 0;
-  return std::all_of(pairs.begin(), pairs.end(), [&](const Value& pair) {
-    const Real* at = pair.tuple()->parts[0].real();
-    return at && *at == Real(++position);
-  });
-}
-
 /// Writes a value of a type, or of one that is not known where that is null. A set of pairs is written as a
-/// function, and as a sequence where it is one.
+/// function, and as a sequence where it was made as one.
 struct ValueWriter {
   const Value::Spelling& spelling;
   const Type* type = nullptr;
@@ -52,8 +43,8 @@ struct ValueWriter {
   std::string operator()(const SetPtr& set) const {
     const std::vector<Value>* members = set->members();
     if (!members) return set->spelled(Set::Wording::closed);
+    if (set->is_sequence()) return "⟨" + items(*members) + "⟩";
     if (members->empty()) return empty();
-    if (all_pairs(*members) && is_sequence(*members)) return "⟨" + items(*members) + "⟩";
     return "{" + (all_pairs(*members) ? maplets(*members) : listed(*members, Type::Kind::power)) + "}";
   }
 

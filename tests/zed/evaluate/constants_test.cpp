@@ -49,6 +49,14 @@ TEST_CASE("equations give constants their values in any order, and together") {
   CHECK(Asked(axdef("n : \\nat", "n = 2") + axdef("m : \\nat", "m = n + n")).value("m") == "4");
 }
 
+TEST_CASE("a constant that is declared a sequence is written as one, however its value is made") {
+  CHECK(Asked(axdef("q : \\seq \\nat", "q = \\{1 \\mapsto 4, 2 \\mapsto 5\\}")).value("q") == "⟨4, 5⟩");
+  CHECK(Asked(axdef("q : \\seq \\nat", "q = \\{\\}")).value("q") == "⟨⟩");
+  CHECK(Asked(axdef("f : 1 \\upto 2 \\fun \\seq \\nat", "f = \\{1 \\mapsto \\{\\}, 2 \\mapsto \\{1 \\mapsto 7\\}\\}"))
+            .value("f") == "{1 ↦ ⟨⟩, 2 ↦ ⟨7⟩}");
+  CHECK(Asked(axdef("f : \\nat \\pfun \\nat", "f = \\{1 \\mapsto 4\\}")).value("f") == "{1 ↦ 4}");
+}
+
 TEST_CASE("a predicate that the value makes false is named") {
   const std::string less = axdef("a, b : \\nat", "a = 3 \\\\\nb = 5 \\\\\nb \\leq a");
   CHECK_THROWS_WITH(Asked(less).value("b"), Contains("makes b ≤ a (line 3) false"));

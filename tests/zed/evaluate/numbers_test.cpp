@@ -106,7 +106,7 @@ TEST_CASE("a set of points is written without free names") {
         "⋃ (let ray == ⦉p == ⦉x == 0, y == 0, z == -5⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊ • { t : Rmas • { temp : Punto | "
         "temp.x = ray.p.x + t * ray.v.x ∧ temp.y = ray.p.y + t * ray.v.y ∧ temp.z = ray.p.z + t * ray.v.z } })");
   CHECK(value("⟨5, 7⟩") == "⟨5, 7⟩");
-  CHECK(value("{1 ↦ 5, 2 ↦ 7, 3 ↦ 5}") == "⟨5, 7, 5⟩");
+  CHECK(value("{1 ↦ 5, 2 ↦ 7, 3 ↦ 5}") == "{1 ↦ 5, 2 ↦ 7, 3 ↦ 5}");
   CHECK(value("{0 ↦ 5, 1 ↦ 7}") == "{0 ↦ 5, 1 ↦ 7}");
   CHECK(value("{1 ↦ 5, 1 ↦ 7}") == "{1 ↦ 5, 1 ↦ 7}");
 }

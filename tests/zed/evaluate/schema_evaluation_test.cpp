@@ -177,7 +177,7 @@ TEST_CASE("axiomatic functions and constants, free types") {
 }
 
 TEST_CASE("generic paragraphs, with actuals and without") {
-  CHECK(value("Par[1‥2, {3}]") == "⟨3, 3⟩");
+  CHECK(value("Par[1‥2, {3}]") == "{1 ↦ 3, 2 ↦ 3}");
   CHECK(value("cambiar(1, rojo)") == "(rojo, 1)");
   CHECK(value("Caja[1‥1]") == "{⦉cuantos == 0, dentro == ∅⦊, ⦉cuantos == 1, dentro == {1}⦊}");
   CHECK(holds("⦉dentro == {1}, cuantos == 1⦊ ∈ Caja[1‥2]") == Truth::yes);

@@ -375,6 +375,53 @@ TEST_CASE("members of a bounded size are all gone through") {
   CHECK(asked.value("# {f : 1 ‥ 3 ⇸ 1 ‥ 3 | # f ≤ 1}") == "10");
 }
 
+TEST_CASE("a set of pairs is written as a sequence where it was made, or is declared, as one") {
+  ScopeAnswers asked;
+  CHECK(asked.value("⟨3, 3⟩") == "⟨3, 3⟩");
+  CHECK(asked.value("{1, 2} × {3}") == "{1 ↦ 3, 2 ↦ 3}");
+  CHECK(asked.value("id {1, 2}") == "{1 ↦ 1, 2 ↦ 2}");
+  CHECK(asked.value("{1 ↦ 2} ⊕ {1 ↦ 3}") == "{1 ↦ 3}");
+  CHECK(asked.value("⟨1⟩ ⁀ tail ⟨2, 3⟩") == "⟨1, 3⟩");
+  CHECK(asked.value("tail ⟨2⟩") == "⟨⟩");
+  CHECK(asked.value("{s : seq {1} | # s ≤ 1}") == "{⟨⟩, ⟨1⟩}");
+  CHECK(asked.value("({1, 2} × {3}, ⟨3, 3⟩)") == "({1 ↦ 3, 2 ↦ 3}, ⟨3, 3⟩)");
+  CHECK(asked.truth("{1, 2} × {3} = ⟨3, 3⟩") == "true");
+  CHECK(asked.truth("∅ = ⟨⟩") == "true");
+}
+
+/// An expression with a value at random, of a kind by its depth.
+std::string random_value(Random& random, int depth) {
+  const auto inner = [&] { return random_value(random, depth - 1); };
+  if (depth == 0) return std::to_string(random.below(4));
+  const std::string a = inner();
+  switch (random.below(6)) {
+    case 0:
+      return fmt::format("⟨{}⟩ ⁀ tail ⟨{}⟩", a, a);
+    case 1:
+      return fmt::format("{{{}}}", a);
+    case 2:
+      return fmt::format("({}, {})", a, random.below(4));
+    case 3:
+      return fmt::format("{{{} ↦ {}}}", random.below(3), a);
+    case 4:
+      return fmt::format("⦉p == {}, q == {}⦊", a, random.below(4));
+    default:
+      return fmt::format("⟨{0}, {0}⟩", a);
+  }
+}
+
+TEST_CASE("a value that is written is read back as the same, and is written so again") {
+  ScopeAnswers asked;
+  Random random(scope_seed());
+  for (std::size_t i = 0; i < durero::test::fewer_when_sanitized(300); ++i) {
+    const std::string z = random_value(random, 1 + static_cast<int>(random.below(4)));
+    const std::string written = asked.value(z);
+    INFO(z << " is written " << written);
+    CHECK(asked.truth(fmt::format("({}) = ({})", z, written)) == "true");
+    CHECK(asked.value(written) == written);
+  }
+}
+
 TEST_CASE("what is made of infinite functions is applied") {
   ScopeAnswers asked;
   CHECK(asked.value("(succ ∘ succ) 3") == "5");

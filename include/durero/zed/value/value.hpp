@@ -236,6 +236,12 @@ class Set {
   virtual Truth contains(const Value& value, Context& context) const = 0;
   /// Returns the members of a finite set, sorted, each once. It is null where the set is intensional.
   virtual const std::vector<Value>* members() const { return nullptr; }
+  /// Says whether it was made as a sequence, and is written as one; it equals the same set of pairs made otherwise.
+  virtual bool is_sequence() const { return false; }
+  /// Says whether sequences are among its members, or among their parts, by its form: `seq X`, `A ⇸ seq X`.
+  virtual bool declares_sequences() const { return false; }
+  /// Returns the member as what is declared from this set is written: a member of `seq X` as a sequence.
+  virtual Value as_declared(const Value& member) const { return member; }
   /// Returns the number of members of a finite set, where nobody need list them; nothing where it is not known.
   virtual std::optional<Real> size() const;
   /// Returns some members, small ones first: a search tries them, and they say nothing of other members. Each is one as
