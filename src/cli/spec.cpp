@@ -84,7 +84,10 @@ int spec_check(const CheckCall& call) {
   note_taken(spec::taken_lines(check.taken));
   progress.reset();
   io::print(check.lines());
-  return check.is_read() && !check.is_refuted() ? 0 : 1;
+  if (const std::size_t untried = check.untried(); untried > 0 && (!own || call.all_tried))
+    io::complain(fmt::format("durero: note: {} conjecture{} not tried, as said of each\n", untried,
+                             untried == 1 ? " is" : "s are"));
+  return check.is_read() && !check.is_refuted() && (!call.all_tried || check.untried() == 0) ? 0 : 1;
 }
 
 void note_taken(const std::vector<std::string>& lines) {
@@ -161,6 +164,7 @@ void add_spec(CLI::App& app, int& status) {
                     "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   add_let(*check, options->check.let);
   check->add_flag("--strict", options->check.strict, "Refuse what is only an opinion, too");
+  check->add_flag("--all-tried", options->check.all_tried, "Fail where a conjecture is neither decided nor tried");
   check->add_option("--states", options->check.states, "On how many states each conjecture is tried, at most")
       ->check(whole_number(0, 1000000))
       ->capture_default_str();
@@ -169,9 +173,10 @@ void add_spec(CLI::App& app, int& status) {
       "Opinions are what ISO Z takes and a refinement would remove: an operation that leaves a part of the "
       "after-state\n"
       "open, a function applied where nothing gives its domain, and Δ or Ξ of an operation.\n\n"
-      "A conjecture, ⊢? P, is tried on states: values for what its ∀ declares, the same at every call. To try is not\n"
-      "to prove; of the program's own text the theorem that proves it is named.\n\n" +
-      exit_status("no error, and no conjecture is false", "an error, or a counterexample",
+      "A conjecture, ⊢? P, is evaluated, and else tried on states: values for what its ∀ declares, small ones first, "
+      "the\n"
+      "same at every call. To try is not to prove; of the program's own text the theorem that proves it is named.\n\n" +
+      exit_status("no error, and no conjecture is false", "an error, or a counterexample, or what --all-tried refuses",
                   "the call is bad, or a file cannot be read") +
       examples({"spec check", "spec check mine.tex", "spec check --strict", "spec check --states 100"}));
   check->callback([options, &status] { status = spec_check(options->check); });

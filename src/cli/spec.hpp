@@ -17,7 +17,8 @@ struct CheckCall {
   std::vector<std::string> files;  ///< without one, the program's own text
   std::vector<std::string> let;    ///< values of constants, NAME=VALUE
   std::size_t states = 8;
-  bool strict = false;  ///< opinions are errors
+  bool strict = false;     ///< opinions are errors
+  bool all_tried = false;  ///< a conjecture that is not tried is an error
   bool quiet = false;
 };
 

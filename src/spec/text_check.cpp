@@ -24,6 +24,7 @@ std::string shortened_reason(const std::string& reason) {
 
 std::string trial_verdict(const zed::Trial& trial) {
   if (!trial.counterexample.empty()) return "is false, as in this state:\n" + trial.counterexample;
+  if (trial.is_evaluated) return trial.taken.empty() ? "is true" : "is true of the values taken";
   if (trial.tried == 0) return "not tried: " + shortened_reason(trial.why_not);
   return fmt::format("tried on {} state{}", trial.tried, trial.tried == 1 ? "" : "s");
 }
@@ -82,6 +83,12 @@ bool TextCheck::is_read() const { return !has_error(defects); }
 bool TextCheck::is_refuted() const {
   return std::ranges::any_of(conjectures,
                              [](const TriedConjecture& tried) { return !tried.trial.counterexample.empty(); });
+}
+
+std::size_t TextCheck::untried() const {
+  return static_cast<std::size_t>(std::ranges::count_if(conjectures, [](const TriedConjecture& tried) {
+    return tried.trial.tried == 0 && tried.trial.counterexample.empty();
+  }));
 }
 
 std::string TextCheck::lines() const {

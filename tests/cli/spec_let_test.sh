@@ -20,7 +20,7 @@ refused '--let:1:1: max_size = 2 makes low < max_size (line 1) false; expected a
 refused '--let:1:1: the text has no constant max_sise; expected max_size' spec eval 'max_size' --let max_sise=2 buffer.tex
 run 0 spec check --quiet buffer.tex
 has err 'durero: note: max_size = '
-has out 'conjecture tried on '
+has out 'conjecture is true of the values taken'
 run 0 spec check --quiet --let max_size=5 --let low=1 buffer.tex
 lines err 0
 called='durero spec run'

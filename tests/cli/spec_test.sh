@@ -28,6 +28,8 @@ TEX
 run 0 spec check claims.tex
 has out 'claims.tex:4:3: conjecture Par.conj.1 tried on 6 states'  # three names have no more
 has out 'claims.tex:6:3: conjecture not tried: '
+has err 'durero: note: 1 conjecture is not tried, as said of each'
+run 1 spec check --all-tried claims.tex
 printf '%s\n' '\begin{zed} \vdash? \forall Par @ a = b \end{zed}' >>claims.tex
 run 1 spec check claims.tex
 has out 'claims.tex:8:13: conjecture is false, as in this state:'

@@ -27,10 +27,11 @@ TEST_CASE("a text without a defect is told by its sections and its conjectures")
   const TextCheck check = checked(of);
   CHECK(check.is_read());
   CHECK_FALSE(check.is_refuted());
-  CHECK(check.lines() ==
-        "t.tex: section Specification ok, 2 paragraphs\nt.tex:3:2: conjecture N.conj.1 tried on 1 state\n");
+  CHECK(check.lines() == "t.tex: section Specification ok, 2 paragraphs\nt.tex:3:2: conjecture N.conj.1 is true\n");
   CHECK(checked(of, {}, "N.conj.1\ttheorem\tproofs/N.v:1\tN_is_one\n").conjectures.at(0).text() ==
-        "t.tex:3:2: conjecture N.conj.1 proved as N_is_one; tried on 1 state\n");
+        "t.tex:3:2: conjecture N.conj.1 proved as N_is_one; is true\n");
+  CHECK(check.untried() == 0);
+  CHECK(checked(of, {.states = 0}).untried() == 1);
   CHECK(checked(of, {.states = 0}).lines() ==
         "t.tex: section Specification ok, 2 paragraphs\nt.tex:3:2: conjecture N.conj.1 not tried: no state is asked "
         "for\n");

@@ -19,7 +19,7 @@ struct TextCheckSetup {
   bool own = false;                ///< the text is the program's own, of which there are samples
 };
 
-/// A conjecture that was tried. It is true where it was, which proves nothing.
+/// A conjecture that was tried. It is true where it was, which proves nothing unless its evaluation decides the whole.
 struct TriedConjecture {
   zed::Trial trial;     ///< on which states, and a counterexample
   std::string theorem;  ///< the theorem that proves it; empty where none does
@@ -38,6 +38,8 @@ struct TextCheck {
   bool is_read() const;
   /// Whether a conjecture is false.
   bool is_refuted() const;
+  /// How many conjectures are neither decided nor tried on a state.
+  std::size_t untried() const;
   /// The lines of `durero spec check`.
   std::string lines() const;
 };

@@ -351,7 +351,7 @@ Value Compiler::global(Meaning& global, Context& context) {
   apart.depth = context.depth;
   switch (global.kind) {
     case Meaning::Kind::given:
-      global.value = everything(global.name.text());
+      global.value = given_set(global.name.text());
       break;
     case Meaning::Kind::free_type:
       global.value = free_type(global, apart);

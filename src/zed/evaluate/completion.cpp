@@ -28,24 +28,49 @@ Value written_as_declared(const Value& value, const Variable& variable, Frame& f
 
 const std::vector<Name>& Completion::sought() const { return state_->sought; }
 
+struct Completion::Visited {
+  const State& state;
+  Context context;
+  Frame frame;
+  Visited(const State& of, std::span<const Value> known) : state(of), context(of.steps), frame(of.unit->size, context) {
+    if (known.size() != of.known) throw EvaluationError("a completion is given too many values, or too few");
+    std::copy(known.begin(), known.end(), frame.slots.begin());
+  }
+  std::vector<Value> sought(const Solver& side, Frame& inside) const {
+    std::vector<Value> values;
+    for (std::size_t i = 0; i < state.slots.size(); ++i)
+      values.push_back(written_as_declared(inside.slots[state.slots[i]], side.variables()[i], inside));
+    return values;
+  }
+};
+
 Truth Completion::each(std::span<const Value> known,
                        const std::function<bool(std::span<const Value> sought)>& visit) const {
-  if (known.size() != state_->known) throw EvaluationError("a completion is given too many values, or too few");
-  Context context(state_->steps);
-  Frame frame(state_->unit->size, context);
-  std::copy(known.begin(), known.end(), frame.slots.begin());
+  Visited visited(*state_, known);
   Truth found = Truth::no;
   bool stopped = false;
   for (const Solver& side : state_->sides) {
-    const Truth here = side.each(frame, [&](Frame& inside) {
-      std::vector<Value> values;
-      for (std::size_t i = 0; i < state_->slots.size(); ++i)
-        values.push_back(written_as_declared(inside.slots[state_->slots[i]], side.variables()[i], inside));
-      stopped = !visit(values);
+    const Truth here = side.each(visited.frame, [&](Frame& inside) {
+      stopped = !visit(visited.sought(side, inside));
       return !stopped;
     });
     if (here == Truth::open || found == Truth::no) found = here;
     if (stopped) break;
+  }
+  return found;
+}
+
+Truth Completion::first(std::span<const Value> known,
+                        const std::function<void(std::span<const Value> sought)>& visit) const {
+  Visited visited(*state_, known);
+  Truth found = Truth::no;
+  for (const Solver& one : state_->sides) {
+    const Truth here = one.first(visited.frame, [&](Frame& inside) {
+      visit(visited.sought(one, inside));
+      return false;
+    });
+    if (here == Truth::yes) return here;
+    if (here == Truth::open) found = here;
   }
   return found;
 }

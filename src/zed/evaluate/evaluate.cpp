@@ -228,6 +228,11 @@ Truth Evaluator::holds(const Term& predicate, const Valuation& locals) const {
 
 Value Evaluator::value(const Name& name) const { return value(reference(name)); }
 
+std::vector<Value> Evaluator::some_members(const Value& set, const SmallScope& scope) const {
+  Context context(state_->steps);
+  return set.set() ? set.set()->some_members(scope, context) : std::vector<Value>();
+}
+
 Truth Evaluator::contains(const Value& set, const Value& value) const {
   Context context(state_->steps);
   return contains_value(set, value, context);

@@ -43,7 +43,7 @@ class FreeTypeSet : public Set {
       if (!branch.arguments) some.push_back(branch.name);
     if (scope.depth == 0) return some;
     const std::size_t share = std::max<std::size_t>(2, scope.most / (2 * branches_.size()));
-    const SmallScope inside{scope.numbers, share, scope.depth - 1};
+    const SmallScope inside{scope.numbers, share, scope.depth - 1, scope.given};
     for (const FreeBranch& branch : branches_) {
       const Value arguments = branch.arguments ? branch.arguments(context) : Value();
       if (!arguments.set()) continue;

@@ -90,6 +90,9 @@ class Solver {
   /// there was one or more, and open where that cannot be said; `visit` may have been called then.
   Truth each(Frame& frame, const Visit& visit, const Test& extra = {}) const;
   Truth exists(Frame& frame, const Test& extra = {}) const { return each(frame, {}, extra); }
+  /// Looks for one way, also among small values as exists() does, and calls `visit` for it. The answer is that of
+  /// exists(), and yes only where there was a visit.
+  Truth first(Frame& frame, const Visit& visit) const;
 
   /// Says whether, with the values in the variables' slots, every variable is in its set and the goal holds.
   Truth holds(Frame& frame) const;
@@ -127,6 +130,7 @@ class Solver {
 
  private:
   struct Run;
+  Truth all_of_run(Run& run) const;
   bool refuted(Frame& frame) const;
   std::vector<Variable> variables_;
   std::vector<std::size_t> order_;  // each determined variable stands behind what it depends on

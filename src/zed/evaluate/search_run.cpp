@@ -36,6 +36,7 @@ struct Solver::Run {
   Frame& frame;
   const Visit& visit;
   const Test& extra;
+  bool any_one = false;  ///< one way is enough
   std::vector<Value> sets{};
   std::uint32_t first_unknown = 0;
   bool unknowns = false, enumerated = false, stopped = false;
@@ -96,6 +97,7 @@ struct Solver::Run {
   // line the goal is true.
   void undecided(Truth here) {
     if (here == Truth::yes && !visit) return judge(here);
+    const bool decides = !visit || any_one;
     if (search.determine_empty(frame)) return settle();
     const Variable* last = nullptr;
     std::size_t open = 0;
@@ -120,7 +122,7 @@ struct Solver::Run {
         if (*some == Truth::yes) return judge(*some);
       }
     }
-    if (!visit && is_alone()) try_some(open);
+    if (decides && is_alone()) try_some(open);
     if (!stopped) judge(lost(frame.context));
   }
 
@@ -224,6 +226,25 @@ bool Solver::refuted(Frame& frame) const {
 Truth Solver::each(Frame& frame, const Visit& visit, const Test& extra) const {
   if (refuted(frame)) return Truth::no;
   Run run{*this, frame, visit, extra};
+  return all_of_run(run);
+}
+
+Truth Solver::first(Frame& frame, const Visit& visit) const {
+  if (refuted(frame)) return Truth::no;
+  bool found = false;
+  const Visit once = [&](Frame& inside) {
+    found = true;
+    visit(inside);
+    return false;
+  };
+  const Test nothing_more;
+  Run run{*this, frame, once, nothing_more, true};
+  const Truth result = all_of_run(run);
+  return found ? Truth::yes : result == Truth::yes ? Truth::open : result;
+}
+
+Truth Solver::all_of_run(Run& run) const {
+  Frame& frame = run.frame;
   for (const unsigned slot : wholes_) frame.slots[slot] = Value();
   run.first_unknown = static_cast<std::uint32_t>(frame.context.values_found.size());
   for (const Variable& variable : variables_) {

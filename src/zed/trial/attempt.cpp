@@ -1,6 +1,7 @@
 #include "zed/trial/attempt.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -63,9 +64,99 @@ void Attempt::note(const std::string& undecided) {
 }
 
 void Attempt::run(Trial& trial) {
+  if (!ground_.is_own) {
+    if (evaluate(trial)) return;
+    run_small(trial);
+    if (!trial.counterexample.empty() || witness_) return;
+    ground_.steps = Steps(ground_.bounds.steps);
+  }
+  run_drawn(trial);
+}
+
+/// Evaluates the whole claim. Says whether that decides it.
+bool Attempt::evaluate(Trial& trial) {
+  Truth truth = Truth::open;
+  try {
+    truth = ground_.evaluator.holds(claim_.whole);
+  } catch (const EvaluationError&) {  // states may decide it
+  } catch (const StepsSpent&) {
+  }
+  ground_.steps = Steps(ground_.bounds.steps);
+  if (truth == Truth::open) return false;
+  trial.is_evaluated = truth == Truth::yes;
+  if (trial.is_evaluated) trial.tried = 1;
+  if (truth == Truth::no) show_denial(trial);
+  return true;
+}
+
+/// Tells a state where the claim is false. Precondition: the evaluation says that there is one.
+void Attempt::show_denial(Trial& trial) {
+  if (claim_.wants_witness) {
+    trial.counterexample = "  there is no witness\n";
+    return;
+  }
+  try {
+    const Completion denial = ground_.evaluator.completion(claim_.denied_name, {});
+    denial.first({}, [&](std::span<const Value> values) {
+      refute(trial, denial.sought(), {values.begin(), values.end()});
+    });
+  } catch (const EvaluationError&) {  // states that are tried may show it
+  } catch (const StepsSpent&) {
+  }
+  if (!trial.counterexample.empty()) return;
+  run_small(trial);
+  if (trial.counterexample.empty()) trial.counterexample = "  its evaluation says so, and no state was met\n";
+}
+
+/// Small members of the set of a declaration; none where they are not known.
+std::vector<Value> Attempt::small(const Source& source, std::size_t most) {
+  if (source.is_binding) return {};
+  try {
+    SmallScope scope;
+    for (const int number : {0, 1, 2, 3, -1}) scope.numbers.emplace_back(number);
+    scope.most = most;
+    scope.given = names_of_a_given_set;
+    return ground_.evaluator.some_members(ground_.evaluator.value(source.set), scope);
+  } catch (const EvaluationError&) {
+    return {};
+  }
+}
+
+/// Looks at the states of a small scope, so many at most as it would draw four times.
+void Attempt::run_small(Trial& trial) try {
+  std::vector<std::size_t> places;
+  std::vector<std::vector<Value>> values;
+  for (const Source& source : sources_) places.insert(places.end(), source.places.begin(), source.places.end());
+  const std::size_t most = 4 * ground_.bounds.draws;
+  if (places.empty() || most == 0) return;
+  const double share = std::pow(static_cast<double>(most), 1.0 / static_cast<double>(places.size()));
+  for (const Source& source : sources_) {
+    const std::vector<Value> some = small(source, std::max<std::size_t>(2, static_cast<std::size_t>(share)));
+    if (some.empty()) return;
+    values.insert(values.end(), source.places.size(), some);
+  }
+  for (std::size_t way = 0; way < most && trial.counterexample.empty() && !witness_; ++way) {
+    State state = nothing_known();
+    std::size_t rest = way;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i] != nowhere) state.values[places[i]] = values[i][rest % values[i].size()];
+      rest /= values[i].size();
+    }
+    if (rest > 0) return;  // all of them were looked at
+    try {
+      on(state, trial);
+    } catch (const EvaluationError& error) {
+      note(error.what());
+    }
+  }
+} catch (const StepsSpent&) {  // states by chance have steps of their own
+}
+
+void Attempt::run_drawn(Trial& trial) {
   const TrialBounds& bounds = ground_.bounds;
   const bool closed = claim_.assumed.declarations.empty();
-  const std::size_t draws = closed ? 1 : bounds.draws, most = claim_.wants_witness ? draws : bounds.states;
+  const std::size_t draws = closed ? 1 : bounds.draws;
+  const std::size_t most = trial.tried + (claim_.wants_witness ? draws : bounds.states);
   for (std::size_t draw = 0; draw < draws && trial.tried < most && trial.counterexample.empty() && !witness_; ++draw) {
     try {
       on(drawn(draw), trial);
@@ -82,7 +173,7 @@ void Attempt::run(Trial& trial) {
 void Attempt::ask_for_witness(Trial& trial) {
   Truth some = Truth::open;
   try {
-    some = ground_.evaluator.holds(claim_.whole);
+    if (ground_.is_own) some = ground_.evaluator.holds(claim_.whole);
   } catch (const EvaluationError& error) {
     note(error.what());
   }
@@ -105,7 +196,7 @@ void Attempt::add_sources(const Declaration& declaration, std::size_t number, bo
     for (const Declaration& each : text->declarations) add_sources(each, number, false);
     return;
   }
-  Source source{element_of(declaration.term), samples};
+  Source source{element_of(declaration.term), declaration.term, samples};
   source.declaration = number;
   source.is_declaration = outermost;
   if (included) return add_included(declaration.term, std::move(source));
@@ -145,9 +236,13 @@ const Type& Attempt::element_of(const Term& set) {
   return elements_.emplace(set.get(), type->settled().parts()[0]).first->second;
 }
 
+Attempt::State Attempt::nothing_known() const {
+  return {std::vector<Value>(placed_.size(), Value(Open{})),
+          {std::vector<bool>(claim_.assumed.declarations.size() + claim_.assumed.predicates.size() + 1), {}}};
+}
+
 Attempt::State Attempt::drawn(std::size_t draw) {
-  State state{std::vector<Value>(placed_.size(), Value(Open{})),
-              {std::vector<bool>(claim_.assumed.declarations.size() + claim_.assumed.predicates.size() + 1), {}}};
+  State state = nothing_known();
   Chances chances(draw);
   for (const Source& source : sources_) draw_from(source, chances, state);
   return state;

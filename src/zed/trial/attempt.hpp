@@ -33,6 +33,8 @@ struct Ground {
   const Evaluator& evaluator;
   const TrialBounds& bounds;
   Members& members;
+  Steps& steps;  ///< of what is asked now
+  bool is_own;   ///< samples are the text's own: states come from these alone
 };
 
 /// Tries one conjecture.
@@ -48,6 +50,7 @@ class Attempt {
   /// the claim; a name that two declarations share has the value of the first.
   struct Source {
     Type element;
+    Term set;                              ///< the declaration has this set or schema
     const std::string* samples = nullptr;  ///< the name of the set that has samples
     bool is_binding = false;               ///< one value gives all places, else each place has a value of its own
     std::vector<std::size_t> places{};     ///< `nowhere` for what is not asked of the value
@@ -62,10 +65,16 @@ class Attempt {
     SchemaCheck::KnownTruth known;
   };
 
+  bool evaluate(Trial& trial);
+  void show_denial(Trial& trial);
+  void run_small(Trial& trial);
+  std::vector<Value> small(const Source& source, std::size_t most);
+  void run_drawn(Trial& trial);
   void add_sources(const Declaration& declaration, std::size_t number, bool outermost);
   void add_included(const Term& schema, Source source);
   std::size_t place_of(const Name& name);
   const Type& element_of(const Term& set);
+  State nothing_known() const;
   State drawn(std::size_t draw);
   void draw_from(const Source& source, Chances& chances, State& state);
   void on(const State& drawn, Trial& trial);

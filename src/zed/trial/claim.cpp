@@ -28,16 +28,20 @@ void add_names(const Term& term, std::vector<Name>& to) {
 QuantifiedClaim::QuantifiedClaim(const Term& term, std::size_t number)
     : whole(term),
       assumed_name{" assumed " + std::to_string(number), ""},
-      claimed_name{" claimed " + std::to_string(number), ""} {
+      claimed_name{" claimed " + std::to_string(number), ""},
+      denied_name{" denied " + std::to_string(number), ""} {
   const bool quantified = term->kind == Kind::forall || term->kind == Kind::exists;
   if (quantified) assumed = *term->text;
   wants_witness = term->kind == Kind::exists;
   claimed = assumed;
-  claimed.predicates.push_back({quantified ? term->children[0] : term, {}, term->place});
+  const Term& said = quantified ? term->children[0] : term;
+  claimed.predicates.push_back({said, {}, term->place});
+  denied = assumed;
+  denied.predicates.push_back({node(Kind::negation, {said}), {}, term->place});
 }
 
 std::vector<Paragraph> QuantifiedClaim::definitions() const {
-  return {definition(assumed_name, assumed), definition(claimed_name, claimed)};
+  return {definition(assumed_name, assumed), definition(claimed_name, claimed), definition(denied_name, denied)};
 }
 
 std::vector<Name> made_by_conjuncts(const SchemaText& text) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Conjectures, as two schemas that an evaluator can be asked of.
+/// Conjectures, as schemas that an evaluator can be asked of.
 
 #include <cstddef>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace durero::zed {
 
-/// The schemas [ D | P ] and [ D | P; Q ] of ∀ D | P • Q, or of ∃; where the claim begins with no quantifier D and P
-/// are empty.
+/// The schemas [ D | P ], [ D | P; Q ] and [ D | P; ¬ Q ] of ∀ D | P • Q, or of ∃; where the claim begins with no
+/// quantifier D and P are empty.
 struct QuantifiedClaim {
   QuantifiedClaim(const Term& term, std::size_t number);
   /// Their definitions, under names that no text can write.
   std::vector<Paragraph> definitions() const;
 
   Term whole;
-  SchemaText assumed, claimed;
+  SchemaText assumed, claimed, denied;
   bool wants_witness = false;
-  Name assumed_name, claimed_name;
+  Name assumed_name, claimed_name, denied_name;
 };
 
 /// Of each conjunct a name that no conjunct before it has: x of x = e, and else the one that is written last, as what

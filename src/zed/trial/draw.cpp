@@ -5,7 +5,7 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::size_t names_of_a_given_set = 3, members_of_a_set = 3;
+constexpr std::size_t members_of_a_set = 3;
 
 Value pick(const std::vector<Value>& from, Chances& chances) { return from[chances.below(from.size())]; }
 

@@ -10,6 +10,9 @@
 
 namespace durero::zed {
 
+/// A given set that has no samples has so many members.
+inline constexpr std::size_t names_of_a_given_set = 3;
+
 /// The numbers that one draw is made of: a row of its own for each, so that no draw depends on another. The first is
 /// the draw's own, so that all samples of what is declared first are gone through.
 class Chances {

@@ -16,7 +16,7 @@ void try_claims(std::vector<Section> sections, const Specification& specificatio
   const Evaluator evaluator(std::move(sections), bounds.constants, &steps);
   const Draw draw(specification, typing, samples, evaluator);
   Members members(evaluator, draw);
-  const Ground ground{typing, draw, evaluator, bounds, members};
+  const Ground ground{typing, draw, evaluator, bounds, members, steps, !samples.empty()};
   for (std::size_t i = 0; i < claims.size(); ++i) {
     Trial& trial = trials[i];
     steps = Steps(bounds.steps);

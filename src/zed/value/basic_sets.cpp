@@ -112,6 +112,23 @@ class Everything : public Set {
   Numbers numbers_;
 };
 
+/// A given set has members as a search supposes them, and none of its own.
+class GivenSet : public Set {
+ public:
+  explicit GivenSet(std::string name) : name_(std::move(name)) {}
+  Truth contains(const Value&, Context&) const override { return Truth::yes; }
+  bool total() const override { return true; }
+  std::vector<Value> some_members(const SmallScope& scope, Context&) const override {
+    std::vector<Value> some;
+    for (std::size_t i = 1; i <= scope.given; ++i) some.push_back(Value::atom(name_, name_ + "_" + std::to_string(i)));
+    return some;
+  }
+  std::string spelled(Wording) const override { return name_; }
+
+ private:
+  std::string name_;
+};
+
 class Integers : public Set {
  public:
   Integers(std::string name, std::optional<int> least) : name_(std::move(name)), least_(least) {}
@@ -163,6 +180,8 @@ const Value& empty_set() {
 Value everything(std::string name) {
   return SetPtr(std::make_shared<const Everything>(std::move(name), Numbers::none));
 }
+
+Value given_set(std::string name) { return SetPtr(std::make_shared<const GivenSet>(std::move(name))); }
 
 Value reals(std::string name) { return SetPtr(std::make_shared<const Everything>(std::move(name), Numbers::reals)); }
 

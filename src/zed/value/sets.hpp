@@ -21,6 +21,8 @@ const Value& empty_set();
 
 /// Makes a set of which every value of its type is a member: 𝔸, ℝ, a given set.
 Value everything(std::string name);
+/// Makes a given set of this name.
+Value given_set(std::string name);
 /// Makes the set of all real numbers, which is such a set too.
 Value reals(std::string name);
 /// Makes ℤ, ℕ or ℕ₁: the integers from the least one, if any.

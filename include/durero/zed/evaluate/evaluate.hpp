@@ -82,10 +82,14 @@ class Completion {
   /// values of the others, in their order; the same values may come again. The answer is no where there are none, yes
   /// where all were found, and open where there may be others, as nothing determines or lists them.
   Truth each(std::span<const Value> known, const std::function<bool(std::span<const Value> sought)>& visit) const;
+  /// Looks for one way, also among small values where nothing determines or lists them, and calls `visit` for it. The
+  /// answer is yes where there was a visit, no where there is no way, and open where none was found.
+  Truth first(std::span<const Value> known, const std::function<void(std::span<const Value> sought)>& visit) const;
 
  private:
   friend class Evaluator;
   struct State;
+  struct Visited;
   std::shared_ptr<const State> state_;
 };
 
@@ -110,6 +114,8 @@ class Evaluator {
   Truth holds(const Term& predicate, const Valuation& locals = {}) const;
   /// Returns the value of a declared name.
   Value value(const Name& name) const;
+  /// Returns some small members of a set (Set::some_members).
+  std::vector<Value> some_members(const Value& set, const SmallScope& scope) const;
   /// Says whether value ∈ set.
   Truth contains(const Value& set, const Value& value) const;
   /// Returns the polynomials in t, of degree two at most, whose signs decide `value(t) ∈ set` for a number t that is

@@ -21,10 +21,11 @@ using Samples = std::map<std::string, std::vector<Value>>;
 /// The result of trying one conjecture. A state gives a value to each name that the outermost quantifier declares, and
 /// satisfies the conditions on them; a conjecture that begins with no quantifier has one state.
 struct Trial {
-  std::string file;       ///< the conjecture stands in this file
-  Place place;            ///< at its ⊢?
-  std::string label;      ///< the comment that ends it says it, if any
-  std::size_t tried = 0;  ///< the states where it was decided and true; for ∃, the states looked at for a witness
+  std::string file;           ///< the conjecture stands in this file
+  Place place;                ///< at its ⊢?
+  std::string label;          ///< the comment that ends it says it, if any
+  std::size_t tried = 0;      ///< the states where it was decided and true; for ∃, the states looked at for a witness
+  bool is_evaluated = false;  ///< it is true in every state: the evaluation of the whole of it says so
   std::string counterexample;  ///< a state where it is false, a name and value a line; empty where none was met
   std::string why_not;         ///< where `tried` is 0 and there is no counterexample: the reason
   Valuation taken{};           ///< the values taken for constants by then (Evaluator::taken)
@@ -38,8 +39,10 @@ struct TrialBounds {
   Valuation constants{};          ///< constants of the text have these values
 };
 
-/// Tries every conjecture, in the order of the text. The states are the same at every call. Precondition: `typing` is
-/// check(specification), and both are without defects.
+/// Tries every conjecture. Without samples the whole of it is evaluated first. Where that does not decide it, the
+/// states of a small scope come first, given sets of three members, numbers up to 3, and what is made of them, and
+/// states by chance then. The conjectures are in the order of the text. The states are the same at every call.
+/// Precondition: `typing` is check(specification), and both are without defects.
 std::vector<Trial> try_conjectures(const Specification& specification, const Typing& typing,
                                    const Samples& samples = {}, const TrialBounds& bounds = {});
 

@@ -221,6 +221,7 @@ struct SmallScope {
   std::vector<Real> numbers;  ///< in the order in which they are tried
   std::size_t most = 64;      ///< no set gives more members than these
   unsigned depth = 3;         ///< constructors of free types are nested so deep
+  std::size_t given = 0;      ///< a given set `X` has so many members: X_1, X_2, …
 };
 
 /// The questions that every set answers, whatever its form.
