@@ -187,6 +187,10 @@ void add_spec(CLI::App& app, int& status) {
                    "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   eval->add_option("--scene", options->eval.scene, "Scene file: Escena's components and the elements are then names");
   add_let(*eval, options->eval.let);
+  eval->add_option(
+          "--scope", options->eval.scope,
+          "What the answer is for: a given set's members, SET=3 or SET=ann,bob, or a constant's value, as --let")
+      ->allow_extra_args(false);
   eval->add_flag("--explain", options->eval.explain)
       ->description("Print each part of it with its value, and what makes a ∀ false or an ∃ true");
   eval->add_option("--steps", options->eval.steps,

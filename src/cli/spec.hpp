@@ -27,6 +27,7 @@ struct EvalCall {
   std::string expression, scene;
   std::vector<std::string> files;  ///< texts; none: the program's own
   std::vector<std::string> let;    ///< values of constants, NAME=VALUE
+  std::vector<std::string> scope;  ///< members of given sets, SET=MEMBERS, or values of constants
   std::uint64_t steps = 100'000'000;
   std::uint64_t memory = 0;  ///< MiB; 0: as default_memory() says
   bool explain = false, quiet = false;

@@ -42,6 +42,11 @@ spec::Calculator calculator_of(const EvalCall& call) {
 spec::Calculator calculator(const EvalCall& call) {
   spec::Calculator text = calculator_of(call);
   with_constants([&] { text.let(call.let); });
+  try {
+    note_taken(text.scope(call.scope));
+  } catch (const spec::ConstantError& error) {
+    throw io::InputError("--scope", {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
+  }
   return text;
 }
 

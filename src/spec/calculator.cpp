@@ -50,6 +50,22 @@ zed::Term schema_of(const zed::Term& term) {
 
 constexpr std::size_t most_names = 8;  // that a message lists
 
+/// SET1, SET2, …, so many as a number says, or the words between commas.
+std::vector<std::string> typed_members(const std::string& set, const std::string& typed) {
+  std::vector<std::string> members;
+  if (typed.empty()) return members;
+  if (typed.size() < 3 && typed.find_first_not_of("0123456789") == typed.npos) {
+    for (unsigned long i = 1; i <= std::stoul(typed); ++i) members.push_back(set + std::to_string(i));
+    return members;
+  }
+  for (std::size_t from = 0; from <= typed.size();) {
+    const std::size_t comma = std::min(typed.find(',', from), typed.size());
+    members.push_back(typed.substr(from, comma - from));
+    from = comma + 1;
+  }
+  return members;
+}
+
 constexpr const char* open_variable =
     "a variable ranges over a set that is not finite, and no equation gives its value";
 
@@ -116,6 +132,54 @@ void Calculator::let(const std::vector<std::string>& typed) {
   const std::string section = section_name;
   const zed::Valuation constants = typed_constants(typed, {specification_, typing_, section, given_});
   given_.insert(given_.end(), constants.begin(), constants.end());
+}
+
+/// Gives the set these members, declares their names, and returns a line that says so.
+std::string Calculator::declare(const Name& set, const std::vector<std::string>& members, zed::Axiomatic& box) {
+  zed::Declaration names{zed::Declaration::Form::typed, {}, {}, zed::reference(set), {}};
+  const auto is_given = [&](const Name& name) {
+    return std::any_of(given_.begin(), given_.end(), [&](const auto& each) { return each.first == name; });
+  };
+  if (is_given(set)) throw ConstantError({1, 1}, set.text() + " has members already", "expected it once");
+  std::vector<zed::Value> values;
+  for (const std::string& word : members) {
+    const Name name{word, ""};
+    if (!zed::is_free_word(word) || typing_.find(section_name, name) || is_given(name))
+      throw ConstantError({1, 1}, word + " cannot name a member of " + set.text(), "expected a new word");
+    names.names.push_back(name);
+    names.places.emplace_back();
+    values.push_back(zed::Value::atom(set.text(), word));
+    given_.emplace_back(name, values.back());
+  }
+  box.text.declarations.push_back(std::move(names));
+  const zed::Value all = zed::Value::set(std::move(values));
+  given_.emplace_back(set, all);
+  return "within " + set.text() + " = " + all.text();
+}
+
+std::vector<std::string> Calculator::scope(const std::vector<std::string>& typed) {
+  std::vector<std::string> constants, lines;
+  zed::Axiomatic box;
+  for (const std::string& each : typed) {
+    const std::size_t sign = std::min(each.find('='), each.size());
+    const Name name{each.substr(0, sign), ""};
+    const zed::Global* global = typing_.find(section_name, name);
+    if (!global || global->form != zed::Global::Form::given) {
+      constants.push_back(each);
+      continue;
+    }
+    const std::vector<std::string> members =
+        typed_members(name.text(), sign < each.size() ? each.substr(sign + 1) : "");
+    if (members.empty())
+      throw ConstantError({1, 1}, each + " gives no members", "expected SET=NUMBER, up to 99, or SET=WORD,WORD");
+    lines.push_back(declare(name, members, box));
+  }
+  if (!box.text.declarations.empty()) {
+    specification_.sections.back().paragraphs.push_back({{}, std::move(box)});
+    typing_ = zed::check(specification_);
+  }
+  let(constants);
+  return lines;
 }
 
 /// Names some that there are, where none is near.

@@ -92,7 +92,8 @@ void Machine::Parts::declare_carriers() {
       }
     }
   for (const auto& [set, words] : setup.given)
-    if (!carriers.contains(set)) throw std::invalid_argument("the text has no given set " + set + "; expected one");
+    if (!carriers.contains(set))
+      throw std::invalid_argument("the text has no given set " + set + "; expected one, or --let for a constant");
   if (!box.text.declarations.empty()) specification.sections.back().paragraphs.push_back({{}, std::move(box)});
 }
 

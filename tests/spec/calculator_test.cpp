@@ -4,6 +4,8 @@
 
 #include "durero/model/operaciones.hpp"
 #include "durero/scene/retrieve.hpp"
+#include "durero/spec/constants.hpp"
+#include "durero/zed/syntax/reader.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
 #include "support/scenes.hpp"
@@ -161,6 +163,20 @@ TEST_CASE("local names have their values in a term, and its parts too") {
   CHECK_THROWS_AS(calculator.add_local(locals, "x", "1 = 1", steps), zed::ZError);
   CHECK_THROWS_AS(calculator.add_local(locals, "x", "1/0", steps), zed::ZError);
   CHECK(locals.values.size() == 3);
+}
+
+TEST_CASE("a scope gives given sets members that have names, and constants values") {
+  const std::string text = "\\begin{zed} [N, M] \\end{zed}\n\\begin{axdef} k : \\nat \\end{axdef}\n";
+  Calculator calculator(zed::read_text(text, "t.tex"));
+  CHECK_THROWS_AS(calculator.evaluate("∀ n, m : N • n = m"), zed::EvaluationError);
+  CHECK(calculator.scope({"N=2", "k=7", "M=ann,bob"}) ==
+        std::vector<std::string>{"within N = {N1, N2}", "within M = {ann, bob}"});
+  CHECK(calculator.evaluate("∀ n, m : N • n = m").text == "false");
+  CHECK(calculator.evaluate("# N + k").text == "9");
+  CHECK(calculator.evaluate("M ∖ {ann}").text == "{bob}");
+  CHECK(calculator.evaluate("∃ f : N ⤖ M • f N1 = bob").yes);
+  for (const char* wrong : {"N=", "N=a-b", "N=k", "N=a,a", "k=0 - 1", "unknown=3"})
+    CHECK_THROWS_AS(Calculator(zed::read_text(text, "t.tex")).scope({wrong}), ConstantError);
 }
 
 TEST_CASE("a set of elements gives their names, ascending, and nothing else is such a set") {

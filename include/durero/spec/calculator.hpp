@@ -55,6 +55,10 @@ class Calculator {
   explicit Calculator(const model::Escena& escena);
   /// Gives constants values, `NAME=VALUE` each. Throws ConstantError (constants.hpp).
   void let(const std::vector<std::string>& typed);
+  /// Gives given sets members, `SET=3` or `SET=ann,bob`, and constants values, `NAME=VALUE`. The members have these
+  /// words for names, or SET1, SET2, …; what is evaluated then holds within these. Returns a line for each set. Throws
+  /// ConstantError.
+  std::vector<std::string> scope(const std::vector<std::string>& typed);
 
   /// What an expression or a predicate comes to.
   struct Result {
@@ -85,6 +89,7 @@ class Calculator {
 
  private:
   void declare(const model::Escena& escena);
+  std::string declare(const zed::Name& set, const std::vector<std::string>& members, zed::Axiomatic& box);
   /// The term, or, of a connective of schemas whose components are not in scope, the schema; with its typing.
   zed::Typing check(zed::Term& term, const LocalNames& locals = {}) const;
   std::string spelled(const zed::AtomName& atom) const;
