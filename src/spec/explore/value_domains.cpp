@@ -44,9 +44,9 @@ class WholeType : public ValueDomain {
   std::optional<std::vector<ValueId>> members_;
 };
 
-class GivenSet : public ValueDomain {
+class DomainOfSet : public ValueDomain {
  public:
-  GivenSet(InternedValues& values, IdCode set, std::function<bool(ValueId, ValueId)> contained, double size)
+  DomainOfSet(InternedValues& values, IdCode set, std::function<bool(ValueId, ValueId)> contained, double size)
       : values_(values), set_(std::move(set)), contained_(std::move(contained)), size_(size) {}
   bool has(ValueId value, IdFrame frame) const override {
     const ValueId set = set_(frame);
@@ -297,7 +297,7 @@ DomainPtr whole_numbers(InternedValues& values, std::optional<std::int64_t> from
   return std::make_shared<WholeNumbers>(values, from);
 }
 DomainPtr set_given(InternedValues& values, IdCode set, std::function<bool(ValueId, ValueId)> contained, double size) {
-  return std::make_shared<GivenSet>(values, std::move(set), std::move(contained), size);
+  return std::make_shared<DomainOfSet>(values, std::move(set), std::move(contained), size);
 }
 DomainPtr whole_type(InternedValues&, std::optional<std::vector<ValueId>> members) {
   return std::make_shared<WholeType>(std::move(members));
