@@ -13,7 +13,7 @@ from zlex import ZError
 from ztemplate import Node
 from zparse import Parser
 from ztype import FORMAL, Checker
-from zunify import generic, power
+from zunify import generic, power, relation
 
 
 def section(path):
@@ -56,7 +56,11 @@ def free_type(c, p, name, line):
     while True:
         if p.next.kind != "name":
             raise ZError(p.next.line, f"{name} ::= introduces a new type by naming its values; found {p.next.text}")
-        declare(c, p.next.line, {p.name(): own})
+        at, branch, t = p.next.line, p.name(), own
+        if p.accept(r"\ldata"):  # a branch with an argument is an injection
+            t = relation(c.member({}, p.expression()), own)
+            p.take(r"\rdata")
+        declare(c, at, {branch: t})
         if not p.accept("|"):
             break
 

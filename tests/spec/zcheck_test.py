@@ -44,6 +44,8 @@ def schema(declarations, predicates):
     return HEAD + f"\\begin{{schema}}{{S}}\n  {declarations}\n\\where\n  {predicates}\n\\end{{schema}}\n"
 
 
+FREE = zed(r"Forma ::= nada | bola \ldata [~ x : \num ~] \rdata | par \ldata Forma \cross Forma \rdata")
+
 RIGHT = [
     zed(r"A == \{~ n : \num | 0 \leq n < 3 @ (n, n * n) ~\}"),
     zed(r"A == \lambda Estado; c : Cosa | c \in cosas @ peso(c) + 1"),
@@ -65,6 +67,8 @@ RIGHT = [
     schema(r"s : \power Estado", r"\forall e : s @ e.cosas = \dom e.peso"),
     zed(r"\vdash? \forall Estado @ \pre (Estado \land [~ n! : \num; peso' : \power Cosa ~]) \iff cosas = \emptyset"),
     schema(r"Estado \\ cosas : \power Cosa", r"\exists_1 c : Cosa @ c \in cosas"),
+    FREE + zed(r"A == par \limg \{~ n : \num @ nada \mapsto bola \lblot x == n \rblot ~\} \rimg \cup \{ nada \}")[len(HEAD):],
+    zed(r"A == [~ e : (\exists cosas : \power Cosa @ Estado \land [~ n : \num ~]) | e.peso = \emptyset \land e.n = 1 ~]"),
 ]
 
 WRONG = [  # the text, the line, what the message says
@@ -102,6 +106,9 @@ WRONG = [  # the text, the line, what the message says
     (schema(r"x : 1", r"1 = 1"), 12, "a set is expected"),
     (schema(r"Cosa", r"1 = 1"), 12, "a schema is expected"),
     (zed(r"Op == [~ \Delta Estado ~]") + "\\begin{schema}{S}\n\\Delta Op\n\\end{schema}\n", 15, "Δ and Ξ"),
+    (FREE + zed(r"A == bola \lblot x == nada \rblot")[len(HEAD):], 15, "argument"),
+    (zed(r"A == [~ e : (\exists cosas : \power Cosa @ Estado) | e.cosas = \emptyset ~]"), 12, "no component cosas"),
+    (zed(r"A == \exists cosas : \num @ Estado"), 12, "component cosas"),
     (HEAD + "\\begin{zed}\n[ Otra ]\n", 11, "never ended"),
     (HEAD.replace("standard", "otro"), 2, "there is no section"),
     (r"no section", 1, "does not begin with a section"),
@@ -110,8 +117,8 @@ WRONG = [  # the text, the line, what the message says
 
 # Right texts with notation that spec/ does without: generic schemas, compositions, LET and the like.
 NOT_READ = """
-    abbreviation_generic arithmetic arrows composition_of_relations disjoint free_constructor
-    free_recursive generic_actuals lambda_guarded let_in operator_as_set products
+    abbreviation_generic arithmetic arrows composition_of_relations disjoint
+    generic_actuals lambda_guarded let_in operator_as_set products
     relation_by_name schema_generic schema_implication schema_piping
     schema_projection schema_quantified schema_renaming space_commands zword
 """

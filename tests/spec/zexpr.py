@@ -217,6 +217,15 @@ def connective(c, scope, node):
     return power(("schema", tuple(sorted(joined.items()))))
 
 
+def quantified(c, scope, node):
+    """∀ ∃ ∃₁ of schemas: the signature without the names that the text declares."""
+    inner, _, declared = c.text(scope, node.kids[0])
+    found = components(c, inner, node.kids[1])
+    for n in declared.keys() & found.keys():
+        c.same(node.line, found.pop(n), declared[n], f"component {n}")
+    return power(("schema", tuple(sorted(found.items()))))
+
+
 def precondition(c, scope, node):
     """pre S: the state before and the inputs."""
     kept = {n: t for n, t in components(c, scope, node.kids[0]).items() if n[-1] not in "'!"}
@@ -257,4 +266,5 @@ RULES = {
     r"\comp": composition, "inverse": inverse, "image": image, "if": choice, "display": display, "set": comprehension,
     r"\lambda": function, r"\mu": description, "schema": schema, "hide": hiding, "semi": composed,
     r"\land": connective, r"\lor": connective, r"\implies": connective, r"\iff": connective, r"\lnot": connective,
+    r"\forall": quantified, r"\exists": quantified, r"\exists_1": quantified,
 }

@@ -86,7 +86,7 @@ class Terms(Operators):
     @staticmethod
     def begins(token):
         """Whether an operand of an application begins with it."""
-        return token.kind in ("name", "number") or token.text in CONSTANTS | {"(", r"\{", r"\theta"}
+        return token.kind in ("name", "number") or token.text in CONSTANTS | {"(", r"\{", r"\lblot", r"\theta"}
 
     def application(self):
         """f a \inv: applications go on to the left, and bind tighter than what stands behind them."""
