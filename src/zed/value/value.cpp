@@ -124,6 +124,9 @@ struct Order {
     const auto *f = settled(*a), *g = settled(*b);
     if (f && g) return compare_settled(*f, *g);
     if (f || g) return f ? std::strong_ordering::less : std::strong_ordering::greater;
+    // Sets that cannot be listed stand in the order of their words, so that runs agree. With the same words they may
+    // yet be two sets, which an answer does not tell apart.
+    if (const int by_text = a->text().compare(b->text()); by_text != 0) return by_text <=> 0;
     return std::compare_three_way()(a.get(), b.get());
   }
   std::strong_ordering operator()(const Unknown& a, const Unknown& b) const { return a.id <=> b.id; }

@@ -450,5 +450,15 @@ TEST_CASE("the sizes of sets that nobody lists are counted") {
   CHECK(asked.truth("∀ x : 1 ‥ 1000000000 • x > 0") == "true");
 }
 
+TEST_CASE("sets that cannot be listed stand in the order of their words") {
+  ScopeAnswers answers;
+  const std::string a = "{x : ℕ | x mod 3 = 1}", b = "{x : ℕ | x mod 5 = 2}", c = "{x : ℕ | x mod 7 = 3}";
+  const std::string sorted = answers.listed("{" + a + ", " + b + ", " + c + "}").text();
+  for (int i = 0; i < 20; ++i) {
+    CHECK(answers.listed("{" + c + ", " + a + ", " + b + "}").text() == sorted);
+    CHECK(answers.listed("{" + b + ", " + c + ", " + a + "}").text() == sorted);
+  }
+}
+
 }  // namespace
 }  // namespace durero::zed::test
