@@ -94,6 +94,13 @@ Truth SettledFunction::in_domain(const Value& argument, Context& context) const 
   return has_open(argument) ? lost(context) : truth(!at(argument).is_undefined());
 }
 
+std::optional<std::vector<Value>> SettledFunction::partners(const Value& known, std::size_t part,
+                                                            Context& context) const {
+  if (part != 0 || has_open(known)) return Set::partners(known, part, context);
+  const Value value = at(known);
+  return value.is_undefined() ? std::vector<Value>() : std::vector<Value>{value};
+}
+
 std::string SettledFunction::spelled(Wording) const {
   const std::string most = "(λ n : " + integers_text(least_) + " • " + rest_.text() + ")";
   if (pairs_.empty()) return most;

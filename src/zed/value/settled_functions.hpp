@@ -29,6 +29,7 @@ class SettledFunction final : public Set {
   Truth contains(const Value& pair, Context& context) const override;
   Value apply(const Value& argument, Context& context) const override;
   Truth in_domain(const Value& argument, Context& context) const override;
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override;
   std::string spelled(Wording wording) const override;
 
  private:
