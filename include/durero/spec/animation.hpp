@@ -147,12 +147,12 @@ class Animation {
 
 /// The states that a machine can reach, breadth first.
 struct Exploration {
-  std::size_t states = 0, transitions = 0;  ///< so many were found
-  std::vector<std::string> bounded;         ///< what was left out, by the flag that would admit it
-  std::optional<ConjectureResult> refuted;  ///< the first conjecture that is false in a state or a transition
-  std::vector<Transition> way;              ///< leads there
-  std::size_t open = 0;                     ///< conjectures, in states and transitions, that could not be decided
-  std::size_t claims = 0;                   ///< the conjectures that were decided there
+  std::uint64_t states = 0, transitions = 0;  ///< so many were found
+  std::vector<std::string> bounded;           ///< what was left out, by the flag that would admit it
+  std::optional<ConjectureResult> refuted;    ///< the first conjecture that is false in a state or a transition
+  std::vector<Transition> way;                ///< leads there
+  std::uint64_t open = 0;                     ///< conjectures, in states and transitions, that could not be decided
+  std::uint64_t claims = 0;                   ///< the conjectures that were decided there
 };
 
 /// The states that an exploration found, and the transitions between them.

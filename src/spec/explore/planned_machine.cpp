@@ -37,6 +37,7 @@ PlannedMachine::PlannedMachine(const Machine& machine, NumberBounds numbers, boo
   }
   const Term state = zed::reference(Name{machine.state(), ""});
   if (const auto text = translator_.flat(state)) {
+    keep_sequences(*text);
     state_facts_ = all_facts(translator_, *text);
     for (const Term& fact : state_facts_) invariant_.push_back(state_test(fact));
   } else {
@@ -56,6 +57,23 @@ PlannedMachine::PlannedMachine(const Machine& machine, NumberBounds numbers, boo
   initial_.name = machine.init().empty() ? machine.state() : machine.init();
   plan(initial_, true, split);
   fit();
+}
+
+void PlannedMachine::keep_sequences(const zed::SchemaText& text) {
+  for (const zed::Declaration& declaration : text.declarations) {
+    zed::Value set;
+    try {
+      set = machine_.parts().evaluator->value(declaration.term);
+    } catch (const zed::EvaluationError&) {  // its members are written as they were made
+    }
+    if (set.set() && set.set()->declares_sequences())
+      for (const Name& name : declaration.names) sequences_.emplace(name, set);
+  }
+}
+
+zed::Value PlannedMachine::written(const Name& name, ValueId id) const {
+  const auto at = sequences_.find(name);
+  return at == sequences_.end() ? values_.value(id) : at->second.set()->as_declared(values_.value(id));
 }
 
 /// The names of the state before are known, and all others of the operation are sought.
@@ -79,6 +97,7 @@ void PlannedMachine::plan(PlannedOperation& operation, bool is_initial, bool spl
   for (const Name& name : operation.inputs) operation.given.push_back(add(name));
   for (const Name& name : operation.outputs) operation.returned.push_back(add(name));
   if (!text) return;
+  keep_sequences(*text);
   try {
     SoughtNames sought{{}, {}, {}, {}};
     for (const zed::Declaration& declaration : text->declarations)
@@ -250,15 +269,16 @@ Transition PlannedMachine::transition(const PlannedOperation& operation, std::sp
   Transition step;
   step.operation = operation.name;
   std::size_t at = 0;
-  for (const Name& name : operation.inputs) step.inputs.emplace_back(name, values_.value(row[at++]));
-  for (const Name& name : operation.outputs) step.outputs.emplace_back(name, values_.value(row[at++]));
+  for (const Name& name : operation.inputs) step.inputs.emplace_back(name, written(name, row[at++]));
+  for (const Name& name : operation.outputs) step.outputs.emplace_back(name, written(name, row[at++]));
   step.after = valuation(row.subspan(at));
   return step;
 }
 
 zed::Valuation PlannedMachine::valuation(std::span<const ValueId> state) const {
   zed::Valuation all;
-  for (std::size_t i = 0; i < state.size(); ++i) all.emplace_back(machine_.components()[i], values_.value(state[i]));
+  for (std::size_t i = 0; i < state.size(); ++i)
+    all.emplace_back(machine_.components()[i], written(machine_.components()[i], state[i]));
   return all;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// A machine whose operations are planned: its steps from a state, as numbers of values.
 
+#include <map>
+
 #include "durero/spec/explore.hpp"
 #include "search_plan.hpp"
 
@@ -76,6 +78,10 @@ class PlannedMachine {
 
  private:
   void plan(PlannedOperation& operation, bool is_initial, bool split);
+  /// Keeps the sets of sequences that names are declared from.
+  void keep_sequences(const zed::SchemaText& text);
+  /// The value of a name, written as what is declared from its set: a member of `seq X` as a sequence.
+  zed::Value written(const zed::Name& name, ValueId id) const;
   void evaluate(const PlannedOperation& operation, std::span<const ValueId> before);
   void note(const ReachedTransitions& found, const std::string& what);
   void fit() {
@@ -94,6 +100,7 @@ class PlannedMachine {
   std::vector<zed::Term> state_facts_, after_facts_;  // what the state schema says of a state, and of that after a step
   std::vector<PlannedOperation> operations_;
   PlannedOperation initial_;
+  std::map<zed::Name, zed::Value> sequences_;  // the set that each of these names is declared from
   StepRows rows_;
   std::set<std::string> bounded_;
 };
