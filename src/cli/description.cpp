@@ -50,7 +50,12 @@ constexpr std::array rows = {
     ArgumentRow{"--comment", Kind::text, "COMMENT"},   ArgumentRow{"--salvage", Kind::file, "STORE"},
     ArgumentRow{"--for-each", Kind::text, "SET"},      ArgumentRow{"--why-not", Kind::text, "OPERATION"},
     ArgumentRow{"--host", Kind::text, "ADDRESS"},      ArgumentRow{"--token", Kind::file, "FILE"},
-    ArgumentRow{"--origin", Kind::text, "ORIGIN"},
+    ArgumentRow{"--origin", Kind::text, "ORIGIN"},     ArgumentRow{"--by", Kind::text, "SCHEMA"},
+    ArgumentRow{"--pair", Kind::text, "AOP=COP"},      ArgumentRow{"--coq", Kind::file, "FILE"},
+    ArgumentRow{"--isabelle", Kind::file, "FILE"},     ArgumentRow{"--numbers", Kind::text, "LOW..HIGH"},
+    ArgumentRow{"--always", Kind::text, "PREDICATE"},  ArgumentRow{"--eventually", Kind::text, "PREDICATE"},
+    ArgumentRow{"--leads-to", Kind::text, "P Q"},      ArgumentRow{"--dot", Kind::file, "FILE"},
+    ArgumentRow{"--svg", Kind::file, "FILE"},          ArgumentRow{"--trace", Kind::file, "TRACE"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.

@@ -1,3 +1,4 @@
+#include "durero/conform/format_versions.hpp"
 #include "durero/io/json/json_writer.hpp"
 #include "explore_text.hpp"
 
@@ -96,7 +97,7 @@ void write_graph(Writer& out, const Machine& machine, const spec::StateGraph& gr
 std::string explore_json(const Machine& machine, const ExploreReport& report, const spec::StateGraph* graph) {
   std::string text;
   Writer out(text);
-  out.begin_object().member("format", "durero-explore").member("version", std::uint64_t{1});
+  write_version(out.begin_object(), conform::explore_format);
   out.member("state", std::string_view(machine.state())).member("init", std::string_view(machine.init()));
   write_texts(out, "given", machine.carriers());
   out.member("states", report.states).member("transitions", report.transitions).member("initial", report.initial);

@@ -22,11 +22,12 @@ inline constexpr FormatVersion shards_format{"durero-shards", 1};        ///< a 
 inline constexpr FormatVersion agreement_format{"durero-agreement", 1};  ///< by agreement_json
 inline constexpr FormatVersion stats_format{"durero-stats", 1};          ///< by durero stats --format json
 inline constexpr FormatVersion mosaic_format{"durero-mosaic", 1};        ///< by durero voxelise
+inline constexpr FormatVersion explore_format{"durero-explore", 1};      ///< by durero spec explore --json
 
 /// The formats of this layer and of the layers above it in the table of layers.
 inline constexpr FormatVersion format_versions[] = {io::scene_format, io::check_format, suite_format,  case_format,
                                                     system_format,    profile_format,   claims_format, report_format,
                                                     search_format,    campaign_format,  shards_format, agreement_format,
-                                                    stats_format,     mosaic_format};
+                                                    stats_format,     mosaic_format,    explore_format};
 
 }  // namespace durero::conform
