@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 namespace durero::text {
 namespace {
@@ -737,8 +738,13 @@ constexpr SpanishName names[] = {
 std::span<const SpanishName> spanish_names() { return names; }
 
 std::string_view english_of(std::string_view name) {
-  const auto* const found = std::ranges::find(names, name, &SpanishName::name);
-  return found == std::end(names) ? std::string_view() : found->english;
+  static const auto english = [] {
+    std::unordered_map<std::string_view, std::string_view> of;
+    for (const SpanishName& each : names) of.emplace(each.name, each.english);
+    return of;
+  }();
+  const auto found = english.find(name);
+  return found == english.end() ? std::string_view() : found->second;
 }
 
 std::string english_beside(std::string_view name) {
