@@ -24,7 +24,7 @@ std::vector<Name> names_alone(const Valuation& known) {
   return names;
 }
 
-/// Those of the values whose names are among these.
+/// The values whose names are among these.
 Valuation of_names(const Valuation& values, const std::vector<Name>& names) {
   Valuation kept;
   for (const auto& value : values)

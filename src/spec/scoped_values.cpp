@@ -142,7 +142,7 @@ std::optional<Term> ScopedValues::declared_set(const std::string& schema, const 
   return std::nullopt;
 }
 
-// What is listed is a member, as the text's evaluator says.
+// A value that is listed is a member, as the text's evaluator says.
 ScopedMembers ScopedValues::of_set(const Term& set, const Type& element) const {
   std::optional<Value> whole;
   try {

@@ -54,7 +54,7 @@ TEST_CASE("each disjunct of an operation is a case with an example, and one with
   CHECK(counts == std::map<std::string, std::pair<int, int>>{{"Pay", {2, 0}}, {"Take", {2, 1}}});
   for (const OperationCase& each : found.cases) {
     if (!each.is_found) CHECK(each.disjuncts == std::vector<std::string>{"owed > 3 ∧ owed' = 0 ∧ answer! = refused"});
-    // What is left open has each answer that the text admits: from 2, with n? not 0, owed may become 0 or 1.
+    // A value that is left open has each answer that the text admits: from 2, with n? not 0, owed may become 0 or 1.
     if (each.operation == "Pay" && each.disjuncts == std::vector<std::string>{"¬ n? = 0"})
       CHECK(each.admitted.size() == static_cast<std::size_t>(std::stoi(each.way.back().after[0].second.text())));
   }

@@ -246,7 +246,7 @@ TEST_CASE("each lifted operation holds of what the program does, and of nothing 
       Formas less = now;
       const auto answer = apply_lifted(less, other.removal);
       CHECK(answer.has_value() == same);
-      // What the removal of the own type answers, of what it would leave: no other type's removal does it.
+      // The removal of the own type answers this, of what it would leave: no other type's removal does it.
       Formas without = now;
       without.forma.erase(fresh);
       scene::Scene scene;

@@ -21,7 +21,7 @@ struct Formas {
 /// The shapes of the elements by themselves, without meshes: Retrato.inv.1. O(n log n).
 Formas formas(const Scene& scene);
 
-/// What scene these shapes say: Recobro.inv.1, Recobro.inv.2, Recobro.inv.3, Recobro.inv.4, Recobro.inv.5,
+/// The scene that these shapes say: Recobro.inv.1, Recobro.inv.2, Recobro.inv.3, Recobro.inv.4, Recobro.inv.5,
 /// Recobro.inv.6, Recobro.inv.7. O(n log n).
 model::Escena retrieve(const Formas& formas);
 

@@ -37,7 +37,7 @@ struct FactCoverage {
   std::uint64_t no = 0;   ///< so often it was false
 };
 
-/// What an operation did in an exploration.
+/// The deeds of an operation in an exploration.
 struct OperationCoverage {
   std::string name;                   ///< of its schema
   std::uint64_t transitions = 0;      ///< so many were found

@@ -72,8 +72,8 @@ struct Obligation {
   std::size_t operation;  ///< its place in Refinement::operations; their number where it is of no operation
 };
 
-/// What is to be proved. Where the retrieve schema gives each concrete state one abstract state, `functional`, the
-/// obligations of a forward simulation are simpler, and that it does is the first of them.
+/// The obligations to be proved. Where the retrieve schema gives each concrete state one abstract state, `functional`,
+/// the obligations of a forward simulation are simpler, and that it does is the first of them.
 std::vector<Obligation> obligations(const Refinement& refinement, bool functional);
 
 /// The obligations as a section of Z, whose parents are the sections of the text: in LaTeX, or else in Unicode.

@@ -15,7 +15,7 @@ bool has_fact(const std::vector<Term>& facts, const Term& fact) {
   return std::find(facts.begin(), facts.end(), fact) != facts.end();
 }
 
-/// What a schema text says: that each name is in its set, and its predicates.
+/// The facts that a schema text says: that each name is in its set, and its predicates.
 std::vector<Term> all_facts(TermTranslator& translator, const zed::SchemaText& text) {
   std::vector<Term> facts;
   for (const zed::Declaration& declaration : text.declarations)

@@ -71,7 +71,7 @@ class PlannedMachine {
   void load_state(std::span<const ValueId> state);
   /// A test of the operation's steps.
   IdTest step_test(const PlannedOperation& operation, const zed::Term& predicate);
-  /// What was left out, by the flag that would admit it.
+  /// The values that were left out, by the flag that would admit it.
   std::set<std::string>& bounded() { return bounded_; }
   /// Decides whether a step that was given is one of the operation. Throws Undecided.
   bool admits(const PlannedOperation& operation, std::span<const ValueId> before, std::span<const ValueId> row);

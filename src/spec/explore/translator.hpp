@@ -19,7 +19,7 @@ namespace durero::spec {
 using IdFrame = ValueId*;
 using IdCode = std::function<ValueId(IdFrame frame)>;
 using IdTest = std::function<bool(IdFrame frame)>;
-/// What is called for each value that is found; it returns false to stop.
+/// A visit is called for each value that is found; it returns false to stop.
 using IdVisit = std::function<bool(ValueId value)>;
 
 /// The error of a term that neither the code nor the evaluator decides.

@@ -9,7 +9,7 @@ namespace durero::spec {
 struct ArrowProperties {
   bool function = true, total = false, injective = false, surjective = false;
 };
-/// Those of an arrow of the toolkit, such as `_⇸_`; nothing where the name is none.
+/// The properties of an arrow of the toolkit, such as `_⇸_`; nothing where the name is none.
 std::optional<ArrowProperties> arrow_properties(const std::string& name);
 
 /// @{ The set of that form.

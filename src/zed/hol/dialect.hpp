@@ -1,5 +1,5 @@
 #pragma once
-/// What Coq and Isabelle write in two ways: connectives, binders, types and definitions.
+/// The signs that Coq and Isabelle write in two ways: connectives, binders, types and definitions.
 
 #include <string>
 #include <utility>
@@ -40,7 +40,7 @@ struct HolDialect {
   std::string constant(const std::string& name, const std::string& type) const;
   std::string axiom(const std::string& name, const std::string& body) const;
   std::string comment(const std::string& text) const;
-  /// What stands before and behind the definitions.
+  /// The lines before and behind the definitions.
   std::string head(const std::string& theory) const;
   std::string tail() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What is meant by a command of LaTeX that Z has not.
+/// The command of Z that is meant by one of LaTeX that Z has not.
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
-/// What a search finds of sets, sequences, functions and rules, against what is so of each value of a small scope in
-/// turn: the second is asked of known values alone, or is computed here of numbers.
+/// The finds of a search among sets, sequences, functions and rules, against what is so of each value of a small scope
+/// in turn: the second is asked of known values alone, or is computed here of numbers.
 
 #include <fmt/format.h>
 
