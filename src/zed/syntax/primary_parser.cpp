@@ -104,16 +104,22 @@ bool TermParser::suffix(Term& so_far) {
 }
 
 /// Between these brackets stand declarations, so that they are an argument: f [x : A], and f [S; T] (ISO/IEC
-/// 13568, 8.4).
+/// 13568, 8.4). The declarations of a quantifier, up to its •, are its own: f[let a == 0; b == 0 • a] has an actual.
 bool TermParser::holds_schema_text() const {
   std::size_t ahead = 1;
   while (TokenStream::is_name(in_.peek(ahead)) && in_.peek(ahead + 1).is(",")) ahead += 2;
   if (TokenStream::is_name(in_.peek(ahead)) && in_.peek(ahead + 1).is(":")) return true;
-  int depth = 1;
+  const auto is_quantifier = [](const Token& token) {
+    return std::any_of(std::begin(quantifiers), std::end(quantifiers),
+                       [&](const Quantifier& quantifier) { return token.is(quantifier.symbol); });
+  };
+  int depth = 1, quantified = 0;
   for (ahead = 1; depth > 0; ++ahead) {
     const Token& token = in_.peek(ahead);
     if (token.type == Token::Type::end || token.type == Token::Type::error) return false;
-    if (depth == 1 && token.is(";")) return true;
+    if (depth == 1 && is_quantifier(token)) ++quantified;
+    if (depth == 1 && quantified > 0 && token.is("•")) --quantified;
+    if (depth == 1 && quantified == 0 && token.is(";")) return true;
     if (token.is("[") || token.is("(") || token.is("{") || token.is("⦉")) ++depth;
     if (token.is("]") || token.is(")") || token.is("}") || token.is("⦊")) --depth;
   }

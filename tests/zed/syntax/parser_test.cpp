@@ -39,6 +39,9 @@ TEST_CASE("operators bind as the standard says, and associate to their side") {
   same("f [S; T]", "f ([S; T])");
   same("f [x, y : A | p] [x : A]", "(f ([x, y : A | p])) ([x : A])");
   same("f [A] x", "(f[A]) x");
+  same("f [let a == 0; b == 0 • a]", "f[(let a == 0; b == 0 • a)]");
+  same("f [A, ∀ x : A; y : B • p]", "f[A, (∀ x : A; y : B • p)]");
+  same("f [∀ x : A; y : B • p; S]", "f ([(∀ x : A; y : B • p); S])");
   CHECK_FALSE(parse_unicode("A × B × C") == parse_unicode("A × (B × C)"));
 }
 
