@@ -178,7 +178,7 @@ class RefinementFinder {
     return name.starts_with(operation) || name.ends_with(operation);
   }
 
-  /// Where several abstract operations could have it as partner, it is that of the longest name.
+  /// Of several abstract operations that could have it as partner, the one of the longest name has.
   static std::string partner_by_name(const std::string& operation, const Operations& abstract,
                                      const Operations& concrete) {
     std::vector<std::string> all;

@@ -7,7 +7,7 @@
 
 namespace durero::spec {
 
-/// Some bindings of a schema in a scope.
+/// A sample of the bindings of a schema in a scope.
 struct ScopedSample {
   std::vector<zed::Valuation> bindings;
   bool all = false;  ///< the scope has no others
@@ -26,7 +26,7 @@ class ScopedSolutions {
             const std::function<bool(const zed::Valuation&)>& visit);
   /// Whether there is one; open where none was found and there may be others.
   zed::Truth some(const std::string& schema, const zed::Valuation& given);
-  /// So many bindings at most; where the scope has more, some that are spread over it, the same each time.
+  /// Takes `most` bindings at most; where the scope has more, they are spread over it, the same each time.
   ScopedSample sample(const std::string& schema, std::size_t most);
   /// Whether values for all components satisfy the schema.
   zed::Truth holds(const std::string& schema, const zed::Valuation& values) const;

@@ -16,7 +16,7 @@ using zed::Value;
 
 namespace {
 
-/// So many members of one set are listed at most: the 3 · 3 choices of two arrays' entries with their numbers are
+/// The most members of one set that are listed: the 3 · 3 choices of two arrays' entries with their numbers are
 /// fewer.
 constexpr std::size_t most_members = 1000;
 

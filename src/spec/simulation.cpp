@@ -50,7 +50,7 @@ std::vector<Value> values_alone(const Valuation& a, const Valuation& b) {
   return values;
 }
 
-/// So many choices of an operation's inputs are tried in one state.
+/// The most choices of an operation's inputs that are tried in one state.
 constexpr std::size_t most_inputs = 64;
 
 }  // namespace

@@ -26,7 +26,7 @@ struct StateSpace::Impl {
     std::uint32_t operation;
     std::size_t row;  ///< where the row of the step begins
   };
-  /// Where a claim is false: in a state, or in the last of these steps.
+  /// The place where a claim is false: a state, or the last of these steps.
   struct Refutation {
     std::size_t claim;
     StateIndex before;

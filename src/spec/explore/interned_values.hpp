@@ -17,7 +17,7 @@ namespace durero::spec {
 /// The number of a value; 0 is that of an expression without a value.
 using ValueId = std::uint32_t;
 
-/// Some values; few of them need no heap.
+/// A list of values; a short one needs no heap.
 using ValueList = boost::container::small_vector<ValueId, 16>;
 
 /// The error of an operator that the kept values do not serve: the evaluator is to be asked then.
@@ -69,7 +69,7 @@ class InternedValues {
   const zed::Atom& atom(ValueId id) const { return atoms_[entries_[id].tag]; }
   /// Says whether the set has the member.
   bool has(ValueId set, ValueId member) const;
-  /// The same constructed value, tuple, binding or set with other parts, which it may sort.
+  /// Makes the constructed value, tuple, binding or set anew with other parts, which it may sort.
   ValueId remade(ValueId id, std::vector<ValueId>& parts);
   std::size_t size() const { return entries_.size(); }
 

@@ -18,12 +18,7 @@ bool has_fact(const std::vector<Term>& facts, const Term& fact) {
 /// The facts that a schema text says: that each name is in its set, and its predicates.
 std::vector<Term> all_facts(TermTranslator& translator, const zed::SchemaText& text) {
   std::vector<Term> facts;
-  for (const zed::Declaration& declaration : text.declarations)
-    for (const Name& name : declaration.names)
-      facts.push_back(zed::relation({{"_∈_", {}}},
-                                    {zed::reference(name, {}, declaration.term->place), declaration.term},
-                                    declaration.term->place));
-  for (const zed::Predicate& predicate : text.predicates) translator.add_facts(facts, predicate.term);
+  translator.add_facts(facts, text);
   return facts;
 }
 
@@ -120,7 +115,7 @@ void PlannedMachine::plan(PlannedOperation& operation, bool is_initial, bool spl
     for (const zed::Declaration& declaration : text->declarations)
       for (const Name& name : declaration.names) {
         if (is_initial || !state_scope_.places.contains(name)) continue;
-        sought.facts.push_back(zed::relation({{"_∈_", {}}}, {zed::reference(name), declaration.term}));
+        sought.facts.push_back(member_of(name, declaration.term));
         wish.uncounted.push_back(sought.facts.back());
       }
     for (const zed::Predicate& predicate : text->predicates) translator_.add_facts(sought.facts, predicate.term);

@@ -10,11 +10,7 @@ using zed::Node;
 using zed::Term;
 
 TermTranslator::Translated<DomainPtr> TermTranslator::domain_read(const Term& term, const FrameScope& scope) {
-  const std::set<unsigned> before = std::exchange(reads_, {});
-  DomainPtr set = domain(term, scope);
-  std::set<unsigned> reads = std::exchange(reads_, before);
-  reads_.insert(reads.begin(), reads.end());
-  return {std::move(set), std::move(reads)};
+  return with_reads([&] { return domain(term, scope); });
 }
 
 DomainPtr TermTranslator::domain(const Term& term, const FrameScope& scope) {

@@ -29,11 +29,7 @@ std::optional<unsigned> FrameScope::find(const Name& name) const {
 }
 
 TermTranslator::Translated<IdCode> TermTranslator::expression_read(const Term& term, const FrameScope& scope) {
-  const std::set<unsigned> before = std::exchange(reads_, {});
-  IdCode code = expression(term, scope);
-  std::set<unsigned> reads = std::exchange(reads_, before);
-  reads_.insert(reads.begin(), reads.end());
-  return {std::move(code), std::move(reads)};
+  return with_reads([&] { return expression(term, scope); });
 }
 
 /// An expression that is not translated, or cannot be computed here, is the evaluator's.

@@ -15,11 +15,7 @@ using zed::Node;
 using zed::Term;
 
 TermTranslator::Translated<IdTest> TermTranslator::predicate_read(const Term& term, const FrameScope& scope) {
-  const std::set<unsigned> before = std::exchange(reads_, {});
-  IdTest test = predicate(term, scope);
-  std::set<unsigned> reads = std::exchange(reads_, before);
-  reads_.insert(reads.begin(), reads.end());
-  return {std::move(test), std::move(reads)};
+  return with_reads([&] { return predicate(term, scope); });
 }
 
 /// A predicate that is not translated, or cannot be decided here, is the evaluator's.
@@ -150,11 +146,11 @@ bool may_be_schema(Kind kind) {
   }
 }
 
+}  // namespace
+
 Term member_of(const Name& name, const Term& set) {
   return zed::relation({{"_∈_", {}}}, {zed::reference(name, {}, set->place), set}, set->place);
 }
-
-}  // namespace
 
 bool TermTranslator::names_no_schema(const Name& name) const {
   const auto at = globals_.find(name);
@@ -214,9 +210,13 @@ void TermTranslator::add_facts(std::vector<Term>& facts, const Term& fact) {
   }
   const auto schema = may_be_schema(node.kind) ? flat(fact) : nullptr;
   if (!schema) return facts.push_back(fact);
-  for (const zed::Declaration& declaration : schema->declarations)
+  add_facts(facts, *schema);
+}
+
+void TermTranslator::add_facts(std::vector<Term>& facts, const zed::SchemaText& text) {
+  for (const zed::Declaration& declaration : text.declarations)
     for (const Name& name : declaration.names) facts.push_back(member_of(name, declaration.term));
-  for (const zed::Predicate& predicate : schema->predicates) add_facts(facts, predicate.term);
+  for (const zed::Predicate& predicate : text.predicates) add_facts(facts, predicate.term);
 }
 
 SoughtNames TermTranslator::sought(const zed::SchemaText& text, const FrameScope& scope) {

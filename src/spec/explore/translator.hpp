@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "interned_values.hpp"
 #include "spec/machine_parts.hpp"
@@ -67,13 +68,16 @@ struct SoughtNames {
   FrameScope scope;
 };
 
+/// The fact that the name is in the set, at the place of the set.
+zed::Term member_of(const zed::Name& name, const zed::Term& set);
+
 class TermTranslator {
  public:
   TermTranslator(const Machine::Parts& parts, InternedValues& values, NumberBounds numbers);
 
   /// A new place in frames.
   unsigned place() { return size_++; }
-  /// So many places a frame has.
+  /// The number of places in a frame.
   unsigned frame_size() const { return size_; }
   /// Code, with the places that it reads.
   template <class Code>
@@ -89,6 +93,8 @@ class TermTranslator {
   std::shared_ptr<const zed::SchemaText> flat(const zed::Term& schema);
   /// Splits a fact into those that it is the conjunction of.
   void add_facts(std::vector<zed::Term>& facts, const zed::Term& fact);
+  /// Adds the facts of a schema text: each name is in its set, and each predicate holds.
+  void add_facts(std::vector<zed::Term>& facts, const zed::SchemaText& text);
   /// The names of a schema text, each with a new place.
   SoughtNames sought(const zed::SchemaText& text, const FrameScope& scope);
 
@@ -98,6 +104,15 @@ class TermTranslator {
 
  private:
   friend class PlanMaker;
+  /// Translates, and tells the places that the code reads.
+  template <class Translate>
+  auto with_reads(Translate&& translate) -> Translated<decltype(translate())> {
+    const std::set<unsigned> before = std::exchange(reads_, {});
+    auto code = translate();
+    std::set<unsigned> reads = std::exchange(reads_, before);
+    reads_.insert(reads.begin(), reads.end());
+    return {std::move(code), std::move(reads)};
+  }
   IdCode expression(const zed::Term& term, const FrameScope& scope);
   IdCode translated(const zed::Term& term, const FrameScope& scope);
   IdCode reference(const zed::Node& node, const FrameScope& scope);

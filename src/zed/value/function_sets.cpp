@@ -119,8 +119,8 @@ class FunctionSet : public Set {
     return pairs;
   }
 
-  /// Some total functions from these values: those to the first few values, then constant ones, and one that gives each
-  /// argument a value of its own.
+  /// Total functions from these values, not all: those to the first few values, then constant ones, and one that gives
+  /// each argument a value of its own.
   static std::vector<Value> some_total(const std::vector<Value>& from, const std::vector<Value>& to, std::size_t most) {
     std::size_t few = 0, ways = 0;
     const auto functions = [&](std::size_t values) {

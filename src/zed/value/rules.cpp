@@ -50,7 +50,7 @@ class Composition : public Set {
     const Set &near = *(part == 0 ? first_ : then_).set(), &far = *(part == 0 ? then_ : first_).set();
     return partners_of_all(near.partners(known, part, context), far, part, context);
   }
-  // Some value between is related to both parts of the pair: the values between are those of one of them.
+  // A value between is related to both parts of the pair: the values between are those of one of them.
   Truth contains(const Value& pair, Context& context) const override {
     if (!pair.tuple() || has_open(pair)) return lost(context);
     for (const std::size_t part : {0U, 1U}) {

@@ -24,7 +24,7 @@ std::optional<std::vector<Value>> partners_by(const std::optional<std::vector<Va
   return kept;
 }
 
-/// Some members of a set, without those that another has, or does not have.
+/// Members of a set, not all, without those that another has, or does not have.
 std::vector<Value> some_filtered(const Value& set, const Value& other, bool in, const SmallScope& scope,
                                  Context& context) {
   std::vector<Value> some = set.set()->some_members(scope, context);
