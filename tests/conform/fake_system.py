@@ -36,6 +36,10 @@ if how == "complains":
     sys.exit("no licence found")
 if how == "preamble":
     say(["loaded in 3 ms", "", "systemic warning"])
+if how == "endless":  # in one write, so that its reader finds more behind the line whenever it looks
+    os.write(1, b"system fake 1.0 endless\n" + b"x" * 32768)
+    while True:
+        os.write(1, b"x" * 65536)
 say(["system fake 1.0 %s" % (os.getcwd() if how == "where" else how)])
 if how == "long":  # a pipe has room for the whole line, so that its rest is there when its beginning is read
     fcntl.fcntl(1, 1031, 1 << 20)  # F_SETPIPE_SZ
@@ -44,9 +48,6 @@ if how == "closes":
     time.sleep(60)
 if how == "deaf":
     time.sleep(60)
-if how == "endless":
-    while True:
-        sys.stdout.write("x" * 65536)
 
 while True:
     head = sys.stdin.readline()
@@ -72,6 +73,8 @@ while True:
             hoard = bytearray(1 << 29)
         if how == "less" and ray == 70:
             continue
+        while how == "drones" and ray == 70:
+            os.write(1, b"x" * 65536)
         lines.append(answer(ray))
         if how != "buffered":
             say(lines)

@@ -211,6 +211,12 @@ TEST_CASE("of a system that answers more than it is asked nothing is believed") 
   }
 }
 
+TEST_CASE("an answer without an end costs its own ray") {
+  const Result result = run("drones", cases(4, plain));
+  check_right(result.seen, 4, plain, {80});
+  CHECK(result.seen.claims[80].outcome == Outcome::unanswered);
+}
+
 TEST_CASE("an answer that is left out is waited for") {
   const Result result = run("less", cases(4, plain));
   check_right(result.seen, 4, plain, {80});
