@@ -129,7 +129,7 @@ Value overriding(const Value& a, const Value& b, Context& context) {
 Value image(const Value& relation, const Value& set, Context& context) {
   return with(relation, set, [&]() -> Value {
     Values reached;
-    if (const auto* by_images = dynamic_cast<const ImageSet*>(relation.set())) return by_images->image(set, context);
+    if (auto by_images = relation.set()->image(set, context)) return *std::move(by_images);
     if (is_rule(relation)) {
       for (const Value& argument : enumerated(set, "the image of")) {
         auto results = relation.set()->partners(argument, 0, context);

@@ -15,13 +15,6 @@ Value toolkit_function(const OperatorRow& row);
 /// one of a relation.
 Value toolkit_relation(const OperatorRow& row);
 
-/// A relation that cannot be listed, and need be no function, is known by its images.
-class ImageSet : public Set {
- public:
-  /// Returns the image of a set through the relation, R ⦇ S ⦈.
-  virtual Value image(const Value& set, Context& context) const = 0;
-};
-
 /// Returns f(x).
 Value apply_value(const Value& function, const Value& argument, Context& context);
 

@@ -8,7 +8,7 @@ namespace durero::zed {
 namespace {
 
 /// R ∗ is R ⁺ and the identity on the whole type, which nobody lists. R ↗ 0 ↙, which is that identity, is ∅ ∗.
-class ReflexiveClosure : public ImageSet {
+class ReflexiveClosure : public Set {
  public:
   ReflexiveClosure(Value relation, Value closure) : relation_(std::move(relation)), closure_(std::move(closure)) {}
 
@@ -18,32 +18,58 @@ class ReflexiveClosure : public ImageSet {
     const Truth far = contains_value(closure_, pair, context), here = equal(first(pair), second(pair), context);
     return !both(!far, !here);
   }
-  Value image(const Value& set, Context& context) const override {
-    return set_union(set, functions::image(closure_, set, context), context);
-  }
+  std::optional<Value> image(const Value& set, Context& context) const override { return reached(set, context); }
   Value apply(const Value& argument, Context& context) const override {
     if (has_open(argument)) return Open{};
-    const Value reached = image(Value::set({argument}), context);
-    return reached.set()->members()->size() == 1 ? argument : Value();
+    return reached(Value::set({argument}), context).set()->members()->size() == 1 ? argument : Value();
   }
   Truth in_domain(const Value&, Context&) const override { return Truth::yes; }
   std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
     if (part == 1) return std::nullopt;
-    return enumerated(image(Value::set({known}), context), "what is reached, of");
+    return enumerated(reached(Value::set({known}), context), "what is reached, of");
   }
   bool closed() const override { return zed::closed(relation_); }
   std::string spelled(Wording wording) const override { return "(" + relation_.set()->spelled(wording) + " ∗)"; }
 
  private:
+  Value reached(const Value& set, Context& context) const {
+    return set_union(set, functions::image(closure_, set, context), context);
+  }
+
   Value relation_, closure_;
 };
 
 /// A relation that cannot be listed, so many times: it is known by its images.
-class Iterated : public ImageSet {
+class Iterated : public Set {
  public:
   Iterated(Value relation, Real times) : relation_(std::move(relation)), times_(std::move(times)) {}
 
-  Value image(const Value& set, Context& context) const override {
+  std::optional<Value> image(const Value& set, Context& context) const override { return reached(set, context); }
+  Value apply(const Value& argument, Context& context) const override {
+    if (has_open(argument)) return Open{};
+    const Value all = reached(Value::set({argument}), context);
+    const auto& results = enumerated(all, "what is reached, of");
+    return results.size() == 1 ? results[0] : Value();
+  }
+  Truth contains(const Value& pair, Context& context) const override {
+    if (!pair.tuple() || has_open(first(pair))) return lost(context);
+    return contains_value(reached(Value::set({first(pair)}), context), second(pair), context);
+  }
+  Truth in_domain(const Value& argument, Context& context) const override {
+    if (has_open(argument)) return lost(context);
+    return truth(!enumerated(reached(Value::set({argument}), context), "what is reached, of").empty());
+  }
+  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
+    if (part == 1) return std::nullopt;
+    return enumerated(reached(Value::set({known}), context), "what is reached, of");
+  }
+  bool closed() const override { return zed::closed(relation_); }
+  std::string spelled(Wording wording) const override {
+    return "(" + relation_.set()->spelled(wording) + " ↗ " + Value(times_).text() + " ↙)";
+  }
+
+ private:
+  Value reached(const Value& set, Context& context) const {
     Value reached = set;
     const Real one(1);
     for (Real n = times_; sign(n) > 0; n = n - one) {
@@ -52,30 +78,7 @@ class Iterated : public ImageSet {
     }
     return reached;
   }
-  Value apply(const Value& argument, Context& context) const override {
-    if (has_open(argument)) return Open{};
-    const Value reached = image(Value::set({argument}), context);
-    const auto& results = enumerated(reached, "what is reached, of");
-    return results.size() == 1 ? results[0] : Value();
-  }
-  Truth contains(const Value& pair, Context& context) const override {
-    if (!pair.tuple() || has_open(first(pair))) return lost(context);
-    return contains_value(image(Value::set({first(pair)}), context), second(pair), context);
-  }
-  Truth in_domain(const Value& argument, Context& context) const override {
-    if (has_open(argument)) return lost(context);
-    return truth(!enumerated(image(Value::set({argument}), context), "what is reached, of").empty());
-  }
-  std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const override {
-    if (part == 1) return std::nullopt;
-    return enumerated(image(Value::set({known}), context), "what is reached, of");
-  }
-  bool closed() const override { return zed::closed(relation_); }
-  std::string spelled(Wording wording) const override {
-    return "(" + relation_.set()->spelled(wording) + " ↗ " + Value(times_).text() + " ↙)";
-  }
 
- private:
   Value relation_;
   Real times_;
 };

@@ -19,21 +19,47 @@ Value Value::atom(std::string type, std::string text, std::uint32_t order) {
   return std::make_shared<const AtomName>(AtomName{std::move(type), std::move(text), order, head});
 }
 
+namespace {
+
+bool has_set(const Value& value) {
+  if (value.set()) return true;
+  if (const auto* tuple = value.tuple()) return tuple->marks.sets;
+  if (const auto* binding = value.binding()) return binding->marks.sets;
+  const auto* constructed = value.get<ConstructedPtr>();
+  return constructed && has_set((*constructed)->argument);
+}
+
+template <class Parts>
+PartMarks marks_of(const Parts& parts) {
+  PartMarks marks;
+  for (const Value& part : parts) {
+    marks.open = marks.open || has_open(part);
+    marks.sets = marks.sets || has_set(part);
+  }
+  return marks;
+}
+
+}  // namespace
+
+TupleValue::TupleValue(std::span<Value> p)
+    : parts(std::make_move_iterator(p.begin()), std::make_move_iterator(p.end())), marks(marks_of(parts)) {}
+
+BindingValue::BindingValue(Signature n, std::span<Value> v)
+    : names(std::move(n)),
+      values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())),
+      marks(marks_of(values)) {}
+
 Value Value::tuple(std::vector<Value> parts) {
   for (const Value& part : parts) {
     if (part.is_undefined()) return {};
   }
-  auto tuple = std::make_shared<TupleValue>();
-  tuple->parts.assign(std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end()));
-  return TuplePtr(std::move(tuple));
+  return TuplePtr(std::make_shared<const TupleValue>(std::span(parts)));
 }
 
 Value Value::pair(Value first, Value second) {
   if (first.is_undefined() || second.is_undefined()) return {};
-  auto tuple = std::make_shared<TupleValue>();
-  tuple->parts.push_back(std::move(first));
-  tuple->parts.push_back(std::move(second));
-  return TuplePtr(std::move(tuple));
+  Value parts[] = {std::move(first), std::move(second)};
+  return TuplePtr(std::make_shared<const TupleValue>(std::span(parts)));
 }
 
 Value Value::binding(Signature names, std::vector<Value> values) {
@@ -154,12 +180,15 @@ std::strong_ordering compare(const Value& a, const Value& b) {
 }
 
 bool has_open(const Value& value) {
-  if (value.is_open() || value.get<Unknown>() || value.get<PolynomialPtr>()) return true;
-  return any_part(value, has_open);
+  if (const auto* tuple = value.tuple()) return tuple->marks.open;
+  if (const auto* binding = value.binding()) return binding->marks.open;
+  if (const auto* constructed = value.get<ConstructedPtr>()) return has_open((*constructed)->argument);
+  return value.is_open() || value.get<Unknown>() || value.get<PolynomialPtr>();
 }
 
 bool may_be_undefined(const Value& value) {
-  return value.is_undefined() || value.is_open() || any_part(value, may_be_undefined);
+  if (value.is_undefined() || value.is_open()) return true;
+  return has_open(value) && any_part(value, may_be_undefined);
 }
 
 bool has_intensional(const Value& value) {
@@ -168,13 +197,12 @@ bool has_intensional(const Value& value) {
     const SettledFunction* function = settled(*set);
     return !function || has_intensional(function->range());
   }
-  return any_part(value, has_intensional);
+  return has_set(value) && any_part(value, has_intensional);
 }
 
 bool closed(const Value& value) {
   if (const Set* set = value.set()) return set->closed();
-  return !value.is_open() && !value.get<Unknown>() && !value.get<PolynomialPtr>() &&
-         !any_part(value, [](const Value& part) { return !closed(part); });
+  return !has_open(value) && !(has_set(value) && any_part(value, [](const Value& part) { return !closed(part); }));
 }
 
 std::optional<Curve> Set::curve(Context&) const { return std::nullopt; }
@@ -191,6 +219,8 @@ Value Set::apply(const Value& argument, Context& context) const {
                           " cannot be decided: it depends on sets whose members cannot be enumerated");
   return {};
 }
+
+std::optional<Value> Set::image(const Value&, Context&) const { return std::nullopt; }
 
 Truth Set::in_domain(const Value& argument, Context& context) const { return has_partner(argument, 0, context); }
 

@@ -168,18 +168,28 @@ class Value {
   Form form_;
 };
 
+/// The marks of a tuple or of a binding say what is among its parts and theirs, but for the members of sets. They are
+/// taken when it is made, as a transition asks for them many times.
+struct PartMarks {
+  bool open = false;  ///< a part is open, unknown or a polynomial
+  bool sets = false;  ///< a part is a set
+};
+
 /// The parts of a tuple. Most tuples are pairs and most bindings are points, so they need no heap for their parts.
 struct TupleValue {
+  /// Moves the parts out of p. Precondition: none is undefined.
+  explicit TupleValue(std::span<Value> p);
   boost::container::small_vector<Value, 2> parts;  ///< none is undefined
+  PartMarks marks;                                 ///< of the parts
 };
 
 /// The contents of a binding.
 struct BindingValue {
   /// Moves the values out of v. Precondition: they are as many as the names, in their order, and none is undefined.
-  BindingValue(Signature n, std::span<Value> v)
-      : names(std::move(n)), values(std::make_move_iterator(v.begin()), std::make_move_iterator(v.end())) {}
+  BindingValue(Signature n, std::span<Value> v);
   Signature names;                                  ///< those of its type
   boost::container::small_vector<Value, 3> values;  ///< they are in step with names
+  PartMarks marks;                                  ///< of the values
   /// Returns the value of that component, or null where there is none.
   const Value* component(const Name& name) const;
   /// The closed schema that the binding was last found to satisfy: a binding never changes, nor does a schema.
@@ -274,6 +284,9 @@ class Set {
   virtual Value unknown(Context& context) const;
   /// Applies the set as a function. Throws EvaluationError where it is not known what it relates to the argument.
   virtual Value apply(const Value& argument, Context& context) const;
+  /// Returns the image of a set through the relation, R ⦇ S ⦈, where the relation is known by its images alone; nothing
+  /// where its pairs, or the values that it has, give the image.
+  virtual std::optional<Value> image(const Value& set, Context& context) const;
   /// Says whether the set as a function is defined there.
   virtual Truth in_domain(const Value& argument, Context& context) const;
   /// Says whether some member of this set of sets contains the value.
