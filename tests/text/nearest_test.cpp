@@ -59,3 +59,18 @@ TEST_CASE("Apart is symmetric, and no more than the longer text has characters")
     RC_ASSERT((apart(a, b) == 0) == (a == b));
   });
 }
+
+TEST_CASE("The nearest word is the one that whole distances give") {
+  const auto word = rc::gen::container<std::string>(rc::gen::element('a', 'b', 'c', 'd'));
+  test::property("nearest", [&] {
+    const std::string asked = *word;
+    const auto list = *rc::gen::container<std::vector<std::string>>(word);
+    std::optional<std::string> best;
+    for (const std::string& each : list) {
+      const std::size_t off = apart(asked, each);
+      if (off > std::max<std::size_t>(1, each.size() / 3) || 2 * off >= each.size()) continue;
+      if (!best || off < apart(asked, *best)) best = each;
+    }
+    RC_ASSERT(nearest(asked, list) == best);
+  });
+}
