@@ -26,7 +26,8 @@ void take_characters(std::string_view text, std::vector<std::uint32_t>& characte
   }
 }
 
-/// The distance of a word from many others. The rows of the table are kept, as a message compares a word with all names.
+/// The distance of a word from many others. The rows of the table are kept, as a message compares a word with all
+/// names.
 class Distance {
  public:
   explicit Distance(std::string_view word) { take_characters(word, word_); }

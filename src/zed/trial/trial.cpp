@@ -43,7 +43,7 @@ std::vector<Trial> try_conjectures(const Specification& specification, const Typ
     Section own{section.file, "trial of " + section.name, {section.name}, {}, section.place, {}};
     for (const Paragraph& paragraph : section.paragraphs)
       if (const auto* conjecture = std::get_if<Conjecture>(&paragraph.form)) {
-        trials.push_back({section.file, paragraph.place, conjecture->claim.label, 0, {}, {}});
+        trials.push_back({section.file, paragraph.place, conjecture->claim.label});
         if (bounds.states == 0) {
           trials.back().why_not = "no state is asked for";
           continue;

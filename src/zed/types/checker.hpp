@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "durero/zed/types/typecheck.hpp"
+#include "zed/types/known_names.hpp"
 #include "zed/types/toolkit.hpp"
 
 namespace durero::zed {
@@ -73,6 +74,7 @@ class Checker {
   Type reference(const Node& node);
   std::string expected_name(const Name& name) const;
   std::string nearest_name(const Name& name) const;
+  const KnownNames& global_names() const;
   std::optional<Type> lookup(const Name& name, const std::vector<Type>* actuals, Place place);
   std::optional<Type> component_in_scope(const Name& name, Place place);
   Type instance(const Name& name, const Scheme& scheme, const std::vector<Type>* actuals, Place place);
@@ -132,6 +134,8 @@ class Checker {
 
   std::string file_;
   Globals& globals_;
+  mutable std::optional<KnownNames> global_names_;  // those of so many globals, once a message has asked for them
+  mutable std::size_t global_names_of_ = 0;
   bool sees_toolkit_;
   Typing& into_;
   std::vector<FieldTable> scopes_;

@@ -2,45 +2,12 @@
 /// limits of the type-checker.
 
 #include <algorithm>
-#include <map>
 #include <ranges>
 
-#include "durero/text/nearest.hpp"
 #include "durero/text/utf8.hpp"
 #include "zed/types/checker.hpp"
 
 namespace durero::zed {
-namespace {
-
-/// The words that names have, and whether each is one of an operator.
-using Words = std::map<std::string, bool, std::less<>>;
-
-void add_words(const std::string& name, Words& to) {
-  for (std::size_t at = 0; at <= name.size();) {
-    const std::size_t end = std::min(name.find(' ', at), name.size());
-    const std::string word = name.substr(at, end - at);
-    if (word != "_" && word != ",,") to[word] = is_template_name(name);
-    at = end + 1;
-  }
-}
-
-/// Returns the word as two or three of these with blanks between them, which LaTeX mark-up joins, or as an operator and
-/// a numeral; nothing where it is not made of such.
-std::string taken_apart(std::string_view word, const Words& words, int most = 3) {
-  for (std::size_t length = word.size() - 1; most > 1 && length > 0; --length) {
-    const auto first = words.find(word.substr(0, length));
-    if (first == words.end()) continue;
-    const std::string_view rest = word.substr(length);
-    const bool numeral = first->second && rest.find_first_not_of("0123456789") == rest.npos;
-    if (numeral || words.contains(rest)) return first->first + " " + std::string(rest);
-    if (const std::string behind = taken_apart(rest, words, most - 1); !behind.empty())
-      return first->first + " " + behind;
-  }
-  return {};
-}
-
-}  // namespace
-
 void Checker::error(Place place, std::string what, std::string expected) {
   if (into_.defects.size() - errors_at_start_ >= max_errors)
     throw ZError(place, "too many errors to go on", fmt::format("expected fewer than {}", max_errors));
@@ -91,31 +58,37 @@ std::string Checker::expected_name(const Name& name) const {
   return fmt::format("expected {0} {1} ({0}~{1} in LaTeX) for the decoration of the schema {0}", base.text(), stroke);
 }
 
+/// The names of all paragraphs so far and of the toolkit. A paragraph adds names, so that their number tells two lists
+/// apart.
+const KnownNames& Checker::global_names() const {
+  if (!global_names_ || global_names_of_ != globals_.size()) {
+    std::vector<std::string> known;
+    for (const auto& [global, meaning] : globals_) known.push_back(global.text());
+    for (const auto& [own, scheme] : sees_toolkit_ ? toolkit() : prelude()) known.push_back(own.text());
+    global_names_.emplace(std::move(known));
+    global_names_of_ = globals_.size();
+  }
+  return *global_names_;
+}
+
 /// Names what is in scope and may be meant: a name that is a slip away, with Δ and Ξ for what they stand before.
 std::string Checker::nearest_name(const Name& name) const {
-  std::vector<std::string> known;
+  std::vector<std::string> in_scopes;
   for (const auto& scope : scopes_)
-    for (const auto& [local, type] : scope.fields) known.push_back(local.text());
-  for (const auto& [global, meaning] : globals_) known.push_back(global.text());
-  for (const auto& [own, scheme] : sees_toolkit_ ? toolkit() : prelude()) known.push_back(own.text());
-  std::sort(known.begin(), known.end());  // of several as near the first is named, whatever the tables' order
-  Words words;
-  for (const std::string& each : known) add_words(each, words);
-  if (const std::string apart = taken_apart(name.text(), words); !apart.empty()) {
+    for (const auto& [local, type] : scope.fields) in_scopes.push_back(local.text());
+  const KnownNames locals(std::move(in_scopes));
+  const KnownNames& globals = global_names();
+  if (const std::string apart = taken_apart(name.text(), locals, globals); !apart.empty()) {
     std::string in_latex = apart;
     std::replace(in_latex.begin(), in_latex.end(), ' ', '~');
     return fmt::format("expected a declared name; did you mean {} ({} in LaTeX)?", apart, in_latex);
   }
-  const auto is_decorated = [&](const std::string& each) {
-    return each.size() > name.word.size() && each.starts_with(name.word) &&
-           each.find_first_not_of("'?!", name.word.size()) == each.npos;
-  };
-  if (const auto other = std::find_if(known.begin(), known.end(), is_decorated); other != known.end())
+  if (const auto other = with_strokes(name.word, locals, globals))
     return fmt::format("expected a declared name, such as {}", *other);
   std::string sign;
   for (const std::string_view doubling : {"Δ", "Ξ"})
     if (name.word.starts_with(doubling)) sign = doubling;
-  const auto meant = text::nearest(name.text().substr(sign.size()), known);
+  const auto meant = nearest(name.text().substr(sign.size()), locals, globals);
   return meant ? fmt::format("expected a declared name; did you mean {}{}?", sign, *meant) : "expected a declared name";
 }
 

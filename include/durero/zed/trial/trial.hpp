@@ -26,9 +26,9 @@ struct Trial {
   std::string label;          ///< the comment that ends it says it, if any
   std::size_t tried = 0;      ///< the states where it was decided and true; for ∃, the states looked at for a witness
   bool is_evaluated = false;  ///< it is true in every state: the evaluation of the whole of it says so
-  std::string counterexample;  ///< a state where it is false, a name and value a line; empty where none was met
-  std::string why_not;         ///< where `tried` is 0 and there is no counterexample: the reason
-  Valuation taken{};           ///< the values taken for constants by then (Evaluator::taken)
+  std::string counterexample{};  ///< a state where it is false, a name and value a line; empty where none was met
+  std::string why_not{};         ///< where `tried` is 0 and there is no counterexample: the reason
+  Valuation taken{};             ///< the values taken for constants by then (Evaluator::taken)
 };
 
 /// The bounds of a trial.
