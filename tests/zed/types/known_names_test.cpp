@@ -30,6 +30,7 @@ TEST_CASE("a name with strokes is a name of the word, and a longer word is none"
   const KnownNames names({"x", "x'", "x?", "xy'", "x12"}), none({});
   CHECK(with_strokes("x", names, none) == "x'");
   CHECK(with_strokes("xy", none, names) == "xy'");
+  CHECK(with_strokes("x", KnownNames({"x?"}), KnownNames({"x'"})) == "x'");
   CHECK_FALSE(with_strokes("x'", names, none));
   CHECK_FALSE(with_strokes("y", names, none));
 }
