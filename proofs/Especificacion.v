@@ -1,5 +1,5 @@
-(** The Z text of spec/*.tex, without tablas, malla, auditoria and historia, in Coq, written by `durero spec export --coq` of its sections:
-    change the text, not this file. Nothing is proved here. The rules:
+(** The Z text of spec/*.tex, without tablas, malla, auditoria, historia and promocion, in Coq, written by
+    `durero spec export --coq` of its sections: change the text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
                              them are statements, proved in Tipos.v

@@ -6,8 +6,8 @@ namespace durero::zed {
 namespace {
 
 constexpr const char* head =
-    R"((** The Z text of spec/*.tex, without tablas, malla, auditoria and historia, in Coq, written by `durero spec export --coq` of its sections:
-    change the text, not this file. Nothing is proved here. The rules:
+    R"((** The Z text of spec/*.tex, without tablas, malla, auditoria, historia and promocion, in Coq, written by
+    `durero spec export --coq` of its sections: change the text, not this file. Nothing is proved here. The rules:
 
     ℝ, ℤ                  == Coq's R, and those of it that are integers (Toolkit.integers); what the text assumes of
                              them are statements, proved in Tipos.v
