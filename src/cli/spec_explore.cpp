@@ -103,7 +103,7 @@ int spec_explore(ExploreCall call) {
   const auto space = space_of(*machine, call);
   const spec::ExploreReport& report = explored(*space);
   progress.reset();
-  if (report.initial == 0)
+  if (report.initial == 0 && !report.stopped && !report.late)
     throw io::InputError(call.files.empty() ? "spec" : call.files.front(), {1, 1}, "no initial state is found",
                          "expected an initial schema that admits a state");
   write_files(*machine, *space, call);
@@ -178,13 +178,16 @@ void add_spec_explore(CLI::App& spec, int& status) {
   const auto call = std::make_shared<ExploreCall>();
   add_machine_options(*command,
                       {call->files, call->given, call->setup, call->numbers, call->bounds.states, call->memory});
+  command
+      ->add_option("--time", call->bounds.seconds, "Seconds that it goes on at most; without it, as long as it takes")
+      ->check(number(0.001, 1e9));
   add_claim_options(*command, *call);
   add_output_options(*command, *call);
   command->footer(
       "A state is a schema S, an operation one that has the components of S and of S ', as in spec run. States are\n"
       "found breadth first, so each way is a shortest one. Every conjecture of the text that speaks of a state or a\n"
       "step is tried in each. A bound that left something out is named; without such a line the answer is whole, for\n"
-      "given sets of these sizes. When it is interrupted it prints what it found.\n\n"
+      "given sets of these sizes. When it is interrupted, or its time is over, it prints what it found.\n\n"
       "A way of --eventually and --leads-to goes on where it can; steps that leave the state as it is are no part of "
       "it.\n\n" +
       exit_status("all was done", "a claim is false in some state, or what --fail names is there",

@@ -8,6 +8,7 @@
 #include "durero/spec/animation.hpp"
 #include "durero/spec/calculator.hpp"
 #include "durero/spec/spec.hpp"
+#include "search_watch.hpp"
 
 namespace durero::spec {
 
@@ -35,10 +36,14 @@ struct Machine::Parts {
   std::vector<MachineOperation> operations{};
   std::vector<Claim> claims{};
   mutable zed::Steps steps{};
+  mutable SearchWatch watch{};  ///< of the exploration that asks
   std::unique_ptr<zed::Evaluator> evaluator{};
 
-  /// Counts the steps from 0 again.
-  void begin_question() const { steps = zed::Steps(setup.steps); }
+  /// Counts the steps from 0 again. Throws StoppedSearch.
+  void begin_question() const {
+    watch.ask();
+    steps = zed::Steps(setup.steps);
+  }
   const zed::SchemaCheck& check(const std::string& schema) const;
   const zed::Completion& completion(const std::string& schema, const std::vector<zed::Name>& known) const;
   /// Every name that the transition gives a value: those of the state before, of the state after with ', and its own.

@@ -107,11 +107,31 @@ cat >long.tex <<'EOF'
 \begin{schema}{InitLong} Long~' \where n' = 0 \end{schema}
 \begin{schema}{Up} \Delta Long \where n' = n + 1 \end{schema}
 EOF
-"$durero" spec explore long.tex --states 100000000 >out 2>err &
-running=$!
-sleep 1
-kill -INT "$running" 2>/dev/null
-wait "$running"
-has out '  stopped: not all states were gone on from'
+for signal in INT TERM; do
+  "$durero" spec explore long.tex --states 100000000 >out 2>err &
+  running=$!
+  sleep 1
+  kill -"$signal" "$running" 2>/dev/null
+  wait "$running"
+  got=$?
+  checks=$((checks + 1))
+  called="durero spec explore, after SIG$signal"
+  [ "$got" = 0 ] || fail "$called: status $got, expected 0"
+  has out '  stopped: not all states were gone on from'
+  has out 'no deadlock was found'
+done
+
+# So does the end of its time, within a state too; the answer names it as a bound.
+explores 0 long.tex --states 100000000 --time 0.2
+has out '  bounded: states: --time'
 has out 'no deadlock was found'
+cat >slow.tex <<'EOF'
+\begin{schema}{Slow} n : \nat \end{schema}
+\begin{schema}{InitSlow} Slow~' \where n' = 0 \end{schema}
+\begin{schema}{Up} \Delta Slow \\ a?, b? : 1 \upto 30000 \where a? * a? = 2 * b? * b? \\ n' = n + 1 \end{schema}
+EOF
+explores 1 slow.tex --time 0.2 --fail bounded
+has out 'Slow: 1 state, 0 transitions, 0 steps deep'
+has out '  bounded: states: --time'
+refused 'durero: spec explore: --time 0: no number from 0.001 to 1000000000; expected one' long.tex --time 0
 finish

@@ -424,8 +424,62 @@ TEST_CASE("an exploration that is stopped says what it found") {
   bounds.go_on = [](std::size_t, std::size_t done) { return done < 256; };
   const ExploreReport report = explored(counter("1000"), bounds);
   CHECK(report.stopped);
-  CHECK(report.states == 257);
+  CHECK(report.states > 256);
+  CHECK(report.states < 512);
   CHECK(report.is_bounded());
+}
+
+/// From one state 10⁶ choices of inputs, of which none is admitted.
+const char* const long_step_text = R"(
+\begin{schema}{S} n : \nat \end{schema}
+\begin{schema}{Init} S~' \where n' = 0 \end{schema}
+\begin{schema}{Long} \Delta S \\ a?, b? : 1 \upto 1000 \where a? * a? = 2 * b? * b? \\ n' = n \end{schema}
+)";
+
+TEST_CASE("an exploration that is stopped within a state does not say that nothing goes on from there") {
+  std::size_t asked = 0;
+  ExploreBounds bounds = plain();
+  bounds.go_on = [&](std::size_t, std::size_t) { return ++asked < 10; };
+  const ExploreReport report = explored(long_step_text, bounds);
+  CHECK(report.stopped);
+  CHECK(asked == 10);
+  CHECK(report.states == 1);
+  CHECK(report.initial == 1);
+  CHECK(report.deadlocks == 0);
+  bounds.go_on = {};
+  CHECK(explored(long_step_text, bounds).deadlocks == 1);
+}
+
+TEST_CASE("an exploration that is stopped among the initial states knows these as initial") {
+  std::size_t asked = 0;
+  ExploreBounds bounds = plain();
+  bounds.go_on = [&](std::size_t, std::size_t) { return ++asked < 3; };
+  const ExploreReport none = explored(schema("S", "a, b : 1 \\upto 300", "") +
+                                          schema("Init", "S~'", "a' * a' = 2 * b' * b'") + schema("Stay", "\\Xi S", ""),
+                                      bounds);
+  CHECK(none.stopped);
+  CHECK(none.initial == 0);
+  bounds.go_on = [](std::size_t states, std::size_t) { return states < 3; };
+  bounds.always = {"\\forall a, b : 1 \\upto 30 @ a + b + n > 0"};
+  const ExploreReport some =
+      explored(schema("S", "n : 1 \\upto 300", "") + schema("Init", "S~'", "") + schema("Stay", "\\Xi S", ""), bounds);
+  CHECK(some.stopped);
+  CHECK(some.states == 3);
+  CHECK(some.initial == 3);
+}
+
+TEST_CASE("an exploration whose time is over says so as a bound") {
+  ExploreBounds bounds = plain();
+  bounds.states = 100'000'000;
+  bounds.seconds = 0.05;
+  const ExploreReport report = explored(counter("1000000000"), bounds);
+  CHECK(report.late);
+  CHECK_FALSE(report.stopped);
+  CHECK(report.bounded == std::vector<std::string>{"states: --time"});
+  CHECK(report.is_bounded());
+  CHECK(report.states > 1);
+  bounds.seconds = 1e6;
+  CHECK_FALSE(explored(counter("3"), bounds).is_bounded());
 }
 
 /// Lights that go round, and may break.

@@ -7,6 +7,7 @@
 /// and the others are counted with it.
 
 #include <functional>
+#include <limits>
 
 #include "durero/spec/animation.hpp"
 
@@ -25,7 +26,9 @@ struct ExploreBounds {
   std::vector<std::pair<std::string, std::string>> leads_to{};
   bool fair =
       false;  ///< on a way that has no end an operation that stays possible is done at some time (weak fairness)
-  /// Called now and then with the states found and gone on from; false stops the exploration.
+  double seconds = std::numeric_limits<double>::infinity();  ///< it goes on for so long at most
+  /// Called now and then, within a state's steps too, with the states found and gone on from; false stops the
+  /// exploration. The steps that were being looked for are not in the report then.
   std::function<bool(std::size_t states, std::size_t done)> go_on{};
 };
 
@@ -72,8 +75,9 @@ struct ExploreReport {
   std::uint64_t unanswered = 0;                          ///< the questions without an answer
   std::vector<std::string> bounded{};                    ///< what was left out, by the flag that would admit it
   bool stopped = false;                                  ///< `go_on` stopped it
+  bool late = false;                                     ///< its time was over before it came to an end
   /// Says whether there may be more than was found.
-  bool is_bounded() const { return stopped || !bounded.empty(); }
+  bool is_bounded() const { return stopped || late || !bounded.empty(); }
 };
 
 /// The states that a machine can reach.

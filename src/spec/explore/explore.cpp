@@ -14,8 +14,18 @@ namespace {
 
 /// The first deadlocks have their ways in the report.
 constexpr std::size_t most_deadlock_ways = 10;
-/// Between so many states gone on from the exploration asks whether to go on.
-constexpr std::size_t states_between_calls = 256;
+
+/// Watches an exploration as long as it is there.
+class Watched {
+ public:
+  Watched(SearchWatch& watch, std::function<bool()> may_go_on) : watch_(watch) { watch_.watch(std::move(may_go_on)); }
+  ~Watched() { watch_.watch({}); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+
+ private:
+  SearchWatch& watch_;
+};
 
 }  // namespace
 
@@ -95,8 +105,32 @@ void StateSpace::Impl::begin(const std::vector<zed::Valuation>& from) {
     exchange.reset();  // the states that were given may tell members apart
     for (const zed::Valuation& state : from) reach(planned.ids(state), StateTable::none, found);
   }
+  note_initial();
+}
+
+/// The states so far are initial.
+void StateSpace::Impl::note_initial() {
   initial_size = table.size();
   report.initial = table.size();
+}
+
+/// Goes on from a state by the steps of an operation.
+void StateSpace::Impl::go_by(std::size_t operation, StateIndex at, const StepRows& rows) {
+  OperationCoverage& covered = report.operations[operation];
+  covered.states += rows.size() > 0 ? weight(at) : 0;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    machine.parts().watch.count();
+    covered.transitions += weight(at);
+    const auto row = rows.row(r);
+    StateIndex to = 0;
+    const bool there = reach(row.subspan(row.size() - planned.components()), at, to);
+    if (!there) cut_from.insert(at);
+    if (bounds.graph && there) {
+      edges.push_back({at, to, static_cast<std::uint32_t>(operation), edge_rows.size()});
+      edge_rows.insert(edge_rows.end(), row.begin(), row.end());
+    }
+    try_step(operation, at, row);
+  }
 }
 
 /// Goes on from a state by each operation.
@@ -105,40 +139,41 @@ void StateSpace::Impl::go_on(StateIndex at) {
   auto& operations = planned.operations();
   const std::vector<ValueId> before(table.state(at).begin(), table.state(at).end());
   for (std::size_t i = 0; i < operations.size(); ++i) {
+    machine.parts().watch.count();
     const StepRows& rows = planned.rows(operations[i], before);
     some = some || rows.size() > 0;
-    OperationCoverage& covered = report.operations[i];
-    covered.states += rows.size() > 0 ? weight(at) : 0;
-    covered.transitions += rows.size() * weight(at);
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      const auto row = rows.row(r);
-      StateIndex to = 0;
-      const bool there = reach(row.subspan(row.size() - planned.components()), at, to);
-      if (!there) cut_from.insert(at);
-      if (bounds.graph && there) {
-        edges.push_back({at, to, static_cast<std::uint32_t>(i), edge_rows.size()});
-        edge_rows.insert(edge_rows.end(), row.begin(), row.end());
-      }
-      try_step(i, at, row);
-    }
+    go_by(i, at, rows);
   }
   if (some) return;
   report.deadlocks += weight(at);
   if (deadlocked.size() < most_deadlock_ways) deadlocked.push_back(at);
 }
 
+/// Says whether the time is not over, and nobody stops it.
+bool StateSpace::Impl::may_go_on() {
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+  report.late = taken.count() > bounds.seconds;
+  report.stopped = !report.late && bounds.go_on && !bounds.go_on(table.size(), gone_on);
+  return !report.late && !report.stopped;
+}
+
+/// Goes on from each state. A state in which it is stopped was not gone on from, so that it is no deadlock, and no way
+/// ends there.
+void StateSpace::Impl::go_through(const std::vector<zed::Valuation>& from) {
+  begun = std::chrono::steady_clock::now();
+  const Watched watched(machine.parts().watch, [this] { return may_go_on(); });
+  try {
+    begin(from);
+    for (; gone_on < queue.size(); ++gone_on) go_on(queue[gone_on]);
+  } catch (const StoppedSearch&) {  // the report says by what
+    if (initial_size == 0) note_initial();
+  }
+}
+
 void StateSpace::Impl::explore(const std::vector<zed::Valuation>& from) {
   for (const PlannedOperation& operation : planned.operations())
     report.operations.push_back({operation.name, 0, 0, {}, operation.plan == nullptr});
-  begin(from);
-  for (std::size_t at = 0; at < queue.size(); ++at) {
-    if (at % states_between_calls == 0 && bounds.go_on && !bounds.go_on(table.size(), at)) {
-      report.stopped = true;
-      break;
-    }
-    go_on(queue[at]);
-    gone_on = at + 1;
-  }
+  go_through(from);
   finish();
 }
 
@@ -155,6 +190,7 @@ void StateSpace::Impl::finish() {
   add_refuted();
   for (const StateIndex at : deadlocked) report.deadlock_ways.push_back(way_to(at));
   if (cut) planned.bounded().insert("states: --states");
+  if (report.late) planned.bounded().insert("states: --time");
   try_liveness();
   for (const ExploredClaim& claim : claims) {
     report.claims += claim.asked ? 1 : 0;

@@ -1,6 +1,8 @@
 #pragma once
 /// An exploration in progress.
 
+#include <chrono>
+
 #include "lasso_search.hpp"
 #include "member_exchange.hpp"
 #include "planned_machine.hpp"
@@ -44,7 +46,11 @@ struct StateSpace::Impl {
   void add_claim(const std::string& text, const std::string& place, const zed::Term& term);
   zed::Term state_predicate(const std::string& text, const std::string& option) const;
   void begin(const std::vector<zed::Valuation>& from);
+  void note_initial();
+  void go_through(const std::vector<zed::Valuation>& from);
   void go_on(StateIndex at);
+  void go_by(std::size_t operation, StateIndex at, const StepRows& rows);
+  bool may_go_on();
   bool reach(std::span<const ValueId> state, StateIndex from, StateIndex& found);
   void add_class(StateIndex first);
   void try_state(StateIndex at);
@@ -77,7 +83,8 @@ struct StateSpace::Impl {
   std::size_t initial_size = 0;
   std::set<StateIndex> cut_from{};  // a bound kept steps of these from being taken
   std::size_t gone_on = 0;          // so many of the queue were gone on from
-  bool cut = false;
+  bool cut = false;                 // --states left out some
+  std::chrono::steady_clock::time_point begun{};
   ExploreReport report{};
 };
 

@@ -54,7 +54,7 @@ bool PlanMaker::add_sides(Pending& pending, Steps& steps, const std::vector<Term
       add_side(rest, side);
       std::vector<Term> way = before;
       if (sides_of(side.front()).empty()) way.push_back(side_text(side));
-      plans->push_back(std::make_unique<SearchPlan>());
+      plans->push_back(std::make_unique<SearchPlan>(translator_.parts().watch));
       plan(std::move(rest), plans->back()->steps_, way);
     }
     plan_.repeats_ = plan_.repeats_ || wish_.split;

@@ -12,6 +12,7 @@ using zed::Node;
 using zed::Term;
 
 bool SearchPlan::from(std::size_t step, IdFrame frame, const std::function<bool()>& visit) const {
+  watch_->count();
   for (; step < steps_.size() && steps_[step].test; ++step)
     if (!steps_[step].test(frame)) return true;
   if (step == steps_.size()) return visit();
@@ -133,7 +134,7 @@ void PlanMaker::give(Pending& pending, Steps& steps, unsigned at, IdCode value) 
 
 std::shared_ptr<const SearchPlan> planned_search(TermTranslator& translator, const SoughtNames& sought,
                                                  const PlanWish& wish) {
-  auto plan = std::make_shared<SearchPlan>();
+  auto plan = std::make_shared<SearchPlan>(translator.parts().watch);
   PlanMaker(translator, *plan, wish).make(sought);
   return plan;
 }

@@ -25,8 +25,10 @@ struct PlanWish {
 
 class SearchPlan {
  public:
+  /// Without steps; `watch`, which outlives it, may end its searches.
+  explicit SearchPlan(SearchWatch& watch) : watch_(&watch) {}
   /// Calls `visit`, which returns false to stop, with values of the names in the frame; the same values may come again
-  /// where repeats() says so. Returns false where it was stopped. Throws Undecided.
+  /// where repeats() says so. Returns false where it was stopped. Throws Undecided, and StoppedSearch.
   bool each(IdFrame frame, const std::function<bool()>& visit) const { return from(0, frame, visit); }
   /// Says whether the same values may come several times.
   bool repeats() const { return repeats_; }
@@ -46,6 +48,7 @@ class SearchPlan {
   };
   bool from(std::size_t step, IdFrame frame, const std::function<bool()>& visit) const;
 
+  SearchWatch* watch_;
   std::vector<Step> steps_;
   bool repeats_ = false;
   std::set<zed::Name> bounded_;
