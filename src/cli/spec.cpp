@@ -72,15 +72,26 @@ zed::Specification specification_of(const std::vector<std::string>& files) {
   return read;
 }
 
+/// How the text is checked. Throws io::InputError where the call asks for what the program's own text does not admit.
+static spec::TextCheckSetup setup_of(const CheckCall& call) {
+  const bool own = call.files.empty();
+  spec::TextCheckSetup setup{call.let, call.states, call.strict, own, call.scope};
+  if (!call.numbers.empty()) setup.numbers = number_bounds(call.numbers);
+  if (own && (!call.scope.empty() || setup.numbers))
+    throw io::InputError(call.scope.empty() ? "--numbers" : "--scope", {1, 1},
+                         "the program's own text is tried on samples of its own", "expected FILES");
+  return setup;
+}
+
 int spec_check(const CheckCall& call) {
+  const spec::TextCheckSetup setup = setup_of(call);
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const zed::Specification& read = read_texts_of(call.files);
   const zed::Typing& typing = kept(zed::check(read));
-  const bool own = call.files.empty();
+  const bool own = setup.own;
   const spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
-  const spec::TextCheck check = with_constants([&] {
-    return spec::check_text(read, typing, call.files, {call.let, call.states, call.strict, own}, index);
-  });
+  const spec::TextCheck check =
+      with_constants([&] { return spec::check_text(read, typing, call.files, setup, index); });
   note_taken(spec::taken_lines(check.taken));
   progress.reset();
   io::print(check.lines());
@@ -163,6 +174,13 @@ void add_spec(CLI::App& app, int& status) {
   check->add_option("FILES", options->check.files,
                     "Z text in LaTeX or Unicode mark-up; without it, the program's own text");
   add_let(*check, options->check.let);
+  check
+      ->add_option("--scope", options->check.scope,
+                   "What conjectures are tried within: a given set's members, SET=3 or SET=ann,bob, or a constant's "
+                   "value, as --let")
+      ->allow_extra_args(false);
+  check->add_option("--numbers", options->check.numbers,
+                    "The whole numbers that are tried, LOW..HIGH; without it 0, 1, 2, 3 and -1");
   check->add_flag("--strict", options->check.strict, "Refuse what is only an opinion, too");
   check->add_flag("--all-tried", options->check.all_tried, "Fail where a conjecture is neither decided nor tried");
   check->add_option("--states", options->check.states, "On how many states each conjecture is tried, at most")
@@ -178,7 +196,8 @@ void add_spec(CLI::App& app, int& status) {
       "same at every call. To try is not to prove; of the program's own text the theorem that proves it is named.\n\n" +
       exit_status("no error, and no conjecture is false", "an error, or a counterexample, or what --all-tried refuses",
                   "the call is bad, or a file cannot be read") +
-      examples({"spec check", "spec check mine.tex", "spec check --strict", "spec check --states 100"}));
+      examples({"spec check", "spec check mine.tex", "spec check --strict", "spec check --states 100",
+                "spec check demo/birthday_book.tex --scope NAME=2 --scope DATE=2"}));
   check->callback([options, &status] { status = spec_check(options->check); });
 
   auto* eval = spec->add_subcommand("eval", "The value of an expression, or whether a predicate holds");

@@ -16,6 +16,8 @@ namespace durero::cli {
 struct CheckCall {
   std::vector<std::string> files;  ///< without one, the program's own text
   std::vector<std::string> let;    ///< values of constants, NAME=VALUE
+  std::vector<std::string> scope;  ///< members of given sets, SET=MEMBERS, or values of constants
+  std::string numbers;             ///< the numbers to try, LOW..HIGH; empty: small ones
   std::size_t states = 8;
   bool strict = false;     ///< opinions are errors
   bool all_tried = false;  ///< a conjecture that is not tried is an error
@@ -47,11 +49,13 @@ void refuse_unread(const std::vector<std::string>& files, const zed::Specificati
 
 /// Names on stderr each constant for which a value was taken, with the value.
 void note_taken(const std::vector<std::string>& lines);
-/// Runs, and throws io::InputError where a value that --let gives is refused.
+/// Runs, and throws io::InputError where a value that --let gives is refused, or what --scope gives.
 template <class Run>
 auto with_constants(Run&& run) {
   try {
     return run();
+  } catch (const spec::ScopeError& error) {
+    throw io::InputError("--scope", {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
   } catch (const spec::ConstantError& error) {
     throw io::InputError("--let", {error.place.line, error.place.column}, error.what_is_wrong, error.expected);
   }

@@ -5,6 +5,12 @@
 
 namespace durero::cli {
 
+void refuse_as_said(const std::string& where, const std::string& said) {
+  const std::size_t end = said.find("; expected");
+  throw io::InputError(where, {1, 1}, said.substr(0, end),
+                       end == said.npos ? "expected a text without errors" : said.substr(end + 2));
+}
+
 std::unique_ptr<spec::Machine> machine_of(const std::vector<std::string>& files, const std::vector<std::string>& given,
                                           spec::Setup setup) {
   for (const std::string& typed : given) add_typed_members(typed, setup);
@@ -12,11 +18,10 @@ std::unique_ptr<spec::Machine> machine_of(const std::vector<std::string>& files,
   if (files.empty() && setup.state.empty()) setup.state = "Escena";
   try {
     return with_constants([&] { return std::make_unique<spec::Machine>(specification_of(files), setup); });
+  } catch (const spec::GivenSetError& error) {
+    refuse_as_said("--given", error.what());
   } catch (const std::invalid_argument& error) {
-    const std::string said = error.what();
-    const std::size_t end = said.find("; expected");
-    throw io::InputError(files.empty() ? "spec" : files.front(), {1, 1}, said.substr(0, end),
-                         end == said.npos ? "expected a text without errors" : said.substr(end + 2));
+    refuse_as_said(files.empty() ? "spec" : files.front(), error.what());
   }
 }
 

@@ -15,6 +15,7 @@
 #include "durero/zed/hol/hol.hpp"
 #include "progress.hpp"
 #include "spec.hpp"
+#include "spec_machine.hpp"
 #include "spec_run_typed.hpp"
 
 namespace durero::cli {
@@ -88,6 +89,8 @@ int spec_refine(RefineCall& call) {
     return with_constants([&] { return answer(call, text, spec::refinement_of(text, zed::check(text), call.call)); });
   } catch (const spec::RefinementError& error) {
     refuse_refinement(call, error.what());
+  } catch (const spec::GivenSetError& error) {
+    refuse_as_said("--given", error.what());
   } catch (const std::invalid_argument& error) {
     refuse_refinement(call, error.what());
   }

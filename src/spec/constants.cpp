@@ -119,6 +119,27 @@ zed::Valuation given_constants(const zed::Specification& text, const std::vector
   return typed_constants(typed, {with, typing, section, {}});
 }
 
+GivenScope given_scope(const zed::Specification& text, const std::vector<std::string>& let,
+                       const std::vector<std::string>& scope) {
+  Calculator calculator(text);
+  calculator.let(let);
+  GivenScope given;
+  try {
+    given.within = calculator.scope(scope);
+  } catch (const ConstantError& error) {
+    throw ScopeError(error.place, error.what_is_wrong, error.expected);
+  }
+  for (std::string& line : given.within) line = line.substr(std::string("within ").size());
+  const zed::Typing typing = zed::check(text);
+  const auto is_of_text = [&](const Name& name) {  // the members' own names are not
+    return std::any_of(text.sections.begin(), text.sections.end(),
+                       [&](const zed::Section& section) { return typing.find(section.name, name) != nullptr; });
+  };
+  for (const auto& each : calculator.given())
+    if (is_of_text(each.first)) given.values.push_back(each);
+  return given;
+}
+
 std::vector<std::string> taken_lines(const zed::Valuation& taken) {
   std::vector<std::string> lines;
   for (const auto& [name, value] : taken)

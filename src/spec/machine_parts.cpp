@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "durero/spec/constants.hpp"
+#include "durero/text/nearest.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/paragraphs.hpp"
 
@@ -81,7 +82,7 @@ void Machine::Parts::declare_carriers() {
         std::vector<Value> values;
         for (const std::string& word : words) {
           if (!zed::is_free_word(word) || typing.find(section_name, {word, ""}))
-            throw std::invalid_argument(word + " cannot name a member of " + set.text() + "; expected a new word");
+            throw GivenSetError(word + " cannot name a member of " + set.text() + "; expected a new word");
           declared.names.push_back({word, ""});
           declared.places.emplace_back();
           values.push_back(Value::atom(set.text(), word));
@@ -92,9 +93,18 @@ void Machine::Parts::declare_carriers() {
       }
     }
   for (const auto& [set, words] : setup.given)
-    if (!carriers.contains(set))
-      throw std::invalid_argument("the text has no given set " + set + "; expected one, or --let for a constant");
+    if (!carriers.contains(set)) refuse_given(set);
   if (!box.text.declarations.empty()) specification.sections.back().paragraphs.push_back({{}, std::move(box)});
+}
+
+/// Refuses members for a name that is no given set. A constant has one way to get a value, and it is another one.
+void Machine::Parts::refuse_given(const std::string& set) const {
+  const zed::Global* global = typing.find(section_name, {set, ""});
+  if (global && global->form == zed::Global::Form::axiom && global->scheme.formals.empty())
+    throw GivenSetError(set + " is a constant, and no given set; expected --let " + set + "=VALUE");
+  std::vector<std::string> sets;
+  for (const auto& [name, words] : carriers) sets.push_back(name);
+  throw GivenSetError("the text has no given set " + set + "; expected " + text::nearest(set, sets).value_or("one"));
 }
 
 /// Asks for every constant, so that what is taken for some is known from the beginning.

@@ -58,6 +58,7 @@ struct Machine::Parts {
  private:
   using Fields = std::map<std::string, std::vector<zed::Name>>;
   void declare_carriers();
+  [[noreturn]] void refuse_given(const std::string& set) const;
   void take_constants();
   Fields schemas() const;
   void choose_state(const Fields& schemas);

@@ -1,6 +1,7 @@
 #include "durero/spec/text_check.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -22,11 +23,13 @@ std::string shortened_reason(const std::string& reason) {
   return reason.substr(0, end) + (end < reason.size() ? "…" : "");
 }
 
-std::string trial_verdict(const zed::Trial& trial) {
-  if (!trial.counterexample.empty()) return "is false, as in this state:\n" + trial.counterexample;
-  if (trial.is_evaluated) return trial.taken.empty() ? "is true" : "is true of the values taken";
+std::string trial_verdict(const TriedConjecture& tried) {
+  const zed::Trial& trial = tried.trial;
+  if (!trial.counterexample.empty())
+    return fmt::format("is false{}, as in this state:\n{}", tried.within, trial.counterexample);
+  if (trial.is_evaluated) return (trial.taken.empty() ? "is true" : "is true of the values taken") + tried.within;
   if (trial.tried == 0) return "not tried: " + shortened_reason(trial.why_not);
-  return fmt::format("tried on {} state{}", trial.tried, trial.tried == 1 ? "" : "s");
+  return fmt::format("tried on {} state{}{}{}", trial.tried, trial.tried == 1 ? "" : "s", tried.within, tried.numbers);
 }
 
 std::string section_line(const zed::Section& section, const zed::Specification& text) {
@@ -59,11 +62,13 @@ void add_sample_constants(zed::Valuation& constants) {
       constants.emplace_back(name, std::move(value));
 }
 
-std::vector<zed::Trial> trials(const zed::Specification& read, const zed::Typing& typing, const TextCheckSetup& setup) {
+std::vector<zed::Trial> trials(const zed::Specification& read, const zed::Typing& typing, const TextCheckSetup& setup,
+                               zed::Valuation given) {
   zed::TrialBounds bounds;
   bounds.states = setup.states;
   bounds.draws = 16 * setup.states;
-  if (!setup.let.empty()) bounds.constants = given_constants(read, setup.let);
+  bounds.constants = std::move(given);
+  bounds.numbers = setup.numbers;
   if (setup.own) add_sample_constants(bounds.constants);
   return zed::try_conjectures(read, typing, setup.own && setup.states > 0 ? samples() : zed::Samples(), bounds);
 }
@@ -71,7 +76,7 @@ std::vector<zed::Trial> trials(const zed::Specification& read, const zed::Typing
 }  // namespace
 
 std::string TriedConjecture::text() const {
-  std::string said = trial_verdict(trial);
+  std::string said = trial_verdict(*this);
   if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);
   if (!said.ends_with("\n")) said += "\n";
   return fmt::format("{}:{}:{}: conjecture{} {}", trial.file, trial.place.line, trial.place.column,
@@ -107,10 +112,15 @@ TextCheck check_text(const zed::Specification& read, const zed::Typing& typing, 
   check.text = &read;
   if (check.is_read()) std::ranges::move(zed::without_paragraphs(files, read), std::back_inserter(check.defects));
   if (!check.is_read()) return check;
-  for (zed::Trial& trial : trials(read, typing, setup)) {
+  GivenScope given;
+  if (!setup.let.empty() || !setup.scope.empty()) given = given_scope(read, setup.let, setup.scope);
+  const std::string within = given.within.empty() ? "" : fmt::format(" within {}", fmt::join(given.within, " and "));
+  const std::string numbers =
+      setup.numbers ? fmt::format(", with numbers from {} to {}", setup.numbers->first, setup.numbers->second) : "";
+  for (zed::Trial& trial : trials(read, typing, setup, std::move(given.values))) {
     check.taken = trial.taken;
     const std::string theorem = trial.label.empty() ? "" : index.theorem(trial.label);
-    check.conjectures.push_back({std::move(trial), theorem});
+    check.conjectures.push_back({std::move(trial), theorem, within, numbers});
   }
   return check;
 }

@@ -41,6 +41,23 @@ sed 's/b = 5/b = 1/' broken.tex >mended.tex
 run 0 spec eval 'b' mended.tex
 is out 1
 
+# Members are for given sets alone, and a constant has its value by --let; spec check has both in a scope.
+refused '--given:1:1: max_size is a constant, and no given set; expected --let max_size=VALUE' spec run buffer.tex --given max_size=3
+refused '--given:1:1: max_size is a constant, and no given set; expected --let max_size=VALUE' spec explore buffer.tex --given max_size=3
+cat >pair.tex <<'TEX'
+\begin{zed} [NAME] \end{zed}
+\begin{zed} \vdash? \forall x, y, z : NAME @ x = y \lor y = z \lor x = z \end{zed}
+TEX
+run 1 spec check --quiet pair.tex
+run 0 spec check --quiet pair.tex --scope NAME=2
+has out 'conjecture is true within NAME = {NAME1, NAME2}'
+refused '--given:1:1: the text has no given set NAMES; expected NAME' spec run pair.tex --given NAMES=2
+refused '--given:1:1: dom cannot name a member of NAME; expected a new word' spec run pair.tex --given NAME=dom
+refused '--scope:1:1: the text has no constant NAMES' spec check pair.tex --scope NAMES=2
+refused '--numbers:1:1: 3 bounds no numbers; expected LOW..HIGH' spec check pair.tex --numbers 3
+refused "--scope:1:1: the program's own text is tried on samples of its own; expected FILES" spec check --scope Elemento=2
+refused "--numbers:1:1: the program's own text is tried on samples of its own; expected FILES" spec check --numbers 0..3
+
 # A name of a state needs one, and an unknown name is answered by some that there are.
 refused 'EXPR:1:3: elementos is not declared; expected --scene FILE, whose state has elementos' spec eval '# elementos'
 refused 'EXPR:1:1: foo is not declared; expected a declared name, such as ' spec eval foo

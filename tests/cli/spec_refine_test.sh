@@ -70,7 +70,7 @@ refused 'coin.tex:1:1: the text has no schema Coim; expected Coin' spec refine C
 refused 'coin.tex:1:1: Coin and Coin share hand; expected states without a common component' spec refine Coin Coin --by AbsCoin coin.tex
 refused '--pair:1:1: no pair Toss; expected AOP=COP' spec refine Coin Coin1 --by AbsCoin coin.tex --pair Toss
 refused 'coin.tex:1:1: the outputs of Look1: face!; expected those of Toss: none' spec refine Coin Coin1 --by AbsCoin coin.tex --pair Toss=Look1
-refused 'coin.tex:1:1: the text has no given set NAME; expected one' spec refine Coin Coin1 --by AbsCoin coin.tex --given NAME=2
+refused '--given:1:1: the text has no given set NAME; expected one' spec refine Coin Coin1 --by AbsCoin coin.tex --given NAME=2
 sed 's/tossed = no /tossed = maybe /' coin.tex >ill.tex
 refused 'ill.tex:' spec refine Coin Coin1 --by AbsCoin ill.tex --write kept.tex
 absent kept.tex

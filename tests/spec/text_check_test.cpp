@@ -70,5 +70,44 @@ TEST_CASE("a constant has the value that the setup gives it, or the setup is wro
   CHECK_THROWS_AS(checked(of, {.let = {"M=8"}}), ConstantError);
 }
 
+TEST_CASE("within a scope a conjecture about a given set is decided, and the answer says within which") {
+  const Read of = read(
+      "\\begin{zed}\n [X, Y]\n\\end{zed}\n\\begin{axdef}\n c : X; n : \\nat\n\\end{axdef}\n\\begin{zed}\n"
+      " \\vdash? \\forall x, y, z : X @ x = y \\lor y = z \\lor x = z\n\\end{zed}\n");
+  CHECK(checked(of).is_refuted());
+  const TextCheck two = checked(of, {.scope = {"X=2"}});
+  CHECK_FALSE(two.is_refuted());
+  CHECK(two.conjectures.at(0).trial.is_evaluated);
+  CHECK(two.conjectures.at(0).text() == "t.tex:8:2: conjecture is true within X = {X1, X2}\n");
+  const TextCheck three = checked(of, {.let = {"n=4"}, .scope = {"X=ann,bob,eve", "Y=1", "c=bob"}});
+  CHECK_THAT(
+      three.conjectures.at(0).text(),
+      Catch::Matchers::StartsWith("t.tex:8:2: conjecture is false within X = {ann, bob, eve} and Y = {Y1}, as in"));
+  CHECK_THROWS_AS(checked(of, {.scope = {"Z=2"}}), ScopeError);
+  CHECK_THROWS_AS(checked(of, {.scope = {"X=0"}}), ScopeError);
+  CHECK_THROWS_AS(checked(of, {.scope = {"X=2", "X=3"}}), ScopeError);
+}
+
+TEST_CASE("a scope bounds what is tried, too") {
+  const Read of = read(
+      "\\begin{zed}\n [X]\n\\end{zed}\n\\begin{zed}\n"
+      " \\vdash? \\forall s : \\seq X @ \\# (\\ran s) \\leq 2\n\\end{zed}\n");
+  CHECK(checked(of).is_refuted());
+  const TextCheck two = checked(of, {.scope = {"X=ann,bob"}});
+  CHECK_FALSE(two.is_refuted());
+  CHECK_FALSE(two.conjectures.at(0).trial.is_evaluated);
+  CHECK(two.conjectures.at(0).trial.tried > 0);
+  CHECK_THAT(two.conjectures.at(0).text(), Catch::Matchers::EndsWith(" states within X = {ann, bob}\n"));
+}
+
+TEST_CASE("numbers are tried within bounds, and the answer says which") {
+  const Read of = read(
+      "\\begin{axdef}\n f : \\num \\fun \\num\n\\where\n \\forall n : \\num @ f(n) = n * n * n - 20 * n * n\n"
+      "\\end{axdef}\n\\begin{zed}\n \\vdash? \\forall n : \\num @ f(n) \\leq 0\n\\end{zed}\n");
+  const TextCheck few = checked(of, {.numbers = std::pair{0, 12}});
+  CHECK(few.conjectures.at(0).text() == "t.tex:7:2: conjecture tried on 13 states, with numbers from 0 to 12\n");
+  CHECK(checked(of, {.numbers = std::pair{15, 30}}).is_refuted());
+}
+
 }  // namespace
 }  // namespace durero::spec

@@ -60,6 +60,9 @@ class Calculator {
   /// ConstantError.
   std::vector<std::string> scope(const std::vector<std::string>& typed);
 
+  /// The values that names have by now: elements, constants, given sets, and the names of their members.
+  const zed::Valuation& given() const { return given_; }
+
   /// What an expression or a predicate comes to.
   struct Result {
     std::string text;        ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out

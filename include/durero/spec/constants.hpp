@@ -1,6 +1,7 @@
 #pragma once
 /// Values that one gives to the constants of a Z text, and those that are taken where nothing gives them one.
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,18 @@ namespace durero::spec {
 class ConstantError : public zed::ZError {
  public:
   using zed::ZError::ZError;
+};
+
+/// Says what is wrong with the members, or the value, that a scope gives; its place is a column of `NAME=…`.
+class ScopeError : public ConstantError {
+ public:
+  using ConstantError::ConstantError;
+};
+
+/// Says what is wrong with the members that a given set is to have in a machine; `what is wrong; what is expected`.
+class GivenSetError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
 };
 
 /// The names and values that a text knows.
@@ -28,6 +41,17 @@ zed::Valuation typed_constants(const std::vector<std::string>& typed, const Know
 
 /// The values that typed_constants() returns of a whole text without defects, in which no name has a value yet.
 zed::Valuation given_constants(const zed::Specification& text, const std::vector<std::string>& typed);
+
+/// Values of names of a text, and what they leave of it.
+struct GivenScope {
+  zed::Valuation values;            ///< of given sets and constants
+  std::vector<std::string> within;  ///< of each given set, `NAME = {NAME1, NAME2}`
+};
+
+/// The values of constants by `let`, and of given sets and constants by `scope`, as Calculator::scope() takes them, for
+/// a whole text without defects. Throws ScopeError of what is wrong in `scope`, and ConstantError of `let`.
+GivenScope given_scope(const zed::Specification& text, const std::vector<std::string>& let,
+                       const std::vector<std::string>& scope);
 
 /// Returns a line for each constant for which a value was taken: which, and how one chooses another.
 std::vector<std::string> taken_lines(const zed::Valuation& taken);

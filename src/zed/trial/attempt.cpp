@@ -13,6 +13,19 @@ bool is_result(const Name& name) { return name.strokes.find_first_of("'!") != st
 /// So many states may be looked at to find which names conjuncts make of others.
 constexpr std::size_t most_narrowings = 32;
 
+/// So many numbers at most, those nearest to 0 first, and a positive one before the negative.
+std::vector<Real> small_numbers(const TrialBounds& bounds, std::size_t most) {
+  if (!bounds.numbers) return {Real(0), Real(1), Real(2), Real(3), Real(-1)};
+  const auto [low, high] = *bounds.numbers;
+  std::vector<Real> numbers;
+  const std::int64_t nearest = low > 0 ? low : high < 0 ? -high : 0;
+  for (std::int64_t n = nearest; n <= std::max(high, -low) && numbers.size() < most; ++n) {
+    if (n <= high && n >= low) numbers.emplace_back(static_cast<double>(n));
+    if (n > 0 && -n >= low && -n <= high && numbers.size() < most) numbers.emplace_back(static_cast<double>(-n));
+  }
+  return numbers;
+}
+
 void refute(Trial& trial, const std::vector<Name>& names, const std::vector<Value>& state) {
   for (std::size_t i = 0; i < names.size(); ++i)
     trial.counterexample += "  " + names[i].text() + " = " + state[i].text() + "\n";
@@ -113,7 +126,7 @@ std::vector<Value> Attempt::small(const Source& source, std::size_t most) {
   if (source.is_binding) return {};
   try {
     SmallScope scope;
-    for (const int number : {0, 1, 2, 3, -1}) scope.numbers.emplace_back(number);
+    scope.numbers = small_numbers(ground_.bounds, most);
     scope.most = most;
     scope.given = names_of_a_given_set;
     return ground_.evaluator.some_members(ground_.evaluator.value(source.set), scope);

@@ -18,7 +18,10 @@ std::vector<Value> constants(const FreeType& form) {
   return found;
 }
 
-std::vector<Value> members(const Name& given) {
+/// The members that the evaluator has for the given set, or names that are made up for it.
+std::vector<Value> members(const Name& given, const Evaluator& evaluator) {
+  const Value known = evaluator.value(given);
+  if (const auto* listed = known.set() ? known.set()->members() : nullptr) return {listed->begin(), listed->end()};
   std::vector<Value> found;
   for (std::size_t i = 1; i <= names_of_a_given_set; ++i)
     found.push_back(Value::atom(given.text(), given.text() + "_" + std::to_string(i)));
@@ -36,13 +39,15 @@ std::size_t Chances::below(std::size_t end) {
   return (z ^ (z >> 31U)) % end;
 }
 
-Draw::Draw(const Specification& specification, const Typing& typing, const Samples& samples, const Evaluator& evaluator)
-    : evaluator_(evaluator), samples_(samples) {
+Draw::Draw(const Specification& specification, const Typing& typing, const Samples& samples, const Evaluator& evaluator,
+           const std::optional<std::pair<std::int64_t, std::int64_t>>& numbers)
+    : evaluator_(evaluator), numbers_(numbers), samples_(samples) {
   for (const Section& section : specification.sections)
     for (const Paragraph& paragraph : section.paragraphs) {
       if (const auto* form = std::get_if<FreeType>(&paragraph.form)) add(*form, typing);
       if (const auto* form = std::get_if<GivenTypes>(&paragraph.form))
-        for (const Name& name : form->names) samples_.try_emplace(name.text(), members(name));
+        for (const Name& name : form->names)
+          if (!samples_.contains(name.text())) samples_.emplace(name.text(), members(name, evaluator));
       if (const auto* form = std::get_if<Schema>(&paragraph.form)) texts_[form->name.text()] = &form->text;
       if (const auto* form = std::get_if<Definition>(&paragraph.form); form && form->value->kind == Kind::schema_text)
         texts_[form->name.text()] = form->value->text.get();
@@ -72,13 +77,20 @@ const SchemaText* Draw::text(const Term& schema) const {
   return found == texts_.end() ? nullptr : found->second;
 }
 
+Value Draw::number(Chances& chances) const {
+  static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
+  if (!numbers_) return pick(small, chances);
+  const auto [low, high] = *numbers_;
+  const auto above = static_cast<std::int64_t>(chances.below(static_cast<std::size_t>(high - low + 1)));
+  return Real(static_cast<double>(low + above));
+}
+
 Value Draw::of(const Type& type, Chances& chances, unsigned nested) const {
   switch (type.kind()) {
     case Type::Kind::given: {
-      static const std::vector<Value> small = {Real(0), Real(1), Real(2), Real(3), Real(-1), Real(0.5)};
       const auto known = samples_.find(type.name().text());
       if (known != samples_.end() && !known->second.empty()) return pick(known->second, chances);
-      if (type.name().text() == "𝔸") return pick(small, chances);
+      if (type.name().text() == "𝔸") return number(chances);
       if (const auto free = free_.find(type.name().text()); free != free_.end())
         return of_free(free->first, free->second, chances, nested);
       throw EvaluationError("no member of " + type.text() + " is known to try it on");

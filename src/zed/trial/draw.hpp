@@ -30,8 +30,10 @@ class Chances {
 /// constructors such that they are not nested deep.
 class Draw {
  public:
-  /// The evaluator applies the constructors; it outlives this.
-  Draw(const Specification& specification, const Typing& typing, const Samples& samples, const Evaluator& evaluator);
+  /// The evaluator applies the constructors, and says which members given sets have; it outlives this. Numbers are
+  /// within the bounds, if there are some.
+  Draw(const Specification& specification, const Typing& typing, const Samples& samples, const Evaluator& evaluator,
+       const std::optional<std::pair<std::int64_t, std::int64_t>>& numbers = std::nullopt);
   /// A value of the type.
   Value of(const Type& type, Chances& chances) const { return of(type, chances, most_nested); }
   /// The name of the set, or schema, that this term names, where there are samples of it; else null.
@@ -57,7 +59,10 @@ class Draw {
   Value of_set(const Type& element, Chances& chances, unsigned nested) const;
   Value of_free(const std::string& name, const Free& free, Chances& chances, unsigned nested) const;
 
+  Value number(Chances& chances) const;
+
   const Evaluator& evaluator_;
+  std::optional<std::pair<std::int64_t, std::int64_t>> numbers_;
   std::map<std::string, Free> free_;                // free types with constructors
   std::map<std::string, const SchemaText*> texts_;  // of the specification, which outlives it
   Samples samples_;                                 // by type too: the constants of free types, the names of given sets

@@ -14,7 +14,7 @@ void try_claims(std::vector<Section> sections, const Specification& specificatio
                 std::vector<Trial>& trials) {
   Steps steps(bounds.steps);
   const Evaluator evaluator(std::move(sections), bounds.constants, &steps);
-  const Draw draw(specification, typing, samples, evaluator);
+  const Draw draw(specification, typing, samples, evaluator, bounds.numbers);
   Members members(evaluator, draw);
   const Ground ground{typing, draw, evaluator, bounds, members, steps, !samples.empty()};
   for (std::size_t i = 0; i < claims.size(); ++i) {

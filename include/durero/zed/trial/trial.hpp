@@ -3,8 +3,11 @@
 /// be false.
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "durero/zed/evaluate/evaluate.hpp"
@@ -36,13 +39,14 @@ struct TrialBounds {
   std::size_t states = 8;         ///< the most states of a conjecture, except for the witness of an ∃
   std::size_t draws = 64;         ///< the most values drawn, not all of which need be states
   std::uint64_t steps = 1000000;  ///< the most steps of its evaluation
-  Valuation constants{};          ///< constants of the text have these values
+  Valuation constants{};          ///< constants of the text, and given sets, have these values
+  std::optional<std::pair<std::int64_t, std::int64_t>> numbers{};  ///< those tried are from one to the other
 };
 
 /// Tries every conjecture. Without samples the whole of it is evaluated first. Where that does not decide it, the
-/// states of a small scope come first, given sets of three members, numbers up to 3, and what is made of them, and
-/// states by chance then. The conjectures are in the order of the text. The states are the same at every call.
-/// Precondition: `typing` is check(specification), and both are without defects.
+/// states of a small scope come first, given sets of three members where they have no others, numbers up to 3 or within
+/// the bounds, and what is made of them, and states by chance then. The conjectures are in the order of the text. The
+/// states are the same at every call. Precondition: `typing` is check(specification), and both are without defects.
 std::vector<Trial> try_conjectures(const Specification& specification, const Typing& typing,
                                    const Samples& samples = {}, const TrialBounds& bounds = {});
 
