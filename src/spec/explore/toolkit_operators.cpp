@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "toolkit_numbers.hpp"
+
 namespace durero::spec {
 namespace {
 
 using Ids = ValueList;
-
-/// The members of an interval that is listed: more are left to the evaluator.
-constexpr std::int64_t most_listed = 1'000'000;
 
 ValueId first_of(const InternedValues& values, ValueId pair) { return values.parts(pair)[0]; }
 ValueId second_of(const InternedValues& values, ValueId pair) { return values.parts(pair)[1]; }
@@ -34,41 +33,6 @@ ValueId set_difference(InternedValues& values, ValueId a, ValueId b) {
 }
 ValueId symmetric_difference(InternedValues& values, ValueId a, ValueId b) {
   return merged_members(values, a, b, [](auto... each) { std::set_symmetric_difference(each...); });
-}
-
-using Checked = bool (*)(std::int64_t, std::int64_t, std::int64_t*);
-
-template <Checked compute>
-ValueId arithmetic(InternedValues& values, ValueId a, ValueId b) {
-  std::int64_t result = 0;
-  if (compute(values.whole_number(a), values.whole_number(b), &result)) throw NotInterned("a number is not small");
-  return values.number(result);
-}
-
-bool sum_overflows(std::int64_t a, std::int64_t b, std::int64_t* to) { return __builtin_add_overflow(a, b, to); }
-bool difference_overflows(std::int64_t a, std::int64_t b, std::int64_t* to) { return __builtin_sub_overflow(a, b, to); }
-bool product_overflows(std::int64_t a, std::int64_t b, std::int64_t* to) { return __builtin_mul_overflow(a, b, to); }
-
-/// The greatest whole number that is at most a / b.
-std::int64_t floor_quotient(std::int64_t a, std::int64_t b) {
-  if (b == 0 || b == -1) throw NotInterned("a division by 0, or of the least number");
-  return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0);
-}
-ValueId quotient(InternedValues& values, ValueId a, ValueId b) {
-  return values.number(floor_quotient(values.whole_number(a), values.whole_number(b)));
-}
-ValueId remainder(InternedValues& values, ValueId a, ValueId b) {
-  const std::int64_t n = values.whole_number(a), d = values.whole_number(b);
-  return values.number(n - d * floor_quotient(n, d));
-}
-
-ValueId interval(InternedValues& values, ValueId a, ValueId b) {
-  const std::int64_t low = values.whole_number(a), high = values.whole_number(b);
-  Ids all;
-  if (low <= high && static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) > most_listed)
-    throw NotInterned("an interval is large");
-  for (std::int64_t n = low; n <= high; ++n) all.push_back(values.number(n));
-  return values.set(all);
 }
 
 ValueId maplet(InternedValues& values, ValueId a, ValueId b) { return values.pair(a, b); }
@@ -140,20 +104,6 @@ ValueId distributed_union(InternedValues& values, ValueId sets) {
 ValueId count_of(InternedValues& values, ValueId set) {
   return values.number(static_cast<std::int64_t>(values.members(set).size()));
 }
-ValueId negative_of(InternedValues& values, ValueId a) {
-  return arithmetic<difference_overflows>(values, values.number(0), a);
-}
-template <bool least>
-ValueId extreme(InternedValues& values, ValueId set) {
-  const auto members = values.members(set);
-  if (members.empty()) throw NotInterned("an extreme of no numbers");
-  std::int64_t best = values.whole_number(members[0]);
-  for (const ValueId member : members) {
-    const std::int64_t number = values.whole_number(member);
-    best = least ? std::min(best, number) : std::max(best, number);
-  }
-  return values.number(best);
-}
 
 ValueId concatenated(InternedValues& values, ValueId a, ValueId b) {
   std::vector<ValueId> all = sequence_elements(values, a);
@@ -186,11 +136,6 @@ ValueId reverse_of(InternedValues& values, ValueId a) {
 ValueId unchanged(InternedValues&, ValueId a) { return a; }
 ValueId first_part(InternedValues& values, ValueId pair) { return first_of(values, pair); }
 ValueId second_part(InternedValues& values, ValueId pair) { return second_of(values, pair); }
-ValueId successor(InternedValues& values, ValueId a) {
-  if (values.whole_number(a) < 0) throw NotInterned("the successor of a negative number");
-  return arithmetic<sum_overflows>(values, a, values.number(1));
-}
-
 bool equal_ids(InternedValues& values, ValueId a, ValueId b) {
   if (a == b) return true;
   const auto open = [&](ValueId id) { return values.form(id) == InternedForm::other; };
@@ -218,8 +163,8 @@ struct NamedOperator {
 
 constexpr NamedOperator<UnaryOperator> unary_operators[] = {
     {"dom", domain_of},       {"ran", range_of},   {"_∼", inverse_of},  {"_⁺", transitive_closure},
-    {"⋃", distributed_union}, {"#_", count_of},    {"-_", negative_of}, {"min", extreme<true>},
-    {"max", extreme<false>},  {"head", head_of},   {"last", last_of},   {"tail", tail_of},
+    {"⋃", distributed_union}, {"#_", count_of},    {"-_", negative_of}, {"min", least_of},
+    {"max", greatest_of},     {"head", head_of},   {"last", last_of},   {"tail", tail_of},
     {"front", front_of},      {"rev", reverse_of}, {"⟨,,⟩", unchanged}, {"first", first_part},
     {"second", second_part},  {"succ", successor},
 };
@@ -229,12 +174,12 @@ constexpr NamedOperator<BinaryOperator> binary_operators[] = {
     {"_∩_", set_intersection},
     {"_∖_", set_difference},
     {"_⊖_", symmetric_difference},
-    {"_+_", arithmetic<sum_overflows>},
-    {"_-_", arithmetic<difference_overflows>},
-    {"_*_", arithmetic<product_overflows>},
-    {"_div_", quotient},
-    {"_mod_", remainder},
-    {"_‥_", interval},
+    {"_+_", number_sum},
+    {"_-_", number_difference},
+    {"_*_", number_product},
+    {"_div_", number_quotient},
+    {"_mod_", number_remainder},
+    {"_‥_", number_interval},
     {"_↦_", maplet},
     {"_⁀_", concatenated},
     {"_⊕_", overridden},

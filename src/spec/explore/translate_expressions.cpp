@@ -84,9 +84,30 @@ IdCode TermTranslator::translated(const Term& term, const FrameScope& scope) {
     case Kind::conditional:
       return [test = predicate(node.children[0], scope), yes = expression(node.children[1], scope),
               no = expression(node.children[2], scope)](IdFrame frame) { return test(frame) ? yes(frame) : no(frame); };
-    default:
-      throw NotInterned("this notation is the evaluator's");
+    case Kind::product:
+    case Kind::power:
+    case Kind::schema_text:
+    case Kind::decoration:
+    case Kind::renaming:
+    case Kind::hiding:
+    case Kind::composition:
+    case Kind::piping:
+    case Kind::projection:
+    case Kind::precondition:
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+    case Kind::truth:
+    case Kind::falsity:
+    case Kind::relation:
+      break;
   }
+  throw NotInterned("this notation is the evaluator's");
 }
 
 IdCode TermTranslator::reference(const Node& node, const FrameScope& scope) {

@@ -71,9 +71,33 @@ IdTest TermTranslator::translated_test(const Term& term, const FrameScope& scope
         return body(frame);
       };
     }
-    default:
-      return schema_test(term, scope);
+    case Kind::reference:
+    case Kind::number:
+    case Kind::set_extension:
+    case Kind::comprehension:
+    case Kind::tuple:
+    case Kind::product:
+    case Kind::power:
+    case Kind::selection:
+    case Kind::tuple_selection:
+    case Kind::binding_extension:
+    case Kind::theta:
+    case Kind::application:
+    case Kind::lambda:
+    case Kind::mu:
+    case Kind::conditional:
+    case Kind::schema_text:
+    case Kind::decoration:
+    case Kind::renaming:
+    case Kind::hiding:
+    case Kind::composition:
+    case Kind::piping:
+    case Kind::projection:
+    case Kind::precondition:
+    case Kind::exists_one:
+      break;
   }
+  return schema_test(term, scope);
 }
 
 IdTest TermTranslator::relation(const Node& node, const FrameScope& scope) {
@@ -141,9 +165,35 @@ bool may_be_schema(Kind kind) {
     case Kind::projection:
     case Kind::precondition:
       return true;
-    default:
-      return false;
+    case Kind::number:
+    case Kind::set_extension:
+    case Kind::comprehension:
+    case Kind::tuple:
+    case Kind::product:
+    case Kind::power:
+    case Kind::selection:
+    case Kind::tuple_selection:
+    case Kind::binding_extension:
+    case Kind::theta:
+    case Kind::application:
+    case Kind::lambda:
+    case Kind::mu:
+    case Kind::let:
+    case Kind::conditional:
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+    case Kind::truth:
+    case Kind::falsity:
+    case Kind::relation:
+      break;
   }
+  return false;
 }
 
 }  // namespace

@@ -38,9 +38,33 @@ std::string HolWriter::predicate(const Term& whole, const Written& scope) {
       return only_one(whole, scope);
     case Kind::relation:
       return relation(whole, scope);
-    default:
-      return schema_holds(whole, scope);
+    case Kind::reference:
+    case Kind::number:
+    case Kind::set_extension:
+    case Kind::comprehension:
+    case Kind::tuple:
+    case Kind::product:
+    case Kind::power:
+    case Kind::selection:
+    case Kind::tuple_selection:
+    case Kind::binding_extension:
+    case Kind::theta:
+    case Kind::application:
+    case Kind::lambda:
+    case Kind::mu:
+    case Kind::let:
+    case Kind::conditional:
+    case Kind::schema_text:
+    case Kind::decoration:
+    case Kind::renaming:
+    case Kind::hiding:
+    case Kind::composition:
+    case Kind::piping:
+    case Kind::projection:
+    case Kind::precondition:
+      break;
   }
+  return schema_holds(whole, scope);
 }
 
 std::string HolWriter::quantified(const Term& whole, const Written& scope) {

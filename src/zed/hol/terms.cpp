@@ -112,9 +112,34 @@ std::string HolWriter::term(const Term& whole, const Written& scope, Applied& ap
       return application(whole, scope, applied);
     case Kind::conditional:
       return conditional(whole, scope, applied);
-    default:
-      not_covered(whole->place, "this expression");
+    case Kind::selection:
+    case Kind::tuple_selection:
+    case Kind::binding_extension:
+    case Kind::theta:
+    case Kind::mu:
+    case Kind::let:
+    case Kind::schema_text:
+    case Kind::decoration:
+    case Kind::renaming:
+    case Kind::hiding:
+    case Kind::composition:
+    case Kind::piping:
+    case Kind::projection:
+    case Kind::precondition:
+    case Kind::negation:
+    case Kind::conjunction:
+    case Kind::disjunction:
+    case Kind::implication:
+    case Kind::equivalence:
+    case Kind::forall:
+    case Kind::exists:
+    case Kind::exists_one:
+    case Kind::truth:
+    case Kind::falsity:
+    case Kind::relation:
+      break;
   }
+  not_covered(whole->place, "this expression");
 }
 
 std::string HolWriter::reference(const Term& term, const Written& scope, Applied& applied) {
