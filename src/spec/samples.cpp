@@ -9,6 +9,7 @@
 #include "durero/scene/stage.hpp"
 #include "durero/scene/tablas.hpp"
 #include "durero/spec/spec.hpp"
+#include "shape_samples.hpp"
 
 namespace durero::spec {
 namespace {
@@ -233,7 +234,7 @@ zed::Samples samples() {
                                   {Punto(1, 0, -2), up},
                                   {Punto(5, 0, 5), Vector(-1, 0, 0)}};
   EditedTables of_edits = tables();
-  return {
+  zed::Samples all = {
       {"Escena", scenes()},
       {"Mallas", scenes_with_meshes()},
       {"Vista", scenes_with_looks()},
@@ -259,6 +260,8 @@ zed::Samples samples() {
       {"Fuente", lights()},
       {"Ventana", windows()},
   };
+  add_lifted_samples(edits(), all);
+  return all;
 }
 
 zed::Valuation sample_constants() { return {{{"nombre_cara", ""}, names_of_faces(mesh_names(), 2)}}; }
