@@ -10,6 +10,7 @@
 #include "durero/zed/evaluate/unfold.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/parser.hpp"
+#include "open_variables.hpp"
 
 namespace durero::spec {
 namespace {
@@ -65,9 +66,6 @@ std::vector<std::string> typed_members(const std::string& set, const std::string
   }
   return members;
 }
-
-constexpr const char* open_variable =
-    "a variable ranges over a set that is not finite, and no equation gives its value";
 
 }  // namespace
 
@@ -267,11 +265,11 @@ Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& st
   const std::optional<zed::Type> type = typing.type_of(term);
   if (!type) {  // it is a predicate
     const zed::Truth truth = evaluator.holds(term, locals.values);
-    if (truth == zed::Truth::open) throw zed::EvaluationError(open_variable);
+    if (truth == zed::Truth::open) throw open_variables(term, typing, {typing_, section_name}, evaluator);
     return {truth == zed::Truth::yes ? "true" : "false", truth == zed::Truth::yes, evaluator.taken()};
   }
   const zed::Value result = evaluator.value(term, locals.values);
-  if (result.is_open()) throw zed::EvaluationError(open_variable);
+  if (result.is_open()) throw open_variables(term, typing, {typing_, section_name}, evaluator);
   const bool listed = !result.set() || result.set()->members();
   if (!listed && type->is_schema_set())
     if (auto text = written_out(term, type->settled(), typing)) return {std::move(*text), true, evaluator.taken()};

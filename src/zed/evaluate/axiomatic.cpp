@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/evaluate/cases.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/free_types.hpp"
@@ -246,7 +247,7 @@ Value Compiler::axiomatic(Meaning& global, Context& context) {
       add_clauses(clauses, *this, name, {form.formals}, cases_of_set(form.text.predicates, name));
       return clauses;
     });
-  throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
+  throw LackingEvaluation(Lack::instance, name.text() + " is generic, and no function: it is not evaluated");
 }
 
 // The actuals are terms without local names. An instance by clauses may name itself, and the compiler owns it.
@@ -277,7 +278,7 @@ Value Compiler::generic_instance(const Meaning& global, const std::vector<Term>&
              add_clauses(clauses, *this, name, instance, cases_of_set(form.text.predicates, name));
              return clauses;
            });
-  throw EvaluationError(name.text() + " is generic, and no function: it is not evaluated");
+  throw LackingEvaluation(Lack::instance, name.text() + " is generic, and no function: it is not evaluated");
 }
 
 Value Compiler::schema_value(const Meaning& global, Context& context) {
@@ -313,7 +314,7 @@ const Branch& branch(const Meaning& global) {
 class Busy {
  public:
   explicit Busy(Meaning& global) : global_(global) {
-    if (global.busy) throw EvaluationError(global.name.text() + " is defined by itself");
+    if (global.busy) throw LackingEvaluation(Lack::ground, global.name.text() + " is defined by itself");
     global.busy = true;
   }
   ~Busy() { global_.busy = false; }

@@ -1,6 +1,7 @@
 #include "zed/evaluate/constants.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "zed/evaluate/choice.hpp"
 #include "zed/evaluate/compiler.hpp"
@@ -188,20 +189,20 @@ Value Constants::value(Meaning& constant, Context& context) {
   if (!declared_set(constant.name, box_of(constant))) throw Undetermined(constant.name.text());
   facts();
   Value given = Open{};
-  std::optional<EvaluationError> why_not;
+  std::exception_ptr why_not;
   try {
     given = by_equation(constant, context);
   } catch (const Unsatisfied&) {
     throw;
-  } catch (const EvaluationError& error) {
-    why_not = error;
+  } catch (const EvaluationError&) {
+    why_not = std::current_exception();
   }
   if (given.is_undefined()) throw Undetermined(constant.name.text());
   if (given.is_open()) {
     try {
       return looked_for(constant, context);
     } catch (const Undetermined&) {
-      if (why_not) throw EvaluationError(*why_not);
+      if (why_not) std::rethrow_exception(why_not);
       throw;
     }
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/evaluator_state.hpp"
 #include "zed/value/functions.hpp"
@@ -244,7 +245,8 @@ std::vector<Polynomial> Evaluator::comparisons(const Value& set, const std::func
   context.watch = &watch;
   const Truth here = contains_value(set, value(Unknown{watch.unknown}), context);
   if (watch.lost || (here == Truth::open && watch.compared.empty()))
-    throw EvaluationError("membership in " + set.text() + " depends on a number in a way that is not followed");
+    throw LackingEvaluation(Lack::degree,
+                            "membership in " + set.text() + " depends on a number in a way that is not followed");
   return std::move(watch.compared);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "durero/zed/value/settled_function.hpp"
+#include "durero/zed/value/undecided.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/value/functions.hpp"
 
@@ -346,7 +347,8 @@ class AxiomaticFunction : public Set {
   void refuse_unsaid(const Value& argument, Context& context) const {
     const Clauses& known = clauses(context);
     const bool outside = known.source ? contains_value(*known.source, argument, context) == Truth::no : known.all_said;
-    if (!outside) throw EvaluationError("no equation gives " + name_ + " a value at " + argument.text());
+    if (!outside)
+      throw LackingEvaluation(Lack::equation, "no equation gives " + name_ + " a value at " + argument.text());
   }
   std::string name_;
   std::function<Clauses(Context&)> compile_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -71,8 +72,9 @@ class FiniteSet : public Set {
   // Whether sets that nobody can list are the same is not said by the order in which they stand.
   void refuse_sets(const Value& argument) const {
     if (of_sets_ || (family_ && has_intensional(argument)))
-      throw EvaluationError("whether " + text() + " has a value at " + argument.text() +
-                            " cannot be decided: it depends on sets whose members cannot be enumerated");
+      throw LackingEvaluation(Lack::members,
+                              "whether " + text() + " has a value at " + argument.text() +
+                                  " cannot be decided: it depends on sets whose members cannot be enumerated");
   }
   std::vector<Value>::const_iterator at(const Value& argument) const {
     if (!members_.empty() && (!members_[0].tuple() || members_[0].tuple()->parts.size() != 2)) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "durero/zed/value/steps.hpp"
+#include "durero/zed/value/undecided.hpp"
 #include "durero/zed/value/value.hpp"
 
 namespace durero::zed {
@@ -74,7 +75,7 @@ class ApplicationDepth {
   explicit ApplicationDepth(Context& context) : context_(context) {
     if (++context_.depth > limit) {
       --context_.depth;
-      throw EvaluationError("applications are nested deeper than " + std::to_string(limit));
+      throw LackingEvaluation(Lack::end, "applications are nested deeper than " + std::to_string(limit));
     }
   }
   ~ApplicationDepth() { --context_.depth; }
@@ -138,7 +139,7 @@ auto exactly(Operation&& operation) -> decltype(operation()) {
   try {
     return operation();
   } catch (const std::domain_error& impossible) {
-    throw EvaluationError(impossible.what());
+    throw LackingEvaluation(Lack::number, impossible.what());
   }
 }
 

@@ -1,5 +1,6 @@
 /// Equality is also how an unknown is found: x = e determines x, and a + t * b = e with b ≠ 0 determines t.
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/context.hpp"
 #include "zed/value/number_sets.hpp"
 #include "zed/value/sets.hpp"
@@ -126,10 +127,10 @@ Truth equal_sets(const Value& left_set, const Value& right_set, Context& context
     if (const auto of_numbers = equal_numbers(left_set, right_set, context)) return *of_numbers;
     const std::string left = a.text(), right = b.text();
     if (left == right)
-      throw EvaluationError("whether two sets are equal cannot be decided: the members of neither, " + left +
-                            ", can be enumerated");
-    throw EvaluationError("whether " + left + " = " + right + " cannot be decided: the members of " +
-                          (x && !a.family() ? right : left) + " cannot be enumerated");
+      throw LackingEvaluation(Lack::members, "whether two sets are equal cannot be decided: the members of neither, " +
+                                                 left + ", can be enumerated");
+    throw LackingEvaluation(Lack::members, "whether " + left + " = " + right + " cannot be decided: the members of " +
+                                               (x && !a.family() ? right : left) + " cannot be enumerated");
   }
   if (x->size() != y->size()) return Truth::no;
   for (std::size_t i = 0; i < x->size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
@@ -16,8 +17,8 @@ constexpr std::size_t most_listed_functions =
 void refuse_uncomparable(const std::vector<Value>& pairs, std::size_t part) {
   for (const Value& pair : pairs)
     if (has_intensional(pair.tuple()->parts[part]))
-      throw EvaluationError("whether it is a function cannot be decided: the members of " +
-                            pair.tuple()->parts[part].text() + " cannot be enumerated");
+      throw LackingEvaluation(Lack::members, "whether it is a function cannot be decided: the members of " +
+                                                 pair.tuple()->parts[part].text() + " cannot be enumerated");
 }
 
 /// Pairs are sorted by their first parts, so in a function no two neighbours agree in them.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/number_sets.hpp"
 #include "zed/value/rules.hpp"
 #include "zed/value/sets.hpp"
@@ -78,7 +79,7 @@ Value cardinality(const Value& set, Context& context) {
     if (is_infinite(set, context)) return {};
     const auto& members = enumerated(set, "the size of");
     if (set.set()->family() && members.size() > 1) {
-      throw EvaluationError("the size of " + set.text() + ": its members cannot be compared");
+      throw LackingEvaluation(Lack::members, "the size of " + set.text() + ": its members cannot be compared");
     }
     return Real(static_cast<double>(members.size()));
   });
@@ -134,7 +135,8 @@ Value image(const Value& relation, const Value& set, Context& context) {
       for (const Value& argument : enumerated(set, "the image of")) {
         auto results = relation.set()->partners(argument, 0, context);
         if (!results)
-          throw EvaluationError("the image of " + argument.text() + " through " + relation.text() + " is not known");
+          throw LackingEvaluation(Lack::members,
+                                  "the image of " + argument.text() + " through " + relation.text() + " is not known");
         std::move(results->begin(), results->end(), std::back_inserter(reached));
       }
       return Value::set(std::move(reached));
@@ -155,7 +157,8 @@ Value forward_composition(const Value& a, const Value& b, Context& context) {
     for (const Value& from : enumerated(a, "the composition of")) {
       context.steps.take(1 + steps_for(b));
       if (has_intensional(second(from)))
-        throw EvaluationError("the composition through " + second(from).text() + ": its members cannot be enumerated");
+        throw LackingEvaluation(
+            Lack::members, "the composition through " + second(from).text() + ": its members cannot be enumerated");
       if (!b.set()->members()) {  // b is known by its images
         const Value reached = image(b, Value::set({second(from)}), context);
         for (const Value& to : enumerated(reached, "the composition with"))

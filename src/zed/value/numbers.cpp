@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/number_sets.hpp"
 #include "zed/value/sets.hpp"
@@ -107,7 +108,8 @@ Value power(const Value& base, const Value& exponent, Context& context) {
     if (*base.real() == Real(1)) return Real(1);
     const Real twice = *exponent.real() * Real(2);
     if (!twice.is_integer() || sign(twice) < 0 || twice > Real(2 * greatest_exponent))
-      throw EvaluationError(
+      throw LackingEvaluation(
+          Lack::number,
           fmt::format("a power with the exponent {} is not evaluated; a whole number up to {}, or half of one, is",
                       exponent.text(), greatest_exponent));
     return exactly([&] {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -63,7 +64,7 @@ class Composition : public Set {
       });
       return linked ? truth(!linked->empty()) : lost(context);
     }
-    throw EvaluationError("whether " + pair.text() + " is in " + text() + " cannot be decided");
+    throw LackingEvaluation(Lack::members, "whether " + pair.text() + " is in " + text() + " cannot be decided");
   }
   bool closed() const override { return zed::closed(first_) && zed::closed(then_); }
   std::string spelled(Wording wording) const override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/small_members.hpp"
@@ -46,7 +47,8 @@ class SequenceSet : public Set {
     if (!value.set()) return lost(context);
     const auto in_order = items(value);
     if (!in_order || (nonempty_ && in_order->empty())) return Truth::no;
-    if (distinct_ && has_intensional(value)) throw EvaluationError("whether the items differ cannot be decided");
+    if (distinct_ && has_intensional(value))
+      throw LackingEvaluation(Lack::members, "whether the items differ cannot be decided");
     if (distinct_ && Value::set(*in_order).set()->members()->size() != in_order->size()) return Truth::no;
     Truth each = Truth::yes;
     for (const Value& item : *in_order) {
@@ -123,7 +125,8 @@ enum class SequencePosition { start, end, anywhere };
 Truth is_part(const Value& a, const Value& b, SequencePosition part, Context& context) {
   if (a.is_undefined() || b.is_undefined()) return Truth::no;
   if (waiting(a) || waiting(b)) return lost(context);
-  if (has_intensional(a) || has_intensional(b)) throw EvaluationError("sequences of sets that nobody can compare");
+  if (has_intensional(a) || has_intensional(b))
+    throw LackingEvaluation(Lack::members, "sequences of sets that nobody can compare");
   const auto piece = items(a), whole = items(b);
   if (!piece || !whole || piece->size() > whole->size()) return Truth::no;
   const auto equal_items = [](const Value& x, const Value& y) { return same(x, y); };

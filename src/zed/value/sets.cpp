@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/cuts.hpp"
 #include "zed/value/number_sets.hpp"
 #include "zed/value/settled_functions.hpp"
@@ -193,7 +194,7 @@ const std::vector<Value>& enumerated(const Value& value, const char* what) {
   const Set& set = as_set(value);
   if (const auto* members = set.members()) return *members;
   if (set.size()) throw TooManyMembers(set.text());
-  throw EvaluationError(std::string(what) + " " + set.text() + ": its members cannot be enumerated");
+  throw LackingEvaluation(Lack::members, std::string(what) + " " + set.text() + ": its members cannot be enumerated");
 }
 
 Value set_union(const Value& a, const Value& b, Context& context) {
@@ -239,7 +240,8 @@ Value big_intersection(const Value& a, Context& context) {
   if (a.is_undefined()) return {};
   if (waiting(a)) return Open{};
   const auto& sets = enumerated(a, "the intersection of");
-  if (sets.empty()) throw EvaluationError("⋂ ∅ is every value of its type, which nobody can enumerate");
+  if (sets.empty())
+    throw LackingEvaluation(Lack::members, "⋂ ∅ is every value of its type, which nobody can enumerate");
   Value common = sets[0];
   for (std::size_t i = 1; i < sets.size(); ++i) {
     context.steps.take(1 + steps_for(common));

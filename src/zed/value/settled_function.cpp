@@ -2,6 +2,7 @@
 #include <typeinfo>
 #include <utility>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
@@ -44,7 +45,8 @@ std::optional<Truth> is_defined_on(const SettledFunction& function, const Value&
 }
 
 [[noreturn]] void undecided(const SettledFunction& function, const Value& set) {
-  throw EvaluationError("whether " + function.text() + " is a function on " + set.text() + " is not known");
+  throw LackingEvaluation(Lack::members,
+                          "whether " + function.text() + " is a function on " + set.text() + " is not known");
 }
 
 }  // namespace

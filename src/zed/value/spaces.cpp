@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/small_members.hpp"
@@ -36,8 +37,10 @@ class PowerSet : public Set {
     if (!set) return lost(context);
     const auto* members = set->members();
     if (!members) {
-      if (form_.finite) throw EvaluationError("whether " + set->text() + " is finite cannot be decided");
-      if (form_.nonempty) throw EvaluationError("whether " + set->text() + " is empty cannot be decided");
+      if (form_.finite)
+        throw LackingEvaluation(Lack::members, "whether " + set->text() + " is finite cannot be decided");
+      if (form_.nonempty)
+        throw LackingEvaluation(Lack::members, "whether " + set->text() + " is empty cannot be decided");
       return subset(value, base_, context);
     }
     if (form_.nonempty && members->empty()) return Truth::no;
@@ -187,7 +190,7 @@ class ProductSet : public Set {
     const auto* others = factors_[1 - part].set()->members();
     const Truth in = contains_value(factors_[part], known, context);
     if (in == Truth::yes && !others && factors_[1 - part].set()->numbers() == Numbers::none)
-      throw EvaluationError("whether " + factors_[1 - part].text() + " is empty cannot be decided");
+      throw LackingEvaluation(Lack::members, "whether " + factors_[1 - part].text() + " is empty cannot be decided");
     return in;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "durero/zed/value/undecided.hpp"
 #include "zed/value/context.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
@@ -215,8 +216,9 @@ Value Set::apply(const Value& argument, Context& context) const {
   if (!values) throw EvaluationError(text() + " cannot be applied");
   if (values->size() == 1) return values->front();
   if (std::any_of(values->begin(), values->end(), has_intensional))
-    throw EvaluationError("whether " + text() + " has one value at " + argument.text() +
-                          " cannot be decided: it depends on sets whose members cannot be enumerated");
+    throw LackingEvaluation(Lack::members,
+                            "whether " + text() + " has one value at " + argument.text() +
+                                " cannot be decided: it depends on sets whose members cannot be enumerated");
   return {};
 }
 
@@ -254,13 +256,14 @@ Truth Set::has_partner(const Value& known, std::size_t part, Context& context) c
   if (has_open(known)) return lost(context);
   const auto others = partners(known, part, context);
   if (!others)
-    throw EvaluationError(std::string("the ") + (part == 0 ? "domain" : "range") + " of " + text() + " is not known");
+    throw LackingEvaluation(Lack::members,
+                            std::string("the ") + (part == 0 ? "domain" : "range") + " of " + text() + " is not known");
   return truth(!others->empty());
 }
 
 Truth Set::some_contains(const Value& value, Context& context) const {
   const auto* sets = members();
-  if (!sets) throw EvaluationError(text() + " cannot be enumerated");
+  if (!sets) throw LackingEvaluation(Lack::members, text() + " cannot be enumerated");
   Truth some = Truth::no;
   const Necessary only(context, sets->size() == 1);
   for (const Value& member : *sets) {
