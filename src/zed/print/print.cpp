@@ -78,12 +78,18 @@ class ParagraphPrinter {
     }
     return zed(printer.take());
   }
+  /// Says whether formals can stand for the operands of an operator: as many, or none.
+  static bool has_operands(std::string_view op, std::size_t formals) {
+    std::size_t operands = 0;
+    for (const char c : op) operands += c == '_' ? 1 : 0;
+    return formals == 0 || formals == operands;
+  }
   std::string operator()(const Definition& definition) const {
     Printer printer(markup_);
-    if (is_template_name(definition.name.word)) {
+    if (is_template_name(definition.name.word) && has_operands(definition.name.word, definition.formals.size())) {
       printer.declared(definition.name, definition.formals);
     } else {
-      printer.name(definition.name);
+      printer.declared(definition.name);
       printer.raw(header({}, definition.formals, markup_));
     }
     printer.symbol("==");

@@ -180,6 +180,7 @@ class ParagraphParser {
     const std::size_t from = in_.position();
     std::vector<Name> operands;
     if (std::optional<Name> op = terms_.operator_name(operands)) {
+      if (operands.empty()) operands = formals();
       in_.expect("==");
       Definition definition{std::move(*op), std::move(operands), terms_.term(), {}};
       definition.label = in_.label_since(from);

@@ -3,6 +3,7 @@
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/defect.hpp"
 #include "durero/zed/syntax/parser.hpp"
+#include "durero/zed/syntax/reader.hpp"
 #include "support/catch.hpp"
 
 using namespace durero::zed;
@@ -24,6 +25,25 @@ const OperatorTemplate onto{Role::generic, {"_", "onto", "_"}, 5, true};
 const OperatorTemplate bag{Role::function, {"bag", ",,", "end"}, 0, false};
 
 }  // namespace
+
+TEST_CASE("a generic operator is defined by its name with formals in brackets, or in the places of operands") {
+  const Specification read = read_text(
+      "\\begin{zed} \\relation (finite~\\_) \\\\ \\relation (\\_~like~\\_) \\\\\n"
+      " finite~\\_ [X] == \\finset X \\\\ \\_~like~\\_ [X] == X \\cross X \\end{zed}",
+      "t.tex");
+  REQUIRE(read.ok());
+  const auto& paragraphs = read.sections.back().paragraphs;
+  REQUIRE(paragraphs.size() == 2);
+  const Operators operators =
+      with({{Role::relation, {"finite", "_"}, 0, false}, {Role::relation, {"_", "like", "_"}, 0, false}});
+  for (const Paragraph& each : paragraphs) {
+    const std::string text = to_unicode(each);
+    INFO(text);
+    CHECK(std::get<Definition>(each.form).formals == std::vector<Name>{{"X", ""}});
+    CHECK(parse_unicode_paragraph(text, operators) == each);
+  }
+  CHECK(parse_unicode_paragraph("finite X == 𝔽 X", operators) == paragraphs[0]);
+}
 
 TEST_CASE("the words of a template know where they stand, and have one meaning") {
   Operators operators = with({bag, plus});
