@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "zed/print/layout.hpp"
+#include "zed/print/regrouping_marks.hpp"
 #include "zed/print/spelling.hpp"
 #include "zed/print/spivey_tokens.hpp"
+#include "zed/syntax/block_parser.hpp"
 #include "zed/syntax/connectives.hpp"
 #include "zed/syntax/lexer.hpp"
 #include "zed/syntax/lexer_base.hpp"
@@ -38,13 +40,14 @@ std::string environment_in(Form to, const BlockPiece& piece) {
 /// Writes one piece in another mark-up.
 class BlockWriter {
  public:
-  BlockWriter(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known)
-      : BlockWriter(piece, to, dialect, lex(piece.block, dialect.markup, dialect.operators), known) {}
+  BlockWriter(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known, bool regrouped)
+      : BlockWriter(piece, to, dialect, lex(piece.block, dialect.markup, dialect.operators), known, regrouped) {}
 
   std::string text() {
     begin();
     for (std::size_t i = first_; i < tokens_.size(); ++i) {
-      if (i > 0 || title_ == 0) gap(i);
+      if (is_left_out(i)) continue;
+      if (i > 0 || title_ == 0) is_left_out(i - 1) ? void(out_ += ' ') : gap(i);
       out_ += spelled(i);
       if (i == 0 && environment_ == "schema" && to_latex()) out_ += '}';
     }
@@ -54,7 +57,7 @@ class BlockWriter {
 
  private:
   BlockWriter(const BlockPiece& piece, Form to, const Dialect& dialect, const std::vector<Token>& tokens,
-              const SchemaNames& known)
+              const SchemaNames& known, bool regrouped)
       : block_(piece.block),
         to_(to),
         environment_(environment_in(to, piece)),
@@ -64,6 +67,7 @@ class BlockWriter {
         title_(in_title(block_, tokens_)),
         where_(where()) {
     if (to_ == Form::spivey) marks_ = spivey_marks(tokens, piece, known);
+    if (regrouped) marks_ = regrouping_marks(tokens, regrouping_of(block_.environment, tokens), spelling_, to_latex());
     for (std::size_t i = 0, seen = 0; i < tokens.size(); ++i)
       tokens[i].type == Token::Type::newline ? void(separated_.insert(seen)) : void(++seen);
     first_ = block_.environment == "axdef" && environment_ == "zed" ? 1 : 0;
@@ -110,6 +114,7 @@ class BlockWriter {
   void gap(std::size_t i) {
     Layout layout = between(i == 0 ? 0 : tokens_[i - 1].to, tokens_[i].from);
     const bool is_bare = layout.size() == 1 && layout.front().comment.empty();
+    if (is_bare && mark(marks_.instead, i) == ",") return;
     if (i == 0 && is_bare && block_.environment == "zsection" && !to_latex()) return;
     const bool is_formal = i == title_ || i == where_ || (where_ && i == *where_ + 1);
     if (is_formal) formal(layout);
@@ -158,14 +163,20 @@ class BlockWriter {
 
   std::string spelled(std::size_t i) const {
     if (i == where_) return to_latex() ? "\\where" : "|";
-    if (to_ == Form::spivey) return mark(marks_.before, i) + core(i) + mark(marks_.behind, i);
-    return to_latex() ? spelling_.latex(tokens_[i], takes_operand(i)) : Spelling::unicode(tokens_[i]);
+    return mark(marks_.before, i) + core(i) + mark(marks_.behind, i);
+  }
+  /// Says whether a token is not written: something else says it.
+  bool is_left_out(std::size_t i) const {
+    const auto found = marks_.instead.find(i);
+    return found != marks_.instead.end() && found->second.empty();
   }
 
-  /// Spells a token in Spivey's Z, without the signs that it adds.
+  /// Spells a token without the signs that are added.
   std::string core(std::size_t i) const {
     const auto found = marks_.instead.find(i);
-    return found != marks_.instead.end() ? found->second : in_spivey(tokens_[i], markup_);
+    if (found != marks_.instead.end()) return found->second;
+    if (to_ == Form::spivey) return in_spivey(tokens_[i], markup_);
+    return to_latex() ? spelling_.latex(tokens_[i], takes_operand(i)) : Spelling::unicode(tokens_[i]);
   }
   static std::string mark(const std::map<std::size_t, std::string>& marks, std::size_t i) {
     const auto found = marks.find(i);
@@ -220,8 +231,9 @@ std::size_t in_title(const Block& block, const std::vector<Token>& tokens) {
   return at + 1 < tokens.size() && tokens[at].type == Token::Type::word && tokens[at + 1].is("]") ? at + 2 : named;
 }
 
-std::string in_other_form(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known) {
-  return BlockWriter(piece, to, dialect, known).text();
+std::string in_other_form(const BlockPiece& piece, Form to, const Dialect& dialect, const SchemaNames& known,
+                          bool regrouped) {
+  return BlockWriter(piece, to, dialect, known, regrouped).text();
 }
 
 }  // namespace durero::zed

@@ -89,10 +89,30 @@ class TextWriter {
   }
 
   void write(const BlockPiece& piece, const Dialect& by) {
-    const std::size_t from = out_.size();
-    out_ += in_other_form(piece, to_, by, schemas_);
-    compare(piece, by, std::string_view(out_).substr(from));
+    std::string text = in_other_form(piece, to_, by, schemas_);
+    if (piece.block.spivey == nullptr || piece.block.environment == "zsection") {
+      compare(piece, by, text);
+    } else if (!is_so(piece, by, text)) {
+      std::string regrouped = in_other_form(piece, to_, by, schemas_, true);
+      if (!is_same_tree(piece, by, regrouped)) compare(piece, by, text);
+      text = std::move(regrouped);
+    }
+    out_ += text;
     ++count_;
+  }
+  bool is_so(const BlockPiece& piece, const Dialect& by, std::string_view written) const {
+    try {
+      compare(piece, by, written);
+    } catch (const ZError&) {  // parentheses may help
+      return false;
+    }
+    return true;
+  }
+  /// Says whether what was written is one block, and is read as the same paragraphs.
+  static bool is_same_tree(const BlockPiece& piece, const Dialect& by, std::string_view written) {
+    std::vector<Block> again = cut_of(written);
+    if (again.size() == 1) again[0].spivey = nullptr;
+    return again.size() == 1 && !other_tree(piece, again[0].environment, tokens_of(again[0], by), false);
   }
 
   /// Writes operator templates as directives of fuzz, a line each, and the comments that stood among them.

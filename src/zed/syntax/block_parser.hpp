@@ -8,6 +8,7 @@
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/syntax/defect.hpp"
 #include "durero/zed/syntax/operators.hpp"
+#include "zed/syntax/regrouping.hpp"
 #include "zed/syntax/token.hpp"
 
 namespace durero::zed {
@@ -26,6 +27,10 @@ SectionHeader parse_header(const std::vector<Token>& tokens);  ///< throws ZErro
 /// boxes without declarations.
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
                                    std::vector<ZError>& mended, bool spivey = false);
+
+/// Returns what ISO's Z would take for another tree in the tokens of a block of Spivey's Z. Throws ZError as
+/// parse_block() does.
+IsoGrouping regrouping_of(std::string_view environment, const std::vector<Token>& tokens);
 
 /// An operator template was read at a place.
 struct ReadTemplate {

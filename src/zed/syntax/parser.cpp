@@ -14,7 +14,16 @@ bool begins_template(const Token& token) { return token.is("function") || token.
 
 class ParagraphParser {
  public:
-  explicit ParagraphParser(const std::vector<Token>& tokens, bool spivey = false) : in_(tokens, spivey), terms_(in_) {}
+  explicit ParagraphParser(const std::vector<Token>& tokens, bool spivey = false, IsoGrouping* regrouping = nullptr)
+      : in_(tokens, spivey), terms_(in_, regrouping) {}
+
+  /// Parses the tokens of a block of that environment.
+  std::vector<Paragraph> block(std::string_view environment) {
+    if (environment == "zed") return lines();
+    std::vector<Paragraph> paragraphs;
+    paragraphs.push_back(environment == "schema" ? schema() : axiomatic(environment == "gendef"));
+    return paragraphs;
+  }
 
   std::vector<ZError> mended;
 
@@ -288,16 +297,15 @@ SectionHeader parse_header(const std::vector<Token>& tokens) { return ParagraphP
 std::vector<Paragraph> parse_block(std::string_view environment, const std::vector<Token>& tokens,
                                    std::vector<ZError>& mended, bool spivey) {
   ParagraphParser parser(tokens, spivey);
-  std::vector<Paragraph> paragraphs;
-  if (environment == "zed") {
-    paragraphs = parser.lines();
-  } else if (environment == "schema") {
-    paragraphs.push_back(parser.schema());
-  } else {
-    paragraphs.push_back(parser.axiomatic(environment == "gendef"));
-  }
+  std::vector<Paragraph> paragraphs = parser.block(environment);
   mended = std::move(parser.mended);
   return paragraphs;
+}
+
+IsoGrouping regrouping_of(std::string_view environment, const std::vector<Token>& tokens) {
+  IsoGrouping found;
+  ParagraphParser(tokens, true, &found).block(environment);
+  return found;
 }
 
 std::vector<Name> names_declared(std::string_view environment, const std::vector<Token>& tokens) {

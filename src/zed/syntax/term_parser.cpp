@@ -45,35 +45,61 @@ Term TermParser::checked(Term term) const {
 
 Term TermParser::term(int least) {
   const ParsingDepth deeper(depth_, in_.peek().place);
-  Term left = leading();
+  const std::size_t from = in_.position();
+  Making made;
+  Term left = leading(made);
   for (;;) {
     const Token& token = in_.peek();
-    if (token.type != Token::Type::symbol && token.type != Token::Type::word) return left;
+    const std::size_t sign_at = in_.position();
+    bool otherwise = false;
+    if (token.type != Token::Type::symbol && token.type != Token::Type::word) break;
     if (const Connective* connective = token.symbol->connective; connective && !connective->prefix) {
       const Connective sign = bound(*connective);
-      if (sign.strength < least) return left;
+      if (sign.strength < least) break;
       in_.next();
       const Term right = term(sign.right_strength());
       left = checked(node(sign.kind, {left, right}, left->place));
+      otherwise = sign.strength != connective->strength;
     } else if (token.is("⧹") && least <= (in_.is_spivey() ? spivey_binding::hiding : binding::hiding)) {
       left = hiding(left);
+      otherwise = true;
+      last_ = {};
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
       left = product(left);
     } else if (token.is(named_relation)) {
-      if (binding::relation < least) return left;
-      left = relations(left);
+      if (binding::relation < least) break;
+      left = relations(left, from);
     } else if (token.own) {
-      if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) return left;
-      left = token.own->of->role == Role::relation ? relations(left) : own_operation({left});
+      if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) break;
+      const bool one_word = token.own->of->parts.size() == 3;
+      left = token.own->of->role == Role::relation ? relations(left, from) : own_operation({left});
+      if (!one_word) last_ = {};
     } else if (token.symbol->infix) {
-      const Operator op = in_.is_spivey() ? spivey_binding::infix(*token.symbol->infix) : *token.symbol->infix;
+      const Operator& of_iso = *token.symbol->infix;
+      const Operator op = in_.is_spivey() ? spivey_binding::infix(of_iso) : of_iso;
       const int strength = op.role == Role::relation ? binding::relation : binding::infix + op.precedence;
-      if (strength < least) return left;
-      left = op.role == Role::relation ? relations(left) : infix(left, strength, op);
+      if (strength < least) break;
+      left = op.role == Role::relation ? relations(left, from) : infix(left, strength, op);
+      otherwise = op.precedence != of_iso.precedence || op.right != of_iso.right;
     } else {
-      return left;
+      break;
     }
+    bind(made, from, sign_at, otherwise);
   }
+  last_ = made;
+  return left;
+}
+
+/// Notes an operand that an operator takes, where one of the two binds otherwise in ISO's Z.
+void TermParser::group(const Making& made, bool otherwise, std::size_t from, std::size_t to) {
+  if (regrouping_ && made.by_operator && (made.otherwise || otherwise)) regrouping_->groups.emplace(from, to);
+}
+
+/// Notes the operands of an operator of one token: the left one, and the one that was taken last.
+void TermParser::bind(Making& left, std::size_t from, std::size_t sign, bool otherwise) {
+  group(left, otherwise, from, sign);
+  group(last_, otherwise, sign + 1, in_.position());
+  left = {true, otherwise};
 }
 
 Connective TermParser::bound(const Connective& sign) const {
@@ -89,10 +115,12 @@ Term TermParser::infix(const Term& left, int strength, const Operator& op) {
 }
 
 /// Takes a chain a ≤ b < c. Where an operator of a template is in it, each link is a conjunct.
-Term TermParser::relations(const Term& left) {
+Term TermParser::relations(const Term& left, std::size_t from) {
   const Place place = left->place;
   std::vector<Term> operands = {left}, links;  // null where a link is one of the names
   std::vector<Name> names;
+  const std::size_t sign = in_.position();
+  const bool is_named = in_.sees(named_relation);
   for (;;) {
     const Token& token = in_.peek();
     Term link, right;
@@ -111,6 +139,8 @@ Term TermParser::relations(const Term& left) {
     operands.push_back(right);
     if (!right) break;  // a postfix relation ends the chain
   }
+  last_ = {};  // a relation binds less tightly than its operands, in either
+  if (regrouping_ && is_named && links.size() == 1) regrouping_->memberships.push_back({from, sign, in_.position()});
   if (names.size() == links.size()) return checked(relation(std::move(names), std::move(operands), place));
   Term all;
   auto name = names.begin();
@@ -135,6 +165,7 @@ Term TermParser::product(const Term& left) {
   const Place place = left->place;
   std::vector<Term> factors = {left};
   while (in_.accept("×")) factors.push_back(term(binding::infix + product_precedence + 1));
+  if (factors.size() > 2) last_ = {};  // what stands behind the first × is no operand
   return checked(node(Kind::product, std::move(factors), place));
 }
 
@@ -146,7 +177,7 @@ Term TermParser::hiding(Term left) {
   return checked(make(std::move(node)));
 }
 
-Term TermParser::leading() {
+Term TermParser::leading(Making& made) {
   const Token& token = in_.peek();
   const Place place = token.place;
   if (const Quantifier* sign = token.symbol->quantifier)
@@ -154,7 +185,12 @@ Term TermParser::leading() {
   if (token.is("if")) return conditional();
   if (const Connective* sign = token.symbol->connective; sign && sign->prefix) {
     in_.next();
-    return checked(node(sign->kind, {term(bound(*sign).strength)}, place));
+    const std::size_t from = in_.position();
+    const int strength = bound(*sign).strength;
+    Term operand = term(strength);
+    made = {true, strength != sign->strength};
+    group(last_, made.otherwise, from, in_.position());
+    return checked(node(sign->kind, {std::move(operand)}, place));
   }
   if (token.own && token.own->first() && !token.own->of->has_left()) return own_operation({});
   const Operator* op = token.symbol->prefix;
@@ -166,11 +202,22 @@ Term TermParser::leading() {
   if (!op) return application();
   if (token.only_infix) in_.fail("expected \\negate for the sign, or a term before -");
   in_.next();
-  if (in_.is_spivey() && op->symbol == "#") return applied(checked(operation(op->name(), {primary()}, place)));
+  if (in_.is_spivey() && op->symbol == "#") return size_applied(*op, place);
+  made = {true, false};
   if (op->role == Role::relation) return checked(relation({{op->name(), {}}}, {term(binding::relation + 1)}, place));
   const Term operand = term(binding::prefix);
   if (op->role == Role::generic) return checked(reference({op->name(), {}}, {operand}, place));
   return checked(operation(op->name(), {operand}, place));
+}
+
+/// Takes what # counts, and arguments: # s i is (# s) i in Spivey's Z.
+Term TermParser::size_applied(const Operator& op, Place place) {
+  const std::size_t from = in_.position() - 1;
+  const Term size = checked(operation(op.name(), {primary()}, place));
+  const std::size_t to = in_.position();
+  Term all = applied(size);
+  if (in_.position() > to) group({true, true}, true, from, to);
+  return all;
 }
 
 Term TermParser::quantifier(Kind kind, bool value_needed) {

@@ -3,13 +3,15 @@
 
 #include "durero/zed/syntax/parser.hpp"
 #include "zed/syntax/connectives.hpp"
+#include "zed/syntax/regrouping.hpp"
 #include "zed/syntax/token_stream.hpp"
 
 namespace durero::zed {
 
 class TermParser {
  public:
-  explicit TermParser(TokenStream& in) : in_(in) {}
+  /// Where there is a `regrouping`, it is told what ISO's grammar would take for another tree.
+  explicit TermParser(TokenStream& in, IsoGrouping* regrouping = nullptr) : in_(in), regrouping_(regrouping) {}
 
   /// Parses a term in which every operator binds at least as tightly as `least`.
   Term term(int least = binding::weakest);
@@ -26,7 +28,14 @@ class TermParser {
   std::optional<Name> operator_name(std::vector<Name>& formals);
 
  private:
-  Term leading();  // takes what can stand first in a term: a quantifier, a prefix operator, an application
+  /// How a term was made: by an operator, and by one that binds otherwise in ISO's Z.
+  struct Making {
+    bool by_operator = false, otherwise = false;
+  };
+  Term leading(Making& made);  // takes what can stand first in a term: a quantifier, a prefix operator, an application
+  Term size_applied(const Operator& op, Place place);
+  void group(const Making& made, bool otherwise, std::size_t from, std::size_t to);
+  void bind(Making& left, std::size_t from, std::size_t sign, bool otherwise);
   Connective bound(const Connective& sign) const;  // with the strength of the Z that is read
   Term application();
   Term applied(Term function);  // takes the arguments, and postfix operators behind them
@@ -46,7 +55,7 @@ class TermParser {
   Term sequence();
   Term binding_extension();
   Term infix(const Term& left, int strength, const Operator& op);
-  Term relations(const Term& left);
+  Term relations(const Term& left, std::size_t from);
   Term membership_in_named(const Term& left, Term& right);
   Term product(const Term& left);
   Term hiding(Term left);
@@ -67,6 +76,8 @@ class TermParser {
   Term sequence_of(std::vector<Term> elements, Place place) const;
 
   TokenStream& in_;
+  IsoGrouping* regrouping_;
+  Making last_{};  // of the term that was taken last
   unsigned depth_ = 0;
 };
 

@@ -1,5 +1,7 @@
 // Conversion to and from Spivey's Z: what was written is read again by its rules, and is the same.
 #include <algorithm>
+#include <cstdlib>
+#include <random>
 
 #include "durero/zed/print/convert.hpp"
 #include "durero/zed/types/typecheck.hpp"
@@ -115,6 +117,78 @@ TEST_CASE("a conjecture is a theorem, and the rest of its block stays one") {
   CHECK(zed_in_spivey("[A] \\\\ B == A \\\\ % why\n \\vdash? A = B % B.conj.1\n") ==
         "\\begin{zed}\n  [A] \\\\\n  B == A % why\n\\end{zed}\n"
         "\\begin{theorem}{}\n  \\vdash? A = B % B.conj.1\n\\end{theorem}");
+}
+
+/// The paragraphs of a `zed` in Spivey's Z, written in ISO's LaTeX or in Unicode.
+std::string zed_in_iso(const std::string& zed, Form to = Form::latex) {
+  const std::string text = "\\usepackage{fuzz}\n\\begin{zed}\n" + zed + "\n\\end{zed}\n";
+  const std::string written = converted(text, to, read_named(text));
+  CHECK(paragraphs_of(written) == paragraphs_of(text));
+  const std::string box = to == Form::latex ? "\\begin{zed}\n" : "─\n";
+  const std::size_t from = written.find_first_not_of(' ', written.rfind(box) + box.size());
+  return written.substr(from, written.rfind('\n', written.size() - 2) - from);
+}
+
+TEST_CASE("what binds otherwise in ISO's Z has parentheses there, and nothing else has") {
+  CHECK(zed_in_iso("A == s \\cup t \\dres f \\rres u") == "A == s \\cup t \\dres f \\rres u");
+  CHECK(zed_in_iso("A == f \\rres s \\dres g") == "A == (f \\rres s) \\dres g");
+  CHECK(zed_in_iso("A == f \\rres (s \\dres g)") == "A == f \\rres (s \\dres g)");
+  CHECK(zed_in_iso("A == f \\comp g \\oplus h \\rres u") == "A == f \\comp g \\oplus h \\rres u");
+  CHECK(zed_in_iso("A == \\# s i + 1") == "A == (\\# s)~i + 1");
+  CHECK(zed_in_iso("S \\defs A \\land B \\semi C \\hide (x)") == "S == (A \\land B) \\semi (C \\hide (x))");
+  CHECK(zed_in_iso("S \\defs A \\land B \\hide (x)", Form::unicode) == "S == (A ∧ B) ⧹ (x)");
+  CHECK(zed_in_iso("S \\defs A \\land B") == "S == A \\land B");
+}
+
+TEST_CASE("a membership in a named relation is one of a pair in ISO's Z") {
+  CHECK(zed_in_iso("A == \\{ x, y : \\num | x \\inrel{R} y \\}") == "A == \\{ x, y : \\num | (x, y) \\in R \\}");
+  CHECK(zed_in_iso("A == \\{ x, y : \\num | x + 1 \\inrel{R} y \\land y = 2 \\}", Form::unicode) ==
+        "A == { x, y : ℤ | (x + 1, y) ∈ R ∧ y = 2 }");
+  CHECK(zed_in_iso("A == \\{ x : \\num | x \\inrel{R} a \\cup f \\dres s \\}") ==
+        "A == \\{ x : \\num | (x, a \\cup (f \\dres s)) \\in R \\}");
+}
+
+/// A term of random infix operators of Spivey's Z, some operands of which stand in parentheses.
+std::string random_expression(std::mt19937_64& random, int depth) {
+  static const std::vector<std::string> signs = {"\\mapsto", "\\upto", "+",       "-",      "\\cup",  "\\setminus",
+                                                 "\\cat",    "*",      "\\cap",   "\\comp", "\\circ", "\\filter",
+                                                 "\\oplus",  "\\dres", "\\ndres", "\\rres", "\\nrres"};
+  static const std::vector<std::string> names = {"f", "g", "s", "t", "\\# s", "\\dom f", "f x"};
+  if (depth == 0) return names[random() % names.size()];
+  const std::string left = random_expression(random, static_cast<int>(random() % static_cast<unsigned>(depth))),
+                    right = random_expression(random, static_cast<int>(random() % static_cast<unsigned>(depth)));
+  const std::string all = left + " " + signs[random() % signs.size()] + " " + right;
+  return random() % 4 == 0 ? "(" + all + ")" : all;
+}
+
+/// A term of random schema operators, without quantifiers.
+std::string random_schema(std::mt19937_64& random, int depth) {
+  static const std::vector<std::string> signs = {"\\land", "\\lor",  "\\implies", "\\iff",
+                                                 "\\semi", "\\pipe", "\\project"};
+  if (depth == 0) return std::string(1, static_cast<char>('A' + random() % 4));
+  const std::string left = random_schema(random, static_cast<int>(random() % static_cast<unsigned>(depth)));
+  switch (random() % 4) {
+    case 0:
+      return (random() % 2 == 0 ? "\\pre " : "\\lnot ") + left;
+    case 1:
+      return left + " \\hide (x)";
+    default:
+      return left + " " + signs[random() % signs.size()] + " " +
+             random_schema(random, static_cast<int>(random() % static_cast<unsigned>(depth)));
+  }
+}
+
+TEST_CASE("a converted text reads back as the same tree, whatever operators stand together") {
+  const char* const given = std::getenv("DURERO_SEED");
+  const std::uint64_t seed = given ? std::stoull(given) : std::random_device()();
+  INFO("DURERO_SEED=" << seed);
+  std::mt19937_64 random(seed);
+  for (int i = 0; i < 300; ++i) {
+    const std::string zed =
+        i % 2 == 0 ? "A == " + random_expression(random, 5) : "S \\defs " + random_schema(random, 5);
+    CAPTURE(zed);
+    CHECK_NOTHROW(zed_in_iso(zed, i % 4 < 2 ? Form::latex : Form::unicode));
+  }
 }
 
 TEST_CASE("names of the toolkit, iterations and bags have Spivey's commands") {
