@@ -1,7 +1,7 @@
 #!/bin/sh
 # A header in include/ is read by more than one file of the program, or makes a public header whole. A header of one source
 # stands beside that source. Listed here are the headers that only a user of the library needs.
-public="accel/names.hpp model/distancias.hpp model/haces.hpp model/auditoria.hpp model/solidos.hpp scene/promocion.hpp web/call.hpp"
+public="accel/names.hpp model/distancias.hpp model/haces.hpp model/auditoria.hpp model/solidos.hpp web/call.hpp"
 git grep -E '^#include "durero/' -- include src python | sed 's/^\([^:]*\):#include "durero\/\([^"]*\)".*/\2 \1/' | sort -u |
   awk -v public="$public" '
     BEGIN { count = split(public, name, " "); for (i = 1; i <= count; ++i) listed[name[i]] = 1 }
