@@ -281,8 +281,21 @@ class Latex : Lexer {
       std::string after = strokes(text);
       if (!after.empty()) return emit(Type::word, std::move(text), place, std::move(after));
     }
-    if (command.own) return emit(Type::word, std::move(text), place);
+    if (command.own) return words_of_directive(text, place);
     emit(text, place);
+  }
+
+  /// Emits the words that a directive gives a command, with a blank between two.
+  void words_of_directive(std::string_view text, Place place) {
+    while (!text.empty()) {
+      const std::string_view word = text.substr(0, text.find(' '));
+      text.remove_prefix(std::min(text.size(), word.size() + 1));
+      const bool is_sign = static_cast<unsigned char>(word[0]) < 0x80 && !is_letter(word[0]);
+      if (is_sign || latex_of(word))
+        emit(word, place);
+      else
+        emit(Type::word, std::string(word), place);
+    }
   }
 
   const Markup& markup_;

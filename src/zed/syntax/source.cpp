@@ -27,6 +27,34 @@ bool is_one_word(const std::string& meaning) {
          first.strokes.empty() && (first.type == Token::Type::word || first.type == Token::Type::symbol);
 }
 
+/// Says whether a character of ASCII is a sign of Z.
+bool is_sign(unsigned code) {
+  const char sign = static_cast<char>(code);
+  return !is_letter(sign) && !is_digit(sign) && is_one_word({sign});
+}
+
+/// Returns what a text of LaTeX mark-up means, by ISO Z and by the directives before it: its words, with a blank
+/// between two but where one stands in braces, which take the blanks of a command from it (ISO/IEC 13568, A.2.3).
+/// Nothing where it is none, or one has a stroke.
+std::string meaning_of(const std::string& latex, const Markup& known) {
+  static const Operators none;
+  Block block;
+  block.environment = "zed";
+  block.body = latex;
+  const std::vector<Token> tokens = lex_latex(block, known, none);
+  std::string meaning;
+  bool braced = true;
+  for (const Token& token : tokens) {
+    if (token.type == Token::Type::error || !token.strokes.empty()) return {};
+    if (token.type == Token::Type::end) break;
+    const bool inside = token.from > 0 && latex[token.from - 1] == '{';
+    if (!braced && !inside) meaning += ' ';
+    meaning += token.text;
+    braced = inside;
+  }
+  return meaning;
+}
+
 /// Reads `%%Zchar \real U+211D`, `%%Zword \foo foo` and their kin for the spacing around (which the lexer does not
 /// need).
 void directive(std::string_view line, Place place, Markup& into) {
@@ -43,9 +71,14 @@ void directive(std::string_view line, Place place, Markup& into) {
     const std::string digits = meaning.substr(std::min<std::size_t>(2, meaning.size()));
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
     if (!(meaning.starts_with("U+") || meaning.starts_with("U-")) || error != std::errc() ||
-        end != digits.data() + digits.size() || !text::is_scalar(code) || code < 0x80)
-      throw ZError(place, "malformed character " + meaning, "expected U+ and hexadecimal digits, beyond ASCII");
+        end != digits.data() + digits.size() || !text::is_scalar(code) || (code < 0x80 && !is_sign(code)))
+      throw ZError(place, "malformed character " + meaning,
+                   "expected U+ and hexadecimal digits, beyond ASCII or a sign of Z");
     meaning = text::encode(code);
+  } else if (meaning.find_first_of("\\{") != meaning.npos) {
+    const std::string latex = meaning;
+    meaning = meaning_of(latex, into);
+    if (meaning.empty()) throw ZError(place, "malformed word " + latex, "expected words of Z");
   } else if (!is_one_word(meaning)) {
     throw ZError(place, "malformed word " + meaning, "expected one word of Z");
   }

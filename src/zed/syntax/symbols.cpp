@@ -65,6 +65,7 @@ constexpr SymbolSpelling spellings[] = {
     {"hide", "⧹"},
     {"project", "⨡"},
     {"semi", "⨟"},
+    {"spot", "•"},
     {"pipe", "⨠"},
     {"pre", "pre"},
     {"IF", "if"},
