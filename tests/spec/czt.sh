@@ -1,8 +1,7 @@
 #!/bin/sh
 # czt.sh [FILE...]: type-checks the Z text (default: spec/*.tex) with CZT, an independent tool, in one JVM.
 # Exit status: 0 no error; 1 errors, one a line as FILE:LINE: message; 77 CZT is absent.
-# CZT has no package: download czt.jar from the Community Z Tools project and name it in CZT_JAR, followed after colons
-# by javax.xml.bind jars where the Java is 11 or later and CZT asks for them.
+# CZT has no package: czt_build.sh builds a jar of it, which CZT_JAR names.
 set -eu
 
 if [ -z "${CZT_JAR:-}" ]; then
