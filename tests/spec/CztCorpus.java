@@ -1,3 +1,4 @@
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import net.sourceforge.czt.base.ast.Term;
@@ -19,6 +20,7 @@ public final class CztCorpus {
   private static List<String> errors(String file) {
     SectionManager manager = new SectionManager(Dialect.Z);
     manager.putCommand(SectTypeEnvAnn.class, TypeCheckUtils.getCommand());
+    manager.setProperty("czt.path", Path.of(file).toAbsolutePath().getParent().toString());
     List<String> found = new ArrayList<>();
     try {
       Term read = ParseUtils.parse(new FileSource(file), manager);
@@ -26,7 +28,7 @@ public final class CztCorpus {
         if (one.getErrorType() == ErrorType.ERROR) found.add(one.toString());
     } catch (ParseException refusal) {
       refusal.getErrorList().forEach(one -> found.add(one.toString()));
-    } catch (Exception refusal) {
+    } catch (Exception | StackOverflowError | OutOfMemoryError refusal) {
       found.add(refusal.toString());
     }
     return found;
