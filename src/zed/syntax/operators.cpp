@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/operators.hpp"
 #include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
@@ -24,6 +25,21 @@ std::string add_operator(Operators& to, OperatorTemplate added) {
   const auto shared = std::make_shared<const OperatorTemplate>(std::move(added));
   for (std::size_t i = 0; i < shared->parts.size(); ++i)
     if (is_word(shared->parts[i])) to.emplace(shared->parts[i], OperatorWord{shared, i});
+  return {};
+}
+
+std::string otherwise_associated(const Operators& known, bool sees_toolkit, const OperatorTemplate& added) {
+  const auto is_infix = [](const OperatorTemplate& of) {
+    return of.role != Role::relation && of.parts.size() > 2 && of.has_left() && of.has_right();
+  };
+  if (!is_infix(added)) return {};
+  for (const auto& [word, part] : known)
+    if (is_infix(*part.of) && part.of->precedence == added.precedence && part.of->right != added.right)
+      return part.of->name();
+  for (const OperatorRow& row : operator_rows())
+    if (sees_toolkit && row.binding.role && row.binding.role != Role::relation && row.fixity() == Fixity::infix &&
+        row.binding.precedence == added.precedence && row.binding.right != added.right)
+      return std::string(row.name);
   return {};
 }
 

@@ -147,15 +147,37 @@ class SpecificationReader {
   }
 
   void inherit(const std::string& child, const std::string& parent, const std::string& path, Place place) {
-    if (is_toolkit(parent)) return;
+    if (is_toolkit(parent)) {
+      if (parent != "prelude") see_toolkit_.insert(child);
+      return;
+    }
     if (parent == bag_toolkit) begin_bags();
     if (!started_.contains(parent)) find(parent, path);
     if (!specification_.find(parent)) no_parent(parent, place);
     const Markup& theirs = specification_.markup[parent];
     Markup& mine = specification_.markup[child];
     mine.insert(theirs.begin(), theirs.end());
+    if (see_toolkit_.contains(parent)) see_toolkit_.insert(child);
     const Operators& known = specification_.operators[parent];
+    for (const auto& [word, part] : known)
+      if (is_otherwise_associated(child, *part.of, {path, place})) break;
     specification_.operators[child].insert(known.begin(), known.end());
+  }
+
+  /// Says whether an operator associates to the other side than one of its precedence in the section, which is a defect
+  /// at that place.
+  bool is_otherwise_associated(const std::string& section, const OperatorTemplate& added,
+                               const std::pair<std::string, Place>& at) {
+    const std::string other =
+        otherwise_associated(specification_.operators[section], see_toolkit_.contains(section), added);
+    if (other.empty()) return false;
+    specification_.defects.push_back({at.first,
+                                      at.second,
+                                      fmt::format("{} and {}, of precedence {}, associate to different sides",
+                                                  added.name(), other, added.precedence),
+                                      "expected one side, or another precedence",
+                                      {}});
+    return true;
   }
 
   /// Reads the section of bags, which is the program's own, once.
@@ -196,6 +218,7 @@ class SpecificationReader {
 
   Section anonymous(const Block& block, const std::string& path) {
     Section section{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
+    see_toolkit_.insert(section.name);
     if (!started_.insert(section.name).second)
       throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
     if (block.spivey && block.spivey->has_bags) {
@@ -226,6 +249,7 @@ class SpecificationReader {
     Operators& operators = specification_.operators[section.name];
     for (const ReadTemplate& found : templates_in(lex(block, markup, operators))) {
       warn_of_joined_operands(found, block, section);
+      is_otherwise_associated(section.name, found.read, {section.file, found.place});
       if (const std::string taken = add_operator(operators, found.read); !taken.empty())
         specification_.defects.push_back({section.file,
                                           found.place,
@@ -285,6 +309,7 @@ class SpecificationReader {
   std::map<std::string, Pieces> pieces_;  // of these
   Specification specification_;
   std::set<std::string> files_, started_;
+  std::set<std::string> see_toolkit_;         // these sections have a toolkit among their ancestors
   std::map<std::string, std::string> where_;  // a section leads to its file
 };
 

@@ -179,6 +179,29 @@ TEST_CASE("the name of an operator begins a line") {
   CHECK(read.sections[0].paragraphs.size() == 2);
 }
 
+TEST_CASE("operators of one precedence associate to one side in all that a section sees") {
+  const auto section = [](const std::string& name, const std::string& parents, const std::string& templates) {
+    return "\\begin{zsection} \\SECTION " + name + " \\parents " + parents + " \\end{zsection}\n" +
+           (templates.empty() ? "" : "\\begin{zed} " + templates + " \\end{zed}\n");
+  };
+  const std::string left = "\\function 50 \\leftassoc (\\_ ~l~ \\_)",
+                    right = "\\function 50 \\rightassoc (\\_ ~r~ \\_)";
+  const auto said = [](const std::string& text) {
+    const Specification read = read_text(text, "s.tex");
+    return read.ok() ? std::string() : read.defects.at(0).text();
+  };
+  CHECK(said(section("a", "prelude", left) + section("b", "prelude", right)).empty());
+  CHECK(said(section("a", "prelude", left) + section("b", "prelude", right) + section("c", "a, b", "")) ==
+        "s.tex:5:1: _ r _ and _ l _, of precedence 50, associate to different sides; expected one side, or another "
+        "precedence");
+  CHECK(said(section("a", "prelude", left + " \\\\ " + right)).starts_with("s.tex:2:"));
+  CHECK(said(section("a", "set\\_toolkit", right)) ==
+        "s.tex:2:13: _ r _ and _⊕_, of precedence 50, associate to different sides; expected one side, or another "
+        "precedence");
+  CHECK(said(section("a", "set\\_toolkit", "") + section("b", "a", right)).starts_with("s.tex:3:"));
+  CHECK(said(section("a", "set\\_toolkit", "\\relation (\\_ ~r~ \\_) \\\\ \\function (~p~ \\_)")).empty());
+}
+
 TEST_CASE("a file in UTF-16 is named so") {
   for (const char* mark : {"\xFF\xFE", "\xFE\xFF"}) {
     const auto read = read_text(mark + std::string("x"), "u");
