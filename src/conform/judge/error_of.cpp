@@ -19,7 +19,7 @@ using surface::Point;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Point<Dyadic> exact(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
+Point<Dyadic> exactly_at(const glm::dvec3& a) { return {a.x, a.y, a.z}; }
 
 /// The square of a shape's size; the square of the way to it stands for that of a plane, which has none.
 template <class Shape>
@@ -28,7 +28,7 @@ Dyadic squared_size(const Shape& shape, const Dyadic& squared_way) {
     return squared_way;
   } else if constexpr (std::is_same_v<Shape, scene::Triangle>) {
     const auto& [a, b, c] = shape.vertices;
-    const auto edge = [](const glm::dvec3& x, const glm::dvec3& y) { return squared_length(from(x, exact(y))); };
+    const auto edge = [](const glm::dvec3& x, const glm::dvec3& y) { return squared_length(from(x, exactly_at(y))); };
     return std::max({edge(a, b), edge(b, c), edge(c, a)});
   } else if constexpr (surface::Axial<Shape>) {
     return std::max(square(Dyadic(shape.altura)), square(radius_at_centre(shape)));
@@ -122,7 +122,7 @@ bool is_far(const ClaimContext& trial, const ClaimedPoint& place) {
   const auto coordinate = [&](double from, double step) { return Dyadic(from) + t * Dyadic(step); };
   const Point<Dyadic> right{coordinate(p.x, v.x), coordinate(p.y, v.y), coordinate(p.z, v.z)}, &w = place.punto;
   const Dyadic squared = squared_length(Point<Dyadic>{w.x - right.x, w.y - right.y, w.z - right.z});
-  const Dyadic squared_way = square(t) * squared_length(exact(v));
+  const Dyadic squared_way = square(t) * squared_length(exactly_at(v));
   return std::none_of(hit.elementos.begin(), hit.elementos.end(), [&](scene::ElementRef element) {
     return trial.elements().visit_plain(element,
                                         [&](const auto& shape) { return is_small(squared, shape, squared_way); });

@@ -10,6 +10,7 @@
 #include "durero/conform/judge/minimise.hpp"
 #include "durero/conform/report/tally.hpp"
 #include "durero/io/source.hpp"
+#include "durero/model/operaciones.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
 
