@@ -333,16 +333,20 @@ Value Compiler::constructor_arguments(const Meaning& global, Context& context) {
 
 /// Returns the values of a free type: a finite set where its constructors have finitely many arguments.
 Value Compiler::free_type(const Meaning& global, Context& context) {
+  if (!inhabited_) inhabited_ = inhabited_free_types(definitions_);
   std::vector<FreeBranch> branches;
+  std::uint32_t order = 0;
   for (const Branch& each : std::get<FreeType>(global.paragraph->form).branches) {
-    const auto order = static_cast<std::uint32_t>(branches.size());
-    branches.push_back({Value::atom(global.name.text(), each.name.text(), order), {}});
+    const std::uint32_t place = order++;
+    if (each.argument && has_member(each.argument, definitions_, *inhabited_) == Truth::no) continue;
+    branches.push_back({Value::atom(global.name.text(), each.name.text(), place), {}});
     if (each.argument)
       branches.back().arguments = [this, argument = each.argument](Context& inside) {
         return evaluated(argument, inside);
       };
   }
-  return free_type_set(global.name.text(), std::move(branches), context);
+  const bool inhabited = inhabited_->at(global.name) == Truth::yes;
+  return free_type_set(global.name.text(), std::move(branches), inhabited, context);
 }
 
 Value Compiler::global(Meaning& global, Context& context) {

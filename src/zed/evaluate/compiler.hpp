@@ -8,6 +8,7 @@
 
 #include "zed/evaluate/constants.hpp"
 #include "zed/evaluate/definitions.hpp"
+#include "zed/evaluate/inhabited.hpp"
 #include "zed/evaluate/search.hpp"
 
 namespace durero::zed {
@@ -147,6 +148,7 @@ class Compiler {
 
   Definitions& definitions_;
   Constants of_boxes_{*this};
+  std::optional<Inhabited> inhabited_;  // asked for with the first free type
   struct Application {
     Value function, argument, result;
   };

@@ -31,10 +31,13 @@ std::optional<std::vector<Value>> all_values(const std::vector<FreeBranch>& bran
 
 class FreeTypeSet : public Set {
  public:
-  FreeTypeSet(std::string name, std::vector<FreeBranch> branches)
-      : name_(std::move(name)), branches_(std::move(branches)) {}
-  Truth contains(const Value&, Context&) const override { return Truth::yes; }
-  bool total() const override { return true; }
+  FreeTypeSet(std::string name, std::vector<FreeBranch> branches, bool inhabited)
+      : name_(std::move(name)), branches_(std::move(branches)), inhabited_(inhabited) {}
+  // Every value of the type is a member; an unknown stands for one, where there may be none.
+  Truth contains(const Value& value, Context& context) const override {
+    return inhabited_ || !value.get<Unknown>() ? Truth::yes : lost(context);
+  }
+  bool total() const override { return inhabited_; }
 
   // An argument has a constructor less around it.
   std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
@@ -57,18 +60,32 @@ class FreeTypeSet : public Set {
  private:
   std::string name_;
   std::vector<FreeBranch> branches_;
+  bool inhabited_;
 };
+
+/// Says whether the arguments of some branch are listed, and not none.
+bool has_listed_argument(const std::vector<FreeBranch>& branches, Context& context) {
+  return std::any_of(branches.begin(), branches.end(), [&](const FreeBranch& branch) {
+    try {
+      const Value arguments = branch.arguments ? branch.arguments(context) : Value();
+      return arguments.set() && arguments.set()->members() && !arguments.set()->members()->empty();
+    } catch (const EvaluationError&) {
+      return false;
+    }
+  });
+}
 
 }  // namespace
 
 // A constructor whose argument is of the free type itself asks for that set while it is made, and is told so by an
 // error: there is no such list then.
-Value free_type_set(std::string name, std::vector<FreeBranch> branches, Context& context) {
+Value free_type_set(std::string name, std::vector<FreeBranch> branches, bool inhabited, Context& context) {
   try {
     if (auto values = all_values(branches, context)) return Value::set(std::move(*values));
   } catch (const EvaluationError&) {  // it stays known by its name
   }
-  return SetPtr(std::make_shared<const FreeTypeSet>(std::move(name), std::move(branches)));
+  const bool has_value = inhabited || has_listed_argument(branches, context);
+  return SetPtr(std::make_shared<const FreeTypeSet>(std::move(name), std::move(branches), has_value));
 }
 
 }  // namespace durero::zed

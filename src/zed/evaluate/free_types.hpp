@@ -15,7 +15,8 @@ struct FreeBranch {
 };
 
 /// Makes the set of all values of a free type. It is finite where each constructor is of a finite set whose members do
-/// not need the free type itself, and there are at most a few thousand of them.
-Value free_type_set(std::string name, std::vector<FreeBranch> branches, Context& context);
+/// not need the free type itself, and there are at most a few thousand of them. Branches that make no value are left
+/// out. `inhabited` says whether the type is known to have a value: where it is not, nobody may suppose one.
+Value free_type_set(std::string name, std::vector<FreeBranch> branches, bool inhabited, Context& context);
 
 }  // namespace durero::zed
