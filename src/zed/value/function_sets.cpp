@@ -98,7 +98,7 @@ class FunctionSet : public Set {
     std::vector<Value> to = to_.set()->some_members(scope, context);
     if (form_.total) {
       const auto* from = from_.set()->members();
-      return from ? some_total(*from, to, scope.most) : std::vector<Value>();
+      return from ? some_total(*from, to, scope.most) : some_settled(to, scope);
     }
     std::vector<Value> from = from_.set()->some_members(scope, context);
     if (from.size() > most_tried_parts) from.resize(most_tried_parts);
@@ -112,6 +112,8 @@ class FunctionSet : public Set {
 
  private:
   static constexpr std::size_t most_tried_parts = 4;  // of 16 pairs there are 137 sets of at most 2
+  // Of an infinite table: 18 places, 12 values and 2 values elsewhere make 432 tables with one other value.
+  static constexpr std::size_t most_tried_places = 18, most_tried_values = 12, most_tried_rests = 2;
 
   static std::vector<Value> pairs_of(const std::vector<Value>& from, const std::vector<Value>& to) {
     std::vector<Value> pairs;
@@ -146,6 +148,32 @@ class FunctionSet : public Set {
     }
     for (std::size_t i = few; i < to.size() && !from.empty(); ++i) add([&](std::size_t) { return i; });
     if (from.size() <= to.size() && few < from.size()) add([](std::size_t i) { return i; });
+    return some;
+  }
+
+  /// The first and the last of some values: small numbers come first, and numerals of what is asked last.
+  static std::vector<Value> ends_of(const std::vector<Value>& values, std::size_t most) {
+    if (values.size() <= most) return values;
+    const auto half = static_cast<std::ptrdiff_t>(most / 2);
+    std::vector<Value> ends(values.begin(), values.begin() + half);
+    ends.insert(ends.end(), values.end() - half, values.end());
+    return ends;
+  }
+
+  /// Total functions from ℕ, ℕ₁, or such integers, not all: constant ones, and those with other values at few places.
+  std::vector<Value> some_settled(const std::vector<Value>& to, const SmallScope& scope) const {
+    const std::optional<int>* least = integers_from(*from_.set());
+    if (!least || !*least || form_.injective || form_.finite) return {};
+    std::vector<Value> places, some;
+    for (const Value& rest : to) some.push_back(settled_function(**least, {}, rest));
+    for (const Real& number : scope.numbers)
+      if (number.is_integer() && number >= Real(**least)) places.emplace_back(number);
+    const std::vector<Value> pairs = pairs_of(ends_of(places, most_tried_places), ends_of(to, most_tried_values));
+    for (const Value& others : subsets_of(pairs, scope.most, true))
+      for (std::size_t i = 0; i < std::min(to.size(), most_tried_rests); ++i)
+        if (is_function(*others.set()->members()))
+          some.push_back(settled_function(**least, *others.set()->members(), to[i]));
+    if (some.size() > scope.most) some.resize(scope.most);
     return some;
   }
 

@@ -460,5 +460,21 @@ TEST_CASE("sets that cannot be listed stand in the order of their words") {
   }
 }
 
+TEST_CASE("constant functions on ℕ, and those with other values at few places, are tried") {
+  ScopeAnswers answers;
+  for (const char* predicate :
+       {"∃ f : ℕ → ℕ • f 0 = 3", "∃ f : ℕ → ℕ • f 5 = f 6 + 1", "∃ f : ℕ₁ → 0 ‥ 1 • f 1 = 1 ∧ f 2 = 0",
+        "∃ f : ℕ → ℕ • f 100 = 70 ∧ f 2 = 0", "∃ f : ℕ → T • f 0 = t0 ∧ f 1 ≠ t0", "∃ f : ℕ → ℕ • # (ran f) = 2"}) {
+    INFO(predicate);
+    CHECK(answers.truth(predicate) == "true");
+  }
+  CHECK(answers.truth("∀ f : ℕ → ℕ • f 0 = f 1") == "false");
+  for (const char* predicate : {"∃ f : ℕ ↣ ℕ • f 0 = 3", "∃ f : ℕ → ℕ • f 0 = - 1", "∃ f : ℕ → ℕ • ∀ n : ℕ • f n > n",
+                                "∃ f : ℤ → ℕ • f 0 = 3", "∀ f : ℕ → ℕ • f 0 ≥ 0"}) {
+    INFO(predicate);
+    CHECK(answers.truth(predicate) == "");
+  }
+}
+
 }  // namespace
 }  // namespace durero::zed::test
