@@ -56,6 +56,7 @@ constexpr std::array rows = {
     ArgumentRow{"--always", Kind::text, "PREDICATE"},  ArgumentRow{"--eventually", Kind::text, "PREDICATE"},
     ArgumentRow{"--leads-to", Kind::text, "P Q"},      ArgumentRow{"--dot", Kind::file, "FILE"},
     ArgumentRow{"--svg", Kind::file, "FILE"},          ArgumentRow{"--trace", Kind::file, "TRACE"},
+    ArgumentRow{"--solver", Kind::text, "PROGRAM"},
 };
 
 /// CLI11's description of an option: its type, and behind a colon the descriptions of its checks.

@@ -84,12 +84,15 @@ static spec::TextCheckSetup setup_of(const CheckCall& call) {
 }
 
 int spec_check(const CheckCall& call) {
-  const spec::TextCheckSetup setup = setup_of(call);
+  spec::TextCheckSetup setup = setup_of(call);
   std::optional<Progress> progress(std::in_place, call.quiet, "spec check");
   const zed::Specification& read = read_texts_of(call.files);
   const zed::Typing& typing = kept(zed::check(read));
   const bool own = setup.own;
   const spec::LabelIndex index(own ? embedded::labels().begin()->second : "");
+  std::optional<zed::SmtProgram> solver;
+  if (!call.solver.program.empty()) solver = solver_program(call.solver);
+  setup.solver = solver ? &*solver : nullptr;
   const spec::TextCheck check =
       with_constants([&] { return spec::check_text(read, typing, call.files, setup, index); });
   note_taken(spec::taken_lines(check.taken));
@@ -186,6 +189,7 @@ void add_spec(CLI::App& app, int& status) {
   check->add_option("--states", options->check.states, "On how many states each conjecture is tried, at most")
       ->check(whole_number(0, 1000000))
       ->capture_default_str();
+  add_solver(*check, options->check.solver);
   add_quiet(*check, options->check.quiet);
   check->footer(
       "Opinions are what ISO Z takes and a refinement would remove: an operation that leaves a part of the "
@@ -210,7 +214,9 @@ void add_spec(CLI::App& app, int& status) {
           "--scope", options->eval.scope,
           "What the answer is for: a given set's members, SET=3 or SET=ann,bob, or a constant's value, as --let")
       ->allow_extra_args(false);
+  add_solver(*eval, options->eval.solver);
   eval->add_flag("--explain", options->eval.explain)
+      ->excludes("--solver")
       ->description("Print each part of it with its value, and what makes a ∀ false or an ∃ true");
   eval->add_option("--steps", options->eval.steps,
                    "How many steps it may take; as many as by default take about a minute")

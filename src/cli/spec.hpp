@@ -9,6 +9,7 @@
 #include "durero/spec/constants.hpp"
 #include "durero/zed/syntax/reader.hpp"
 #include "durero/zed/types/typecheck.hpp"
+#include "solver_program.hpp"
 
 namespace durero::cli {
 
@@ -21,6 +22,7 @@ struct CheckCall {
   std::size_t states = 8;
   bool strict = false;     ///< opinions are errors
   bool all_tried = false;  ///< a conjecture that is not tried is an error
+  SolverOptions solver;
   bool quiet = false;
 };
 
@@ -32,6 +34,7 @@ struct EvalCall {
   std::vector<std::string> scope;  ///< members of given sets, SET=MEMBERS, or values of constants
   std::uint64_t steps = 100'000'000;
   std::uint64_t memory = 0;  ///< MiB; 0: as default_memory() says
+  SolverOptions solver;
   bool explain = false, quiet = false;
 };
 /// The default for the memory of an evaluation in MiB: 4096, or half of the machine's memory where that is less.

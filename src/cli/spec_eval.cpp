@@ -93,9 +93,12 @@ int spec_eval(const EvalCall& call) {
     std::optional<Progress> progress(std::in_place, call.quiet, "spec eval");
     bound_memory(memory);
     const std::string tree = call.explain ? text.explain(call.expression, steps) : "";
-    const auto result = text.evaluate(call.expression, steps);
+    std::optional<zed::SmtProgram> solver;
+    if (!call.solver.program.empty()) solver = solver_program(call.solver);
+    const auto result = text.evaluate(call.expression, steps, {}, solver ? &*solver : nullptr);
     progress.reset();
     note_taken(spec::taken_lines(result.taken));
+    if (!result.solved.empty()) note_taken({result.solved});
     io::print(call.explain ? tree : result.text + "\n");
     return result.yes ? 0 : 1;
   } catch (const zed::ZError& error) {

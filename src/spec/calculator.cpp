@@ -10,7 +10,8 @@
 #include "durero/zed/evaluate/unfold.hpp"
 #include "durero/zed/print/print.hpp"
 #include "durero/zed/syntax/parser.hpp"
-#include "open_variables.hpp"
+#include "spec/open_variables.hpp"
+#include "spec/solved.hpp"
 
 namespace durero::spec {
 namespace {
@@ -258,15 +259,17 @@ void Calculator::add_local(LocalNames& to, const std::string& name, const std::s
   to.values.emplace_back(local->name, std::move(value));
 }
 
-Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps, const LocalNames& locals) const {
+Calculator::Result Calculator::evaluate(const std::string& typed, zed::Steps& steps, const LocalNames& locals,
+                                        const zed::SmtProgram* solver) const {
   zed::Term term = parsed(typed, notation_of(specification_));
   const zed::Typing typing = check(term, locals);
   const zed::Evaluator evaluator(specification_.sections, given_, &steps);
   const std::optional<zed::Type> type = typing.type_of(term);
   if (!type) {  // it is a predicate
-    const zed::Truth truth = evaluator.holds(term, locals.values);
-    if (truth == zed::Truth::open) throw open_variables(term, typing, {typing_, section_name}, evaluator);
-    return {truth == zed::Truth::yes ? "true" : "false", truth == zed::Truth::yes, evaluator.taken()};
+    const auto open = [&] { return open_variables(term, typing, {typing_, section_name}, evaluator); };
+    zed::SmtFinding found = decided(term, {specification_.sections, evaluator, locals.values}, steps, solver, open);
+    const bool yes = found.truth == zed::Truth::yes;
+    return {yes ? "true" : "false", yes, evaluator.taken(), std::move(found.said)};
   }
   const zed::Value result = evaluator.value(term, locals.values);
   if (result.is_open()) throw open_variables(term, typing, {typing_, section_name}, evaluator);

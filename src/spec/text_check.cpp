@@ -69,6 +69,7 @@ std::vector<zed::Trial> trials(const zed::Specification& read, const zed::Typing
   bounds.draws = 16 * setup.states;
   bounds.constants = std::move(given);
   bounds.numbers = setup.numbers;
+  bounds.solver = setup.solver;
   if (setup.own) add_sample_constants(bounds.constants);
   return zed::try_conjectures(read, typing, setup.own && setup.states > 0 ? samples() : zed::Samples(), bounds);
 }
@@ -77,6 +78,7 @@ std::vector<zed::Trial> trials(const zed::Specification& read, const zed::Typing
 
 std::string TriedConjecture::text() const {
   std::string said = trial_verdict(*this);
+  if (!trial.solver_said.empty() && trial.counterexample.empty()) said += "; " + trial.solver_said;
   if (!theorem.empty() && trial.counterexample.empty()) said = fmt::format("proved as {}; {}", theorem, said);
   if (!said.ends_with("\n")) said += "\n";
   return fmt::format("{}:{}:{}: conjecture{} {}", trial.file, trial.place.line, trial.place.column,

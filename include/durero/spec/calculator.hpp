@@ -7,6 +7,7 @@
 
 #include "durero/model/operation.hpp"
 #include "durero/spec/spec.hpp"
+#include "durero/zed/smt/smt.hpp"
 #include "durero/zed/syntax/defect.hpp"
 #include "durero/zed/types/typecheck.hpp"
 
@@ -68,10 +69,13 @@ class Calculator {
     std::string text;        ///< the value, `undefined`, `true` or `false`; a schema that is not listed is written out
     bool yes = false;        ///< there is a value, or the predicate holds
     zed::Valuation taken{};  ///< what was taken for constants to which nothing gives a value
+    std::string solved{};    ///< `z3 finds the witness x == 7, …`, where a solver's values decide a predicate
   };
   /// Counts the steps. Throws zed::ZError where the term cannot be read or has no type, zed::EvaluationError where it
-  /// is not decided, zed::StepsSpent where it takes more steps than it may.
-  Result evaluate(const std::string& typed, zed::Steps& steps, const LocalNames& locals = {}) const;
+  /// is not decided, zed::StepsSpent where it takes more steps than it may. A solver, if any, is asked of a predicate
+  /// that is not decided otherwise, and the steps count from 0 again for what it finds.
+  Result evaluate(const std::string& typed, zed::Steps& steps, const LocalNames& locals = {},
+                  const zed::SmtProgram* solver = nullptr) const;
   /// Adds a local name, such as `radio?`, with the value of a term, which may have the names before it. Throws as
   /// evaluate() does, and zed::ZError where the name is none or the term has no value.
   void add_local(LocalNames& to, const std::string& name, const std::string& typed, zed::Steps& steps) const;

@@ -22,6 +22,7 @@ struct TextCheckSetup {
   bool own = false;                  ///< the text is the program's own, of which there are samples
   std::vector<std::string> scope{};  ///< members of given sets, SET=MEMBERS, or values of constants
   std::optional<std::pair<std::int64_t, std::int64_t>> numbers{};  ///< those tried are from one to the other
+  const zed::SmtProgram* solver = nullptr;  ///< it is asked of conjectures that are not decided otherwise, if any
 };
 
 /// A conjecture that was tried. It is true where it was, which proves nothing unless its evaluation decides the whole.

@@ -136,6 +136,11 @@ Child::~Child() { end(); }
 
 void Child::close_input() { close_once(input_); }
 
+void Child::close_input_when_told() {
+  is_told_all_ = true;
+  if (to_tell_.empty()) close_input();
+}
+
 Child::Event Child::next_line(Seconds time, std::string& line) {
   const Clock::time_point until = Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
   for (;;) {
@@ -210,6 +215,7 @@ void Child::write_some() {
   const WithoutBrokenPipes guard;
   const ssize_t count = ::write(input_, to_tell_.data(), to_tell_.size());
   if (count >= 0) to_tell_.erase(0, static_cast<std::size_t>(count));
+  if (is_told_all_ && to_tell_.empty()) close_once(input_);
   if (count < 0 && errno != EAGAIN && errno != EINTR) {  // it reads no more; what it still writes is read
     to_tell_.clear();
     close_once(input_);

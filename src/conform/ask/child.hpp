@@ -45,10 +45,14 @@ class Child {
   void tell(std::string_view text) { to_tell_.append(text); }
   /// Closes the input of the process: no text follows.
   void close_input();
+  /// Closes the input as soon as the process has read all that it was told.
+  void close_input_when_told();
   /// Stores the next line of the process, without its end, in `line`. The time counts from the call.
   Event next_line(Seconds time, std::string& line);
   /// Whether the process wrote more than the lines that were read.
   bool has_more();
+  /// The text behind the lines that were read, such as a last line without an end.
+  const std::string& rest() const { return answers_; }
   /// Closes the input, and waits until the process ends or the time passes. Returns whether it wrote anything until
   /// then.
   bool close(Seconds time);
@@ -71,7 +75,8 @@ class Child {
   pid_t process_ = -1;
   int input_ = -1, output_ = -1, error_ = -1;
   std::string to_tell_, answers_, last_words_;
-  bool skips_line_ = false;  // the rest of a line that is too long was not dropped yet
+  bool is_told_all_ = false;  // nothing follows what is to be told
+  bool skips_line_ = false;   // the rest of a line that is too long was not dropped yet
 };
 
 }  // namespace durero::conform

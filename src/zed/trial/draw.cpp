@@ -1,5 +1,6 @@
 #include "zed/trial/draw.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace durero::zed {
@@ -70,6 +71,13 @@ const std::string* Draw::samples_of(const Term& set) const {
   if (set->kind == Kind::decoration) return samples_of(set->children[0]);
   const auto known = set->kind == Kind::reference ? samples_.find(set->name.text()) : samples_.end();
   return known == samples_.end() || known->second.empty() ? nullptr : &known->first;
+}
+
+std::optional<std::vector<Value>> Draw::names_in(const Name& set) const {
+  const auto known = samples_.find(set.text());
+  const auto is_name = [](const Value& each) { return each.get<Atom>() != nullptr; };
+  if (known == samples_.end() || !std::all_of(known->second.begin(), known->second.end(), is_name)) return std::nullopt;
+  return known->second;
 }
 
 const SchemaText* Draw::text(const Term& schema) const {

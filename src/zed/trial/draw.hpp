@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "durero/zed/evaluate/evaluate.hpp"
 #include "durero/zed/trial/trial.hpp"
@@ -40,6 +42,8 @@ class Draw {
   const std::string* samples_of(const Term& set) const;
   /// The samples of the set of this name. Precondition: samples_of() has given it.
   const std::vector<Value>& samples(const std::string& set) const { return samples_.at(set); }
+  /// The samples of a given set, or the members of a free type of constants, by the name of the set; else nothing.
+  std::optional<std::vector<Value>> names_in(const Name& set) const;
   /// The declarations of the schema that this term names; null where it names none that is written with declarations.
   const SchemaText* text(const Term& schema) const;
 

@@ -1,11 +1,44 @@
 #include "durero/zed/trial/trial.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "zed/trial/attempt.hpp"
 
 namespace durero::zed {
 namespace {
+
+/// Says whether a conjecture is decided. An ∃ was tried where some state is a witness.
+bool is_decided(const QuantifiedClaim& claim, const Trial& trial) {
+  return !trial.counterexample.empty() || trial.is_evaluated || (claim.wants_witness && trial.tried > 0);
+}
+
+void refute_by_solver(const QuantifiedClaim& claim, const SmtFinding& found, Trial& trial) {
+  if (claim.whole->kind == Kind::forall)
+    for (const auto& [name, value] : found.values)
+      trial.counterexample += "  " + name.text() + " = " + value.text() + "\n";
+  if (trial.counterexample.empty()) trial.counterexample = "  " + found.said + "\n";
+}
+
+/// Asks the solver about a conjecture that states do not decide.
+void ask_solver(const Ground& ground, const QuantifiedClaim& claim, const std::vector<Section>& sections,
+                Trial& trial) {
+  const SmtProgram& solver = *ground.bounds.solver;
+  ground.steps = Steps(ground.bounds.steps);
+  SmtFinding found;
+  try {
+    found = ask_program(solver, claim.whole, sections, ground.evaluator, {},
+                        [&](const Name& set) { return ground.draw.names_in(set); });
+  } catch (const StepsSpent&) {
+    found.said = "to evaluate what " + solver.name + " finds takes too many steps";
+  }
+  trial.solver_said = found.said;
+  if (found.truth == Truth::no) refute_by_solver(claim, found, trial);
+  if (found.truth != Truth::yes) return;
+  trial.is_evaluated = true;
+  trial.tried = std::max<std::size_t>(trial.tried, 1);
+  trial.why_not.clear();
+}
 
 /// One evaluator serves all, as what the text's own names stand for is the same for each; every conjecture has the
 /// steps for itself.
@@ -27,6 +60,7 @@ void try_claims(std::vector<Section> sections, const Specification& specificatio
     } catch (const StepsSpent&) {
       if (trial.tried == 0) trial.why_not = "it takes more than " + std::to_string(bounds.steps) + " steps";
     }
+    if (bounds.solver && !is_decided(claims[i], trial)) ask_solver(ground, claims[i], specification.sections, trial);
     trial.taken = evaluator.taken();
   }
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "durero/zed/evaluate/evaluate.hpp"
+#include "durero/zed/smt/smt.hpp"
 #include "durero/zed/syntax/reader.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "durero/zed/value/value.hpp"
@@ -31,6 +32,7 @@ struct Trial {
   bool is_evaluated = false;  ///< it is true in every state: the evaluation of the whole of it says so
   std::string counterexample{};  ///< a state where it is false, a name and value a line; empty where none was met
   std::string why_not{};         ///< where `tried` is 0 and there is no counterexample: the reason
+  std::string solver_said{};     ///< what came of asking the solver; empty where it was not asked
   Valuation taken{};             ///< the values taken for constants by then (Evaluator::taken)
 };
 
@@ -41,6 +43,7 @@ struct TrialBounds {
   std::uint64_t steps = 1000000;  ///< the most steps of its evaluation
   Valuation constants{};          ///< constants of the text, and given sets, have these values
   std::optional<std::pair<std::int64_t, std::int64_t>> numbers{};  ///< those tried are from one to the other
+  const SmtProgram* solver = nullptr;  ///< it is asked of what is neither decided nor refuted then; null: none is
 };
 
 /// Tries every conjecture. Without samples the whole of it is evaluated first. Where that does not decide it, the

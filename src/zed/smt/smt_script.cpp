@@ -1,0 +1,111 @@
+#include "zed/smt/smt_script.hpp"
+
+#include <algorithm>
+
+#include "zed/syntax/match.hpp"
+
+namespace durero::zed {
+Term SmtSought::claim() const {
+  Term claim = node(Kind::truth, {});
+  const auto add = [&](const Term& term) {
+    claim = claim->kind == Kind::truth ? term : node(Kind::conjunction, {claim, term}, term->place);
+  };
+  for (const Declaration& each : text.declarations) {
+    if (each.form == Declaration::Form::included) add(each.term);
+    const Name by{each.form == Declaration::Form::typed ? "_∈_" : "_=_", ""};
+    for (const Name& name : each.names) add(relation({by}, {reference(name), each.term}, each.place));
+  }
+  for (const Predicate& each : text.predicates) add(each.term);
+  add(body);
+  return claim;
+}
+
+SmtSought sought_in(const Term& quantified) {
+  const SchemaText& text = *quantified->text;
+  const Term& body = quantified->children[0];
+  if (quantified->kind == Kind::exists) return {text, body, "witness", Truth::yes};
+  if (quantified->kind == Kind::exists_one) return {text, body, "two witnesses", Truth::no, 2};
+  return {text, node(Kind::negation, {body}, body->place), "counter-example", Truth::no};
+}
+
+std::optional<SmtSought> sought_in_emptiness(const Term& relation, const Definitions& definitions) {
+  if (!match::is_equation(relation) && !match::is_relation(relation, "_≠_")) return std::nullopt;
+  const auto is_empty = [&](const Term& term) {
+    if (term->kind == Kind::set_extension) return term->children.empty();
+    return term->kind == Kind::reference && term->name.text() == "∅" && !definitions.find(term->name);
+  };
+  const auto& sides = relation->children;
+  const Term* set = is_empty(sides[1]) ? &sides[0] : is_empty(sides[0]) ? &sides[1] : nullptr;
+  if (!set || (*set)->kind != Kind::comprehension) return std::nullopt;
+  Term last = node(Kind::truth, {});
+  if (!(*set)->children.empty()) {  // the term has a value: it equals itself
+    const Term& term = (*set)->children[0];
+    last = zed::relation({{"_=_", ""}}, {term, term}, term->place);
+  }
+  return SmtSought{*(*set)->text, last, "member", Truth::no};
+}
+
+std::string SmtScript::text(const SmtSought& sought, const Valuation& locals) {
+  SmtScope known;
+  for (const auto& [name, value] : locals) known.names[name].value = value;
+  std::vector<std::string> facts, differ;
+  std::string symbols, declared;
+  for (unsigned time = 0; time < sought.times; ++time) {
+    SmtScope inner{&known};
+    bound_.push_back(translator_.bind(sought.text, known, inner));
+    for (const std::string& each : bound_.back().conditions) facts.push_back(each);
+    facts.push_back(translator_.predicate(sought.body, inner));
+    for (const SmtSymbol& each : bound_.back().symbols) {
+      declared += smt_call("declare-fun", {each.name, "()", each.real ? "Real" : "Int"}) + "\n";
+      symbols += (symbols.empty() ? "" : " ") + each.name;
+    }
+  }
+  if (symbols.empty()) throw Untranslated("no variable is sought");
+  if (sought.times == 2) {
+    for (std::size_t i = 0; i < bound_[0].variables.size(); ++i)
+      differ.push_back(smt_not(smt_equal(bound_[0].variables[i].second, bound_[1].variables[i].second)));
+    facts.push_back(smt_any(differ));
+  }
+  std::string script = "(set-option :produce-models true)\n(set-logic ALL)\n" + declared;
+  for (const std::string& fact : facts)
+    if (fact != "true") script += smt_call("assert", {fact}) + "\n";
+  return script + "(check-sat)\n(get-value (" + symbols + "))\n(exit)\n";
+}
+
+std::optional<Value> SmtScript::value(const SmtTerm& variable, const SmtVerdict& verdict) {
+  if (variable.sort == SmtSort::tuple || variable.sort == SmtSort::binding) {
+    std::vector<Value> parts;
+    for (const SmtTerm& each : variable.parts) {
+      auto part = value(each, verdict);
+      if (!part) return std::nullopt;
+      parts.push_back(std::move(*part));
+    }
+    if (variable.sort == SmtSort::tuple) return Value::tuple(std::move(parts));
+    return Value::binding(signature(variable.names), std::move(parts));
+  }
+  const auto found = verdict.values.find(variable.text);
+  const auto number = found == verdict.values.end() ? std::nullopt : number_of(found->second);
+  if (!number) return std::nullopt;
+  if (variable.sort == SmtSort::real) return Value(*number);
+  if (!number->is_integer()) return std::nullopt;
+  if (variable.sort == SmtSort::integer) return Value(*number);
+  const std::vector<Value>& members = translator_.members(variable.type);
+  for (std::size_t i = 0; i < members.size(); ++i)
+    if (*number == Real(static_cast<int>(i))) return members[i];
+  return std::nullopt;
+}
+
+std::optional<std::vector<Valuation>> SmtScript::values(const SmtVerdict& verdict) {
+  std::vector<Valuation> found;
+  for (const SmtBound& bound : bound_) {
+    Valuation& values = found.emplace_back(bound.known);
+    for (const auto& [name, variable] : bound.variables) {
+      auto each = value(variable, verdict);
+      if (!each) return std::nullopt;
+      values.emplace_back(name, std::move(*each));
+    }
+  }
+  return found;
+}
+
+}  // namespace durero::zed
