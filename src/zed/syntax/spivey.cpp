@@ -33,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> commands
     {"ldots", ""},
 }};
 
-/// The packages of LaTeX that typeset Spivey's Z.
+/// The packages of LaTeX that typeset Spivey's Z; oz typesets ISO's, too.
 constexpr std::array<std::string_view, 5> packages = {"fuzz", "zed-csp", "oz", "zed", "zed2e"};
 /// That which typesets ISO's, of CZT.
 constexpr std::string_view iso_package = "czt";
@@ -196,9 +196,11 @@ class SignSearch {
       while (!name.empty() && is_space(name.front())) name.remove_prefix(1);
       while (!name.empty() && is_space(name.back())) name.remove_suffix(1);
       if (name == iso_package && found_.sign.empty()) has_iso_package_ = true;
-      if (std::ranges::find(packages, name) != packages.end())
+      if (std::ranges::find(packages, name) != packages.end()) {
+        is_by_oz_ = is_by_oz_ || (found_.sign.empty() && name == "oz");
         tell(std::string(is_style ? "\\documentstyle[" : "\\usepackage{") + std::string(name) + (is_style ? "]" : "}"),
              use);
+      }
       names.remove_prefix(std::min(comma + 1, names.size()));
     }
   }
@@ -209,6 +211,10 @@ class SignSearch {
     const auto end = std::ranges::find_if_not(rest, is_letter);
     const std::string_view name = rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
     if (std::ranges::find(own, name) != own.end()) tell("\\" + std::string(name), at);
+    if (name == "lblot" && is_by_oz_) {  // oz typesets ISO's bindings, too, which Spivey's Z has not
+      found_.sign.clear();
+      is_by_oz_ = false;
+    }
     found_.has_bags = found_.has_bags || std::ranges::find(bag_commands, name) != bag_commands.end();
     if (name == "defs") add_schema(name_before(line, at).name);
     if (rest.starts_with("begin{syntax}")) tell("\\begin{syntax}", at);
@@ -269,7 +275,7 @@ class SignSearch {
 
   SpiveyText found_;
   std::uint32_t line_ = 0;
-  bool is_iso_ = false, has_iso_package_ = false;
+  bool is_iso_ = false, has_iso_package_ = false, is_by_oz_ = false;
 };
 
 /// The Unicode text of a directive's word.

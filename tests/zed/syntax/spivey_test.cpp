@@ -39,6 +39,10 @@ TEST_CASE("a text is Spivey's by its first sign, and ISO's where it has a sectio
   CHECK(sign_of("%\\usepackage{fuzz}\n") == "ISO");
   CHECK(sign_of("10\\% \\usepackage{fuzz}\n") == "\\usepackage{fuzz} 1:6");
   CHECK(sign_of("\\usepackage{czt}\n\\usepackage{fuzz}\n") == "ISO");
+  CHECK(sign_of("\\usepackage{oz}\n") == "\\usepackage{oz} 1:1");
+  CHECK(sign_of("\\usepackage{oz}\n\\lblot a == 1 \\rblot\n") == "ISO");
+  CHECK(sign_of("\\usepackage{fuzz}\n\\lblot a == 1 \\rblot\n") == "\\usepackage{fuzz} 1:1");
+  CHECK(sign_of("\\usepackage{oz}\n\\lblot a == 1 \\rblot\nA \\defs B \\lblot\n") == "\\defs 3:3");
   CHECK(sign_of("\\usepackage{fuzz}\n\\begin{zsection} \\SECTION s \\end{zsection}") == "ISO");
   const std::string decorated =
       "\\begin{schema}{A\\_B} x : \\num \\end{schema}\n\\begin{schema}{I} A\\_B' \\end{schema}";
