@@ -352,6 +352,7 @@ TEST_CASE("a witness, or a value against, of any kind is looked for among small 
   CHECK(asked.truth("∃ x : ℕ • x div 10 = 123") == "");
   CHECK(asked.truth("∃ x : ℕ • x * x * x = 8000000 ∧ x > 199") == "true");
   CHECK(asked.truth("∃ A : ℙ (1 ‥ 30) • # A = 2") == "true");
+  CHECK(asked.truth("∃ s : 𝔽 ℕ • # s = 2 ∧ (∀ n, m : s • n - m ≤ 1)") == "true");
   CHECK(asked.truth("∀ s, t : seq ℕ • s ⁀ t = t ⁀ s") == "false");
   CHECK(asked.truth("∀ s, t : seq ℕ • # (s ⁀ t) = # s + # t") == "");
   CHECK(asked.truth("∀ x : ℕ • ∃ y : ℕ • y = x + 1") == "true");
@@ -367,6 +368,7 @@ TEST_CASE("members of a bounded size are all gone through") {
   CHECK(asked.value("# {s : seq₁ {1, 2} | # s ≤ 2}") == "6");
   CHECK(asked.value("# (iseq {1, 2, 3})") == "16");
   CHECK(asked.value("# {s : ℙ ℕ | s ⊆ 1 ‥ 2}") == "4");
+  CHECK(asked.value("# {s : ℙ (1 ‥ 30) | # s ≤ 2}") == "466");  // 1 + 30 + 30 · 29 / 2
   CHECK(asked.value("# {s, t : seq ℕ | s ⁀ t = ⟨1, 2, 3⟩}") == "4");
   CHECK(asked.value("# {s, t : ℙ ℕ | s ∪ t = {1, 2}}") == "9");
   CHECK(asked.value("{x, y : ℕ | y < x < 3}") == "{1 ↦ 0, 2 ↦ 0, 2 ↦ 1}");
