@@ -178,8 +178,7 @@ void add_spec_explore(CLI::App& spec, int& status) {
   const auto call = std::make_shared<ExploreCall>();
   add_machine_options(*command,
                       {call->files, call->given, call->setup, call->numbers, call->bounds.states, call->memory});
-  command
-      ->add_option("--time", call->bounds.seconds, "Seconds that it goes on at most; without it, as long as it takes")
+  command->add_option("--time", call->bounds.seconds, "Seconds that the search goes on at most, after it is planned")
       ->check(number(0.001, 1e9));
   add_claim_options(*command, *call);
   add_output_options(*command, *call);

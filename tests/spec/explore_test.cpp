@@ -429,6 +429,19 @@ TEST_CASE("an exploration that is stopped says what it found") {
   CHECK(report.is_bounded());
 }
 
+TEST_CASE("a claim that exactly one state of another schema goes with each is asked of the evaluator") {
+  const std::string text = schema("S", "n : 0 \\upto 1", "") + schema("Init", "S~'", "") +
+                           schema("Stay", "\\Xi S", "") + schema("T", "m : 0 \\upto 1", "") +
+                           schema("U", "n, m : 0 \\upto 1", "m = n") + schema("V", "n, m : 0 \\upto 1", "m \\leq n") +
+                           "\\begin{zed} \\vdash? \\forall S @ \\exists_1 T @ U \\\\ "
+                           "\\vdash? \\forall S @ \\exists_1 T @ V \\end{zed}\n";
+  const ExploreReport report = explored(text);
+  CHECK(report.claims == 2);
+  REQUIRE(report.refuted.size() == 1);
+  CHECK_THAT(report.refuted[0].claim, Contains("T • V"));
+  CHECK(report.open == 0);
+}
+
 /// From one state 10⁶ choices of inputs, of which none is admitted.
 const char* const long_step_text = R"(
 \begin{schema}{S} n : \nat \end{schema}

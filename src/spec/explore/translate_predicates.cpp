@@ -59,6 +59,8 @@ IdTest TermTranslator::translated_test(const Term& term, const FrameScope& scope
     case Kind::forall:
     case Kind::exists:
       return quantified(node, scope);
+    case Kind::exists_one:  // as a schema it would be made of itself
+      throw NotInterned("∃₁ is the evaluator's");
     case Kind::let: {
       FrameScope inner{&scope};
       std::vector<std::pair<unsigned, IdCode>> given;
@@ -94,7 +96,6 @@ IdTest TermTranslator::translated_test(const Term& term, const FrameScope& scope
     case Kind::piping:
     case Kind::projection:
     case Kind::precondition:
-    case Kind::exists_one:
       break;
   }
   return schema_test(term, scope);
