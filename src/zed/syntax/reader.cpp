@@ -148,7 +148,7 @@ class SpecificationReader {
 
   void inherit(const std::string& child, const std::string& parent, const std::string& path, Place place) {
     if (is_toolkit(parent)) {
-      if (parent != "prelude") see_toolkit_.insert(child);
+      if (parent == "standard_toolkit" || parent == "sequence_toolkit") see_toolkit_.insert(child);
       return;
     }
     if (parent == bag_toolkit) begin_bags();
@@ -309,7 +309,7 @@ class SpecificationReader {
   std::map<std::string, Pieces> pieces_;  // of these
   Specification specification_;
   std::set<std::string> files_, started_;
-  std::set<std::string> see_toolkit_;         // these sections have a toolkit among their ancestors
+  std::set<std::string> see_toolkit_;         // these sections have the whole toolkit among their ancestors
   std::map<std::string, std::string> where_;  // a section leads to its file
 };
 
