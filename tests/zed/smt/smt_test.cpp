@@ -91,6 +91,9 @@ TEST_CASE("div and mod are those of the toolkit, and undefined where the divisor
   CHECK(facts("∃ x, y : ℤ • x div y = 2") ==
         "(declare-fun v0 () Int)\n(declare-fun v1 () Int)\n(assert (and (not (= v1 0)) "
         "(= (ite (> v1 0) (div v0 v1) (div (- v0) (- v1))) 2)))\n");
+  CHECK(facts("∃ x : ℤ • 6 div x ≠ 2") ==
+        "(declare-fun v0 () Int)\n(assert (and (not (= v0 0)) "
+        "(not (= (ite (> v0 0) (div 6 v0) (div (- 6) (- v0))) 2))))\n");
   CHECK(facts("∃ x : ℤ • x mod 3 ≠ 2") == "(declare-fun v0 () Int)\n(assert (not (= (mod v0 3) 2)))\n");
 }
 
