@@ -8,6 +8,7 @@
 #include "zed/evaluate/cases.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/free_types.hpp"
+#include "zed/evaluate/infinite_by_form.hpp"
 #include "zed/evaluate/intensional.hpp"
 #include "zed/evaluate/powers.hpp"
 #include "zed/operators.hpp"
@@ -345,8 +346,9 @@ Value Compiler::free_type(const Meaning& global, Context& context) {
         return evaluated(argument, inside);
       };
   }
-  const bool inhabited = inhabited_->at(global.name) == Truth::yes;
-  return free_type_set(global.name.text(), std::move(branches), inhabited, context);
+  const FreeTypeForm form{inhabited_->at(global.name) == Truth::yes,
+                          is_infinite_by_form(reference(global.name), definitions_, *inhabited_)};
+  return free_type_set(global.name.text(), std::move(branches), form, context);
 }
 
 Value Compiler::global(Meaning& global, Context& context) {

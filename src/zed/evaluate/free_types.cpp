@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "zed/value/formed_set.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -29,15 +30,16 @@ std::optional<std::vector<Value>> all_values(const std::vector<FreeBranch>& bran
   return values;
 }
 
-class FreeTypeSet : public Set {
+class FreeTypeSet : public FormedSet {
  public:
-  FreeTypeSet(std::string name, std::vector<FreeBranch> branches, bool inhabited)
-      : name_(std::move(name)), branches_(std::move(branches)), inhabited_(inhabited) {}
+  FreeTypeSet(std::string name, std::vector<FreeBranch> branches, FreeTypeForm form)
+      : name_(std::move(name)), branches_(std::move(branches)), form_(form) {}
   // Every value of the type is a member; an unknown stands for one, where there may be none.
   Truth contains(const Value& value, Context& context) const override {
-    return inhabited_ || !value.get<Unknown>() ? Truth::yes : lost(context);
+    return form_.inhabited || !value.get<Unknown>() ? Truth::yes : lost(context);
   }
-  bool total() const override { return inhabited_; }
+  bool total() const override { return form_.inhabited; }
+  bool is_infinite() const override { return form_.infinite; }
 
   // An argument has a constructor less around it.
   std::vector<Value> some_members(const SmallScope& scope, Context& context) const override {
@@ -60,7 +62,7 @@ class FreeTypeSet : public Set {
  private:
   std::string name_;
   std::vector<FreeBranch> branches_;
-  bool inhabited_;
+  FreeTypeForm form_;
 };
 
 /// Says whether the arguments of some branch are listed, and not none.
@@ -79,13 +81,13 @@ bool has_listed_argument(const std::vector<FreeBranch>& branches, Context& conte
 
 // A constructor whose argument is of the free type itself asks for that set while it is made, and is told so by an
 // error: there is no such list then.
-Value free_type_set(std::string name, std::vector<FreeBranch> branches, bool inhabited, Context& context) {
+Value free_type_set(std::string name, std::vector<FreeBranch> branches, FreeTypeForm form, Context& context) {
   try {
     if (auto values = all_values(branches, context)) return Value::set(std::move(*values));
   } catch (const EvaluationError&) {  // it stays known by its name
   }
-  const bool has_value = inhabited || has_listed_argument(branches, context);
-  return SetPtr(std::make_shared<const FreeTypeSet>(std::move(name), std::move(branches), has_value));
+  form.inhabited = form.inhabited || has_listed_argument(branches, context);
+  return SetPtr(std::make_shared<const FreeTypeSet>(std::move(name), std::move(branches), form));
 }
 
 }  // namespace durero::zed

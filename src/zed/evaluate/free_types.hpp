@@ -14,9 +14,15 @@ struct FreeBranch {
   std::function<Value(Context&)> arguments{};  ///< a constant has none
 };
 
+/// What the form of a free type tells of its values.
+struct FreeTypeForm {
+  bool inhabited = false;  ///< it is known to have one; where it is not, nobody may suppose one
+  bool infinite = false;   ///< it is known to have infinitely many
+};
+
 /// Makes the set of all values of a free type. It is finite where each constructor is of a finite set whose members do
 /// not need the free type itself, and there are at most a few thousand of them. Branches that make no value are left
-/// out. `inhabited` says whether the type is known to have a value: where it is not, nobody may suppose one.
-Value free_type_set(std::string name, std::vector<FreeBranch> branches, bool inhabited, Context& context);
+/// out.
+Value free_type_set(std::string name, std::vector<FreeBranch> branches, FreeTypeForm form, Context& context);
 
 }  // namespace durero::zed

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zed/value/cuts.hpp"
+#include "zed/value/formed_set.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/toolkit_functions.hpp"
 
@@ -102,6 +103,7 @@ std::optional<Value> extreme_number(const Value& set, bool greatest, Context& co
 }
 
 bool is_infinite(const Value& set, Context& context) {
+  if (const auto* formed = dynamic_cast<const FormedSet*>(set.set())) return formed->is_infinite();
   if (!set.set() || set.set()->members() || !has_line(*set.set())) return false;
   try {
     Line line(set.set()->numbers(), context.steps, context.depth,

@@ -13,7 +13,7 @@ std::optional<Truth> numbers_are_among(const Value& a, const Value& b, Context& 
 /// Returns the least member of a set of numbers, or the greatest; undefined where there is none. Nothing where that is
 /// not decided on their line.
 std::optional<Value> extreme_number(const Value& set, bool greatest, Context& context);
-/// Says whether the set is known to have infinitely many members, which are numbers.
+/// Says whether the set is known to have infinitely many members: numbers, or values of a free type.
 bool is_infinite(const Value& set, Context& context);
 
 /// Returns the members of a set of numbers as a finite set. Nothing where that is not decided on their line, or there

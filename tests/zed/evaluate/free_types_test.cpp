@@ -77,4 +77,27 @@ TEST_CASE("where the form of a set does not tell, nothing is supposed") {
   CHECK(said_of(by_name, "∃ t : T • t = t") == "true");
 }
 
+TEST_CASE("a free type with values in its values is infinite, and has no size") {
+  const std::string tree = "T ::= leaf | fork \\ldata T \\cross T \\rdata";
+  const auto has_no_size = [](const std::string& types) {
+    return said_of("\\begin{zed} [N] \\end{zed}\n\\begin{zed} " + types + " \\end{zed}\n", "# T = # T");
+  };
+  for (const std::string& types :
+       {tree, std::string("T ::= c \\ldata \\nat \\rdata"), std::string("T ::= c | d \\ldata \\seq T \\rdata"),
+        std::string("T ::= c | d \\ldata U \\rdata & U ::= e \\ldata T \\cross N \\rdata"),
+        std::string("T ::= c \\ldata \\finset \\num \\rdata"),
+        std::string("T ::= c \\ldata [x : \\nat; y : N] \\rdata")}) {
+    INFO(types);
+    CHECK(has_no_size(types) == "false");  // what has no value equals nothing
+  }
+  for (const char* types : {"T ::= c \\ldata N \\rdata", "T ::= c \\ldata \\{x : \\nat | x * x * x = 7\\} \\rdata",
+                            "T ::= c \\ldata N \\cross \\power N \\rdata",
+                            "T ::= a \\ldata \\nat \\cross \\{x : \\nat | x * x * x = 7\\} \\rdata"}) {
+    INFO(types);
+    CHECK(has_no_size(types) == "open");
+  }
+  CHECK(has_no_size("T ::= c | d") == "true");
+  CHECK(has_no_size("T ::= a | c \\ldata E \\cross \\nat \\rdata & E ::= e \\ldata E \\rdata") == "true");
+}
+
 }  // namespace durero::zed
