@@ -92,7 +92,7 @@ TEST_CASE("a free type with values in its values is infinite, and has no size") 
   }
   for (const char* types : {"T ::= c \\ldata N \\rdata", "T ::= c \\ldata \\{x : \\nat | x * x * x = 7\\} \\rdata",
                             "T ::= c \\ldata N \\cross \\power N \\rdata",
-                            "T ::= a \\ldata \\nat \\cross \\{x : \\nat | x * x * x = 7\\} \\rdata"}) {
+                            "T ::= c | a \\ldata \\nat \\cross \\{x : \\nat | x * x * x = 7\\} \\rdata"}) {
     INFO(types);
     CHECK(has_no_size(types) == "open");
   }
