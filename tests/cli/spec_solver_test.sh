@@ -46,7 +46,7 @@ yes sat
 SH
 
 far='∀ x : ℕ • x < 1000000007 ∨ x mod 7 ≠ 3'
-undecided='EXPR:1:1: this is not decided: a variable ranges over a set that is not finite, and no equation gives its value'
+undecided='EXPR:1:1: this is not decided: x ranges over ℕ, of which there is no end, and no equation gives its value'
 refused "$undecided; expected" spec eval "$far"
 
 run 1 spec eval "$far" --solver ./right

@@ -115,10 +115,11 @@ WRONG = [  # the text, the line, what the message says
 ]
 
 
-# Right texts with notation that spec/ does without: generic schemas, compositions, LET and the like.
+# Right texts with notation that spec/ does without: generic schemas, compositions, LET, the prelude alone and the like.
 NOT_READ = """
     abbreviation_generic arithmetic arrows composition_of_relations disjoint
-    generic_actuals lambda_guarded let_in operator_as_set products
+    generic_actuals lambda_guarded let_in operator_as_set
+    operator_of_a_section_without_toolkit products
     relation_by_name schema_generic schema_implication schema_piping
     schema_projection schema_quantified schema_renaming space_commands zword
 """
