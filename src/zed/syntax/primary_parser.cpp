@@ -15,12 +15,18 @@ bool is_own_postfix(const Token& token) {
          token.own->last() && !token.own->of->has_right();
 }
 
+/// Says whether a word begins an operator that encloses its operands, as ⟨ does in the toolkit.
+bool begins_enclosing(const Token& token) {
+  return token.own && token.own->of->role == Role::function && token.own->first() && !token.own->of->has_left() &&
+         !token.own->of->has_right();
+}
+
 }  // namespace
 
 bool TermParser::begins_primary(std::size_t ahead) const {
   const Token& token = in_.peek(ahead);
   if (token.type == Token::Type::numeral || TokenStream::is_name(token)) return true;
-  if (token.own) return false;
+  if (token.own) return begins_enclosing(token);
   if (token.type == Token::Type::word) return token.is("true") || token.is("false") || token.is("θ");
   static constexpr std::array<std::string_view, 6> signs = {"(", "{", "⟨", "⦉", "[", "θ"};
   return std::ranges::any_of(signs, [&token](std::string_view sign) { return token.is(sign); });
@@ -166,6 +172,7 @@ Term TermParser::plain_primary() {
   if (token.is("[")) return brackets();
   if (token.is("⟨")) return sequence();
   if (token.is("⦉")) return binding_extension();
+  if (begins_enclosing(token)) return own_operation({});
   in_.fail("expected an expression or a predicate");
 }
 

@@ -44,7 +44,8 @@ Term TermParser::own_operand(const OperatorTemplate& of, std::size_t part) {
   if (of.parts[part] == ",,") {
     const Place place = in_.peek().place;
     std::vector<Term> elements;
-    while (!in_.peek().own) {
+    const auto ends = [](const OperatorWord* word) { return word && !(word->first() && !word->of->has_left()); };
+    while (!ends(in_.peek().own)) {
       if (!elements.empty()) in_.expect(",");
       elements.push_back(term());
     }

@@ -192,7 +192,7 @@ Term TermParser::leading(Making& made) {
     group(last_, made.otherwise, from, in_.position());
     return checked(node(sign->kind, {std::move(operand)}, place));
   }
-  if (token.own && token.own->first() && !token.own->of->has_left()) return own_operation({});
+  if (token.own && token.own->first() && !token.own->of->has_left() && !begins_primary()) return own_operation({});
   const Operator* op = token.symbol->prefix;
   const bool prefix_word = token.type == Token::Type::word && token.strokes.empty() && is_prefix_word(token.text);
   if (!in_.is_spivey() && prefix_word && begins_primary(1) && !in_.peek(1).is("[")) {

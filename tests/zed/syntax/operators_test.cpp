@@ -88,6 +88,10 @@ TEST_CASE("operators of templates bind by their precedence, beside those of the 
            {"a plus b", "(_ plus _)(a, b)"},
            {"A onto B", "(_ onto _)[A, B]"},
            {"bag a, b end", "(bag ,, end) ⟨a, b⟩"},
+           {"f bag a, b end", "f (bag a, b end)"},
+           {"f bag end ∪ A", "(f (bag end)) ∪ A"},
+           {"bag a end b", "(bag a end) b"},
+           {"bag bag a end end ∼", "(bag (bag a end) end) ∼"},
            {"bag end", "(bag ,, end) ⟨⟩"}}) {
     CAPTURE(brief, full);
     const Term term = parse_unicode(brief, operators);
