@@ -95,8 +95,8 @@ bool has_number(const Type& type) {
   return std::any_of(type.parts().begin(), type.parts().end(), has_number);
 }
 
-/// What would bound the variables: whole numbers by an interval, other numbers by a finite set, and given sets by
-/// members.
+/// The bounds that would do for the variables: whole numbers by an interval, other numbers by a finite set, and given
+/// sets by members.
 std::string bounds_for(const std::vector<EndlessVariable>& variables, const std::vector<std::string>& given) {
   std::vector<std::string> bounds;
   for (const EndlessVariable& each : variables)

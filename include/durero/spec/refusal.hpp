@@ -17,10 +17,10 @@ struct EvaluationRefusal {
 /// The error of a term in which a variable has values that cannot be gone through, and no equation gives one.
 class OpenVariables : public zed::EvaluationError {
  public:
-  /// What is not decided, and what would bound the variables.
+  /// Takes the question that is not decided, and the expectation that bounds the variables.
   OpenVariables(const std::string& undecided, std::string expected)
       : EvaluationError(undecided), expected_(std::move(expected)) {}
-  /// What would bound them: `expected a bound for x, as x : 0‥9`.
+  /// The expectation that bounds them: `expected a bound for x, as x : 0‥9`.
   const std::string& expected() const { return expected_; }
 
  private:

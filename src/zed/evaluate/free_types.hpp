@@ -14,7 +14,7 @@ struct FreeBranch {
   std::function<Value(Context&)> arguments{};  ///< a constant has none
 };
 
-/// What the form of a free type tells of its values.
+/// The knowledge of its values that the form of a free type gives.
 struct FreeTypeForm {
   bool inhabited = false;  ///< it is known to have one; where it is not, nobody may suppose one
   bool infinite = false;   ///< it is known to have infinitely many

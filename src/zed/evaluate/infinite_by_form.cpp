@@ -58,7 +58,7 @@ class SizeQuestion {
     if (!meaning) return of_toolkit(set);
     const bool is_free_type = meaning->kind == Meaning::Kind::free_type;
     if (is_free_type && free_types_.at(set->name) != Truth::yes) return false;
-    // What a constructor makes of a value is another, and holds one more constructor: so there is no last.
+    // A constructor makes another value of a value, with one more constructor in it: so there is no last.
     if (!inside_.insert(set->name).second) return is_free_type;
     bool infinite = false;
     if (const auto* form = std::get_if<FreeType>(&meaning->paragraph->form); form && is_free_type)

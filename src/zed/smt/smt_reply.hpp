@@ -16,7 +16,7 @@ struct SmtList {
   std::vector<SmtList> items{};  ///< a word has none
 };
 
-/// What a reply says. `garbled` is a reply that says none of the three.
+/// The kinds of replies. `garbled` is a reply that says none of the three.
 struct SmtVerdict {
   enum class Answer : std::uint8_t { sat, unsat, unknown, garbled };
   Answer answer = Answer::garbled;

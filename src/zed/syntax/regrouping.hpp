@@ -8,7 +8,7 @@
 
 namespace durero::zed {
 
-/// What ISO's Z writes otherwise, by the positions of tokens.
+/// The places where ISO's Z writes otherwise, by the positions of tokens.
 struct IsoGrouping {
   /// `x \inrel{R} y`, which is (x, y) ∈ R there.
   struct NamedMembership {

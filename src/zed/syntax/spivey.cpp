@@ -35,7 +35,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> commands
 
 /// The packages of LaTeX that typeset Spivey's Z; oz typesets ISO's, too.
 constexpr std::array<std::string_view, 5> packages = {"fuzz", "zed-csp", "oz", "zed", "zed2e"};
-/// That which typesets ISO's, of CZT.
+/// The package of CZT that typesets ISO's.
 constexpr std::string_view iso_package = "czt";
 
 /// The keywords of ISO Z that are commands in Spivey's, or nothing.

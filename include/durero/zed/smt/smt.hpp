@@ -24,7 +24,7 @@ struct SmtProgram {
   std::function<SmtReply(const std::string& script)> ask{};  ///< sends it a script, and returns its reply
 };
 
-/// What came of asking.
+/// The outcome of asking a solver.
 struct SmtFinding {
   Truth truth = Truth::open;  ///< open, unless the text says so of the values found
   Valuation values{};         ///< the witness, or the counter-example; the last where there are several
