@@ -1,4 +1,4 @@
-#include "open_variables.hpp"
+#include "spec/open_variables.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

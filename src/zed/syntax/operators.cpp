@@ -29,12 +29,10 @@ std::string add_operator(Operators& to, OperatorTemplate added) {
 }
 
 std::string otherwise_associated(const Operators& known, bool sees_toolkit, const OperatorTemplate& added) {
-  const auto is_infix = [](const OperatorTemplate& of) {
-    return of.role != Role::relation && of.parts.size() > 2 && of.has_left() && of.has_right();
-  };
-  if (!is_infix(added)) return {};
+  const auto has_side = [](const OperatorTemplate& of) { return of.role != Role::relation && of.is_infix(); };
+  if (!has_side(added)) return {};
   for (const auto& [word, part] : known)
-    if (is_infix(*part.of) && part.of->precedence == added.precedence && part.of->right != added.right)
+    if (has_side(*part.of) && part.of->precedence == added.precedence && part.of->right != added.right)
       return part.of->name();
   for (const OperatorRow& row : operator_rows())
     if (sees_toolkit && row.binding.role && row.binding.role != Role::relation && row.fixity() == Fixity::infix &&

@@ -77,7 +77,7 @@ class ParagraphParser {
     if (binds) read.right = in_.next().text == "rightassoc";
     in_.expect("(");
     while (!in_.sees(")")) read.parts.push_back(part());
-    const bool infix = read.parts.size() > 2 && read.has_left() && read.has_right();
+    const bool infix = read.is_infix();
     if (read.role != Role::relation && binds != infix)
       in_.fail(infix ? "expected a precedence before the infix operator" : "expected an infix operator, as it has one");
     if (!is_alternating(read.parts)) in_.fail("expected words and operands by turns in the template");

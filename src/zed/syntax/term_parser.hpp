@@ -10,7 +10,7 @@ namespace durero::zed {
 
 class TermParser {
  public:
-  /// Where there is a `regrouping`, it is told what ISO's grammar would take for another tree.
+  /// A `regrouping`, where there is one, is told what ISO's grammar would take for another tree.
   explicit TermParser(TokenStream& in, IsoGrouping* regrouping = nullptr) : in_(in), regrouping_(regrouping) {}
 
   /// Parses a term in which every operator binds at least as tightly as `least`.

@@ -10,10 +10,10 @@ namespace {
 
 bool is_result(const Name& name) { return name.strokes.find_first_of("'!") != std::string::npos; }
 
-/// So many states may be looked at to find which names conjuncts make of others.
+/// The number of states that may be looked at to find which names conjuncts make of others.
 constexpr std::size_t most_narrowings = 32;
 
-/// So many numbers at most, those nearest to 0 first, and a positive one before the negative.
+/// Gives so many numbers at most, those nearest to 0 first, and a positive one before the negative.
 std::vector<Real> small_numbers(const TrialBounds& bounds, std::size_t most) {
   if (!bounds.numbers) return {Real(0), Real(1), Real(2), Real(3), Real(-1)};
   const auto [low, high] = *bounds.numbers;

@@ -25,6 +25,8 @@ struct OperatorTemplate {
   bool has_left() const { return parts.front() == "_"; }
   /// Says whether an operand stands behind its last word.
   bool has_right() const { return parts.back() == "_"; }
+  /// Says whether it stands between two operands.
+  bool is_infix() const { return parts.size() > 2 && has_left() && has_right(); }
   /// Returns the name that it is declared by: its parts with a space between them, which no other name has.
   std::string name() const;
 };
