@@ -52,7 +52,7 @@ class Explainer {
   /// Numerals, the names of operators and the tuple of their operands say nothing that their whole does not.
   static bool is_worth_saying(const Term& part) {
     if (part->kind == Kind::number) return false;
-    return part->kind != Kind::reference || part->name.word.find('_') == std::string::npos;
+    return part->kind != Kind::reference || part->name.word.find("_") == std::string::npos;
   }
 
   ExplainedTerm& say(std::vector<ExplainedTerm>& into, unsigned depth, ExplainedTerm said) {

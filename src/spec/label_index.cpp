@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "durero/spec/calculator.hpp"
 #include "durero/zed/print/print.hpp"
@@ -84,41 +85,45 @@ std::string change_text(const zed::Specification& specification, const std::stri
 
 }  // namespace
 
-LabelIndex::LabelIndex(const std::string& table) {
+LabelIndex::LabelIndex(std::string table) : table_(std::move(table)) {
   const auto taken = [](std::string_view& rest, char end) {
     const std::string_view cell = rest.substr(0, rest.find(end));
     rest.remove_prefix(std::min(cell.size() + 1, rest.size()));
     return cell;
   };
-  for (std::string_view rest = table; !rest.empty();) {
+  for (std::string_view rest = table_; !rest.empty();) {
     std::string_view line = taken(rest, '\n');
     const std::string_view label = taken(line, '\t'), kind = taken(line, '\t'), place = taken(line, '\t');
-    entries_.emplace(label, LabelPlace{std::string(kind), std::string(place), std::string(taken(line, '\t'))});
+    entries_.push_back({label, kind, place, taken(line, '\t')});
   }
+  std::ranges::stable_sort(entries_, {}, &Entry::label);
+}
+
+std::span<const LabelIndex::Entry> LabelIndex::of(std::string_view label) const {
+  return std::ranges::equal_range(entries_, label, {}, &Entry::label);
 }
 
 std::string LabelIndex::theorem(const std::string& label) const {
-  const auto [first, last] = entries_.equal_range(label);
-  const auto found = std::find_if(first, last, [](const auto& entry) { return entry.second.kind == "theorem"; });
-  return found == last ? std::string() : found->second.name;
+  const auto entries = of(label);
+  const auto found = std::ranges::find(entries, "theorem", &Entry::kind);
+  return std::string(found == entries.end() ? std::string_view() : found->name);
 }
 
 std::string LabelIndex::carried_out(const std::string& label_or_name) const {
-  const auto [first, last] = entries_.equal_range(label_or_name);
-  const auto found = std::find_if(first, last, [](const auto& entry) {
-    return entry.second.kind == "clause" || entry.second.kind == "function" || entry.second.kind == "type";
+  const auto entries = of(label_or_name);
+  const auto found = std::ranges::find_if(entries, [](const Entry& entry) {
+    return entry.kind == "clause" || entry.kind == "function" || entry.kind == "type";
   });
-  return found == last ? std::string() : found->second.place;
+  return std::string(found == entries.end() ? std::string_view() : found->place);
 }
 
 std::string LabelIndex::places(const std::string& label) const {
   std::string said = label + "\n";
-  const auto [first, last] = entries_.equal_range(label);
-  for (const char* kind : {"text", "clause", "function", "test", "theorem"}) {
-    for (auto at = first; at != last; ++at) {
-      const LabelPlace& entry = at->second;
+  for (const std::string_view kind : {"text", "clause", "function", "test", "theorem"}) {
+    for (const Entry& entry : of(label)) {
       if (entry.kind != kind) continue;
-      said += fmt::format("  {:<8}  {}{}\n", kind, entry.place, entry.name.empty() ? "" : "  " + entry.name);
+      said +=
+          fmt::format("  {:<8}  {}{}\n", kind, entry.place, entry.name.empty() ? "" : fmt::format("  {}", entry.name));
     }
   }
   return said;
@@ -126,8 +131,8 @@ std::string LabelIndex::places(const std::string& label) const {
 
 std::vector<LabelPlace> LabelIndex::all(const std::string& label) const {
   std::vector<LabelPlace> places;
-  const auto [first, last] = entries_.equal_range(label);
-  for (auto at = first; at != last; ++at) places.push_back(at->second);
+  for (const Entry& entry : of(label))
+    places.push_back({std::string(entry.kind), std::string(entry.place), std::string(entry.name)});
   return places;
 }
 

@@ -113,7 +113,7 @@ void Symbolic::let_numerals_be_off(const Rational& part, std::size_t first) {
 }
 
 Formula Symbolic::numeral(const Term& term) {
-  const Rational value(number::Integer(term->name.word));
+  const Rational value(number::Integer(term->name.word.text()));
   if (numeral_part_ == 0 || value == 0) return {value};
   const std::size_t error =
       numeral_errors_.try_emplace(term.get(), first_error_ + numeral_errors_.size()).first->second;

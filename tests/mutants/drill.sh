@@ -6,11 +6,13 @@ here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd)
 work=$(mktemp -d) && trap 'rm -rf "$work"' EXIT
 missed=0 drills=0
 
-# says BUILD BLOCK WORDS: on the list made of that block the script fails, with these words.
+# says BUILD BLOCK WORDS [CALL]: on the list made of that block the script fails, with these words; it is called by --all,
+# or as CALL says.
 says() {
   drills=$((drills + 1))
   printf '%s\n' "$2" >"$work/list"
-  if MUTANTS=$work/list MUTANTS_WORK=$work/copy sh "$here/mutants.sh" "$1" --all >"$work/said" 2>&1; then
+  # shellcheck disable=SC2086  # a call has several words
+  if MUTANTS=$work/list MUTANTS_WORK=$work/copy sh "$here/mutants.sh" "$1" ${4:---all} >"$work/said" 2>&1; then
     echo "drill: the script passes where it should say: $3"
   elif ! grep -q "$3" "$work/said"; then
     echo "drill: the script does not say: $3"
@@ -26,6 +28,12 @@ file src/number/integers.cpp
 test number_tests [#dyadic_test]
 -   Integer result;
 +   Integer result = 0;' 'harmless SURVIVED'
+says "$1" 'mutant harmless
+file src/number/integers.cpp
+test number_tests [#dyadic_test]
+-   Integer result;
++   Integer result = 0;' 'harmless SURVIVED' '--for 1'
+says "$1" '' 'takes a number of minutes' '--for 0'
 says "$1" 'mutant outdated
 file src/number/integers.cpp
 test number_tests [#dyadic_test]

@@ -4,6 +4,7 @@
 #   mutants.sh BUILD --all          every mutant of the list
 #   mutants.sh BUILD NUMBER         that many, chosen by MUTANT_SEED: by the commit, where that is absent, so that the same
 #                                   commit is tried with the same faults everywhere
+#   mutants.sh BUILD --for MINUTES  as many as so many minutes take, in the order of that choice
 #   mutants.sh BUILD PATTERN...     those whose name, file or test program matches a pattern of the shell: 'ball-*',
 #                                   'src/zed/*', zed_tests; only the programs that they need are built first
 # It fails on a mutant that survives, that no longer applies or does not compile, and on a test that fails without any
@@ -133,16 +134,27 @@ matching() {
   done
 }
 
+# shuffled NUMBER: the names of that many mutants, in an order that the seed says.
+shuffled() {
+  sed -n 's/^mutant //p' "$list" | awk -v seed="$seed" -v wanted="$1" '{name[NR] = $0}
+    END {x = seed % 2147483647; if (x < 1) x = 1
+      for (left = NR; wanted > 0 && left > 0; --wanted) {
+        for (i = 0; i < 3; ++i) x = (x * 16807) % 2147483647
+        i = 1 + x % left; print name[i]; name[i] = name[left--]}}'
+}
+
+seed=${MUTANT_SEED:-$(commit)}
+end=
 case ${1-} in
   --all) chosen=$(sed -n 's/^mutant //p' "$list") ;;
   [0-9]*)
-    seed=${MUTANT_SEED:-$(commit)}
     echo "mutants: $1 of the list; replay with MUTANT_SEED=$seed sh tests/mutants/mutants.sh $build $1"
-    chosen=$(sed -n 's/^mutant //p' "$list" | awk -v seed="$seed" -v wanted="$1" '{name[NR] = $0}
-      END {x = seed % 2147483647; if (x < 1) x = 1
-        for (left = NR; wanted > 0 && left > 0; --wanted) {
-          for (i = 0; i < 3; ++i) x = (x * 16807) % 2147483647
-          i = 1 + x % left; print name[i]; name[i] = name[left--]}}') ;;
+    chosen=$(shuffled "$1") ;;
+  --for)
+    case ${2-} in '' | 0* | *[!0-9]*) echo "mutants: --for takes a number of minutes" >&2; exit 2 ;; esac
+    echo "mutants: for $2 minutes; replay with MUTANT_SEED=$seed sh tests/mutants/mutants.sh $build --for $2"
+    end=$(($(date +%s) + 60 * $2))
+    chosen=$(shuffled "$(grep -c '^mutant ' "$list")") ;;
   *)
     found=
     matching "$@" || exit 2
@@ -155,11 +167,21 @@ esac
 mkdir -p "$work" && ninja -C "$build" -t deps >"$work/deps" || exit 2
 export MUTANTS="$list" MUTANTS_WORK="$work"
 jobs=${MUTANT_JOBS:-$(nproc 2>/dev/null || echo 1)}
-{
-  printf '%s\n' "$chosen" | while read -r name; do field "$name" test; done | sort -u |
+# tries NAMES: each of these faults, after their tests without any.
+tries() {
+  printf '%s\n' "$1" | while read -r name; do field "$name" test; done | sort -u |
     xargs -d '\n' -P "$jobs" -n 1 sh "$0" "$build" --baseline
   baseline=$?
-  printf '%s\n' "$chosen" | xargs -P "$jobs" -n 1 sh "$0" "$build" --one
+  printf '%s\n' "$1" | xargs -P "$jobs" -n 1 sh "$0" "$build" --one
   [ $? = 0 ] && [ "$baseline" = 0 ]
-} || { echo "mutants: not every fault is caught"; exit 1; }
-echo "mutants: $(printf '%s\n' "$chosen" | wc -l | tr -d ' ') faults, all caught"
+}
+
+# Where the time ends, the faults are tried in parts of a few.
+all=$(printf '%s\n' "$chosen" | wc -l | tr -d ' ') tried=0 part=$((4 * jobs)) status=0
+[ -n "$end" ] || part=$all
+while [ "$tried" -lt "$all" ] && { [ -z "$end" ] || [ "$(date +%s)" -lt "$end" ]; }; do
+  tries "$(printf '%s\n' "$chosen" | tail -n +$((tried + 1)) | head -n "$part")" || status=1
+  tried=$((tried + part < all ? tried + part : all))
+done
+[ "$status" = 0 ] || { echo "mutants: not every fault is caught"; exit 1; }
+echo "mutants: $tried faults${end:+ of $all}, all caught"

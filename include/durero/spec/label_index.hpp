@@ -1,9 +1,10 @@
 #pragma once
 /// The paragraphs of the Z text by the names that they declare, and where each of their labels is carried out.
 
-#include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "durero/zed/syntax/reader.hpp"
@@ -23,7 +24,9 @@ class LabelIndex {
  public:
   /// `table`: a line for each place, of the label or name, the kind, FILE:LINE and a name, between tabs
   /// (cmake/label_index.sh).
-  explicit LabelIndex(const std::string& table);
+  explicit LabelIndex(std::string table);
+  LabelIndex(const LabelIndex&) = delete;
+  LabelIndex& operator=(const LabelIndex&) = delete;
 
   /// The theorem that discharges the label; empty where there is none.
   std::string theorem(const std::string& label) const;
@@ -36,7 +39,13 @@ class LabelIndex {
   std::vector<LabelPlace> all(const std::string& label) const;
 
  private:
-  std::multimap<std::string, LabelPlace> entries_;
+  struct Entry {
+    std::string_view label, kind, place, name;  // they are in the table
+  };
+  std::span<const Entry> of(std::string_view label) const;
+
+  std::string table_;
+  std::vector<Entry> entries_;  // by their labels, those of one label in the order of the table
 };
 
 /// The paragraph that declares the name or bears the label, in Unicode, and the places of its labels; else the first

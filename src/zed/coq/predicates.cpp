@@ -10,7 +10,7 @@ namespace durero::zed::coq {
 namespace {
 
 /// Returns the relation as Coq writes it, `<=`, or nothing where no rule covers it.
-std::string_view symbol_of(const std::string& relation) {
+std::string_view coq_symbol(const std::string& relation) {
   const OperatorRow* row = operator_row(relation);
   return row ? row->coq.text : std::string_view();
 }
@@ -95,7 +95,7 @@ Expr Translator::relation(const Node& node, CoqScope& scope, Frame& frame, bool 
   std::vector<Expr> operands, parts;
   for (std::size_t i = 0; i + 1 < node.children.size(); ++i) operands.push_back(term(node.children[i], scope, frame));
   if (node.names.size() == 2 && !denied) {
-    const std::string_view first = symbol_of(node.names[0].word), second = symbol_of(node.names[1].word);
+    const std::string_view first = coq_symbol(node.names[0].word), second = coq_symbol(node.names[1].word);
     const auto rising = [](std::string_view by) { return by == "<=" || by == "<"; };
     if (rising(first) && rising(second)) {
       const Expr last = term(node.children[2], scope, frame);

@@ -108,7 +108,7 @@ CompiledSchemaText Compiler::head(const SchemaText& text, const Scope& scope, Sc
     } else {
       const std::string strokes = match::characteristic_strokes(declaration.term);
       auto names = zed::components(declaration, definitions_);
-      for (Name& name : names) name.strokes.resize(name.strokes.size() - strokes.size());
+      for (Name& name : names) name.strokes = name.strokes.substr(0, name.strokes.size() - strokes.size());
       std::sort(names.begin(), names.end());
       TupleComponent group{Slots::take(*scope.unit), signature(names), {}};
       for (const Name& name : names) group.components.push_back(declare({name.word, name.strokes + strokes}, {}));

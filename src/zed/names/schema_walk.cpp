@@ -111,7 +111,8 @@ ComponentReferents NameWalk::joined(const Node& node, const std::string& left_st
   ComponentReferents kept;
   for (const auto& [name, referent] : left) {
     const bool ends = name.strokes.ends_with(left_stroke);
-    const std::string base = ends ? name.strokes.substr(0, name.strokes.size() - left_stroke.size()) : name.strokes;
+    const std::string base =
+        ends ? name.strokes.substr(0, name.strokes.size() - left_stroke.size()) : name.strokes.text();
     const Name partner{name.word, base + right_stroke};
     const auto met = ends ? referent_in(right, partner) : std::nullopt;
     if (!met) {

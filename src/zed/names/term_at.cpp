@@ -92,7 +92,7 @@ class FreeMention {
 
   bool in(const Term& term) {
     if (term->kind == Kind::reference && is_local(term->name)) return true;
-    const std::string strokes = term->kind == Kind::theta ? term->name.strokes : std::string();
+    const Word strokes = term->kind == Kind::theta ? term->name.strokes : Word();
     const Term& schema = term->kind == Kind::theta ? term->children[0] : term;
     for (const Name& field : fields_of(schema))
       if (is_local({field.word, field.strokes + strokes})) return true;

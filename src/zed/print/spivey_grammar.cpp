@@ -88,7 +88,7 @@ class SpiveyGrammar {
   }
 
   void name(const Name& used, Place at) const {
-    if (std::ranges::find(beyond, used.word) != beyond.end())
+    if (std::ranges::find(beyond, used.word.text()) != beyond.end())
       refuse_in_spivey(used.text(), at, "what Spivey's toolkit has");
   }
 

@@ -38,7 +38,7 @@ class Included {
   }
   void insert(const Name& name) {
     const bool doubled = name.word.starts_with("Δ") || name.word.starts_with("Ξ");
-    names_.insert(doubled ? name.word.substr(std::string_view("Δ").size()) : name.word);
+    names_.insert(doubled ? Word(name.word.substr(std::string_view("Δ").size())) : name.word);
   }
 
   std::set<std::string> names_;

@@ -30,11 +30,12 @@ class Prover {
     for (const Term& fact : facts.facts) {
       if (fact->kind == Kind::negation) negations_.push_back(&fact->children[0]);
       if (fact->kind != Kind::relation || fact->children.size() != 2) continue;
-      const std::string& word = fact->names[0].word;
-      if (word == "_∈_") memberships_.push_back(fact.get());
-      if (word == "_=_") equations_.push_back(fact.get());
-      if (word == "_⊆_") inclusions_.push_back(fact.get());
-      if (word == "_≠_") inequations_.push_back(fact.get());
+      static const Word is_member = "_∈_", equals = "_=_", is_within = "_⊆_", differs = "_≠_";
+      const Word word = fact->names[0].word;
+      if (word == is_member) memberships_.push_back(fact.get());
+      if (word == equals) equations_.push_back(fact.get());
+      if (word == is_within) inclusions_.push_back(fact.get());
+      if (word == differs) inequations_.push_back(fact.get());
     }
   }
 

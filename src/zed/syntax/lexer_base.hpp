@@ -81,17 +81,17 @@ class Lexer {
     return text_.substr(start, at_ - start);
   }
 
-  void emit(Type type, std::string text, Place place, std::string strokes = {}) {
+  void emit(Type type, Word text, Place place, Word strokes = {}) {
     if (strokes.size() > max_strokes) refuse(place, "a name with too many strokes", "expected a few");
     Token& token = tokens_.emplace_back();
     token.type = type;
-    token.text = std::move(text);
-    token.strokes = std::move(strokes);
+    token.text = text;
+    token.strokes = strokes;
     token.place = place;
     token.from = static_cast<std::uint32_t>(start_);
     if (token.strokes.empty() && (type == Type::word || type == Type::symbol)) {
       token.own = own(token.text);
-      token.symbol = &symbol_of(token.text);
+      token.symbol = &token.text.symbol();
     }
     ends_here();
     if (newline_) separate();
@@ -114,10 +114,10 @@ class Lexer {
   }
 
   /// Emits a word or symbol by its Unicode text.
-  void emit(std::string_view text, Place place) {
-    const Symbol& known = symbol_of(text);
+  void emit(Word text, Place place) {
+    const Symbol& known = text.symbol();
     const bool word = known.named || known.reserved || is_letter(text[0]) || is_letter_symbol(text);
-    emit(word ? Type::word : Type::symbol, std::string(text), place);
+    emit(word ? Type::word : Type::symbol, text, place);
   }
 
   /// Returns what the templates in scope know of a word, or null.

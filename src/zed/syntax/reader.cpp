@@ -264,7 +264,7 @@ class SpecificationReader {
     for (const Token& token : found.tokens) {
       if (token.type != Token::Type::word || !has_joined_operand(block.body.substr(token.from, token.to - token.from)))
         continue;
-      const std::string word = token.text.substr(0, token.text.find('_'));
+      const std::string word = token.text.substr(0, token.text.find("_"));
       specification_.warnings.push_back(
           {section.file, token.place, "the _ in " + token.text + " is a letter of this operator's word, and no operand",
            block.unicode ? "expected a blank before an operand: " + word + " _"

@@ -21,8 +21,8 @@ struct Token {
     error,    ///< what cannot be read, as the last token: text says what is wrong, label what is expected
   };
   Type type = Type::end;
-  std::string text;     ///< it is written in Unicode
-  std::string strokes;  ///< a word has them
+  Word text;     ///< it is written in Unicode
+  Word strokes;  ///< a word has them
   Place place;
   std::string label;                  ///< the last token of a line has the label in the comment that ends it
   const OperatorWord* own = nullptr;  ///< a template in scope makes the word one of an operator

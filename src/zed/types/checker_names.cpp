@@ -48,11 +48,12 @@ Type Checker::reference(const Node& node) {
 std::string Checker::expected_name(const Name& name) const {
   if (name.word.find("↗") != name.word.npos)
     return "expected a declared name; an iteration has blanks, R ↗ n ↙ (R~^{~n~} in LaTeX)";
-  Name base = name;
-  while (!base.strokes.empty() && text::continues(base.strokes.back())) base.strokes.pop_back();
-  if (base.strokes.empty()) return nearest_name(name);
-  const std::string stroke = name.strokes.substr(base.strokes.size() - 1);
-  base.strokes.pop_back();
+  std::string strokes = name.strokes;
+  while (!strokes.empty() && text::continues(strokes.back())) strokes.pop_back();
+  if (strokes.empty()) return nearest_name(name);
+  const std::string stroke = name.strokes.substr(strokes.size() - 1);
+  strokes.pop_back();
+  const Name base{name.word, strokes};
   const auto entry = globals_.find(base);
   if (entry == globals_.end() || !entry->second->scheme.type.is_schema_set()) return nearest_name(name);
   return fmt::format("expected {0} {1} ({0}~{1} in LaTeX) for the decoration of the schema {0}", base.text(), stroke);

@@ -169,7 +169,8 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
   Fields kept;
   for (const auto& [name, type] : *left) {
     const bool ends = name.strokes.ends_with(left_stroke);
-    const std::string base = ends ? name.strokes.substr(0, name.strokes.size() - left_stroke.size()) : name.strokes;
+    const std::string base =
+        ends ? name.strokes.substr(0, name.strokes.size() - left_stroke.size()) : name.strokes.text();
     const auto match = ends ? find(*right, {name.word, base + right_stroke}) : right->end();
     if (match == right->end()) {
       kept.emplace_back(name, type);

@@ -17,6 +17,8 @@
 #include <variant>
 #include <vector>
 
+#include "durero/zed/syntax/word.hpp"
+
 namespace durero::zed {
 
 /// A place says where something begins in its file: lines and columns count from 1, and columns count characters (code
@@ -28,7 +30,7 @@ struct Place {
 
 /// A Z name has a word in Unicode (`mi_centro`, `ΔEscena`, `_∪_`) and strokes (`'`, `?`, `!`, `₀`…`₉`) in order.
 struct Name {
-  std::string word, strokes;  ///< the name centro' has the word `centro` and the stroke '
+  Word word, strokes;  ///< the name centro' has the word `centro` and the stroke '
   auto operator<=>(const Name&) const = default;
   /// Returns the name in Unicode, as one word: strokes make it another name, so centro' is not centro.
   std::string text() const { return word + strokes; }
@@ -250,8 +252,6 @@ template <>
 struct std::hash<durero::zed::Name> {
   /// Hashes word and strokes: centro and centro' are two keys.
   std::size_t operator()(const durero::zed::Name& name) const noexcept {
-    std::size_t mixed = std::hash<std::string>()(name.word);
-    for (const char stroke : name.strokes) mixed = mixed * 31 + static_cast<unsigned char>(stroke);
-    return mixed;
+    return name.word.hash() + 31 * name.strokes.hash();
   }
 };
