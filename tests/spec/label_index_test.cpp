@@ -37,6 +37,14 @@ TEST_CASE("all places of a label are those of the table") {
   CHECK(index.all("nothing").empty());
 }
 
+TEST_CASE("the labels of a table stand in any order") {
+  const LabelIndex labels("C.inv.1\ttext\tc:1\t\nA.inv.1\ttext\ta:1\t\nC.inv.1\tclause\tc:2\t\nB.inv.1\ttext\tb:1\t\n");
+  CHECK(labels.carried_out("C.inv.1") == "c:2");
+  CHECK(labels.all("A.inv.1").at(0).place == "a:1");
+  CHECK(labels.all("B.inv.1").size() == 1);
+  CHECK(labels.all("C.inv.1").at(0).place == "c:1");
+}
+
 TEST_CASE("a name is shown by what declares it, a label by its own places, ΔS by what it stands for") {
   CHECK_THAT(shown(text(), "Escena", index),
              StartsWith("spec/escena.tex:") && Contains("tests/a.cpp:7") && Contains("x.hpp:1"));

@@ -26,10 +26,7 @@ Code Compiler::expression(const Term& term, const Scope& scope) {
   const bool closed = std::none_of(reads_.begin() + static_cast<std::ptrdiff_t>(before), reads_.end(),
                                    [&](unsigned slot) { return slot < base; });
   if (!closed || (term->kind == Kind::reference && term->children.empty())) return code;
-  return [code = std::move(code), constant = &constants_.emplace_back()](Frame& frame) {
-    if (constant->is_undefined()) *constant = code(frame);
-    return *constant;
-  };
+  return Code::once(std::move(code), constants_.emplace_back());
 }
 
 Code Compiler::compiled(const Term& term, const Scope& scope) {
@@ -100,7 +97,8 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
   const Code whole = expression(node.children[0], scope);
   if (node.kind == Kind::tuple_selection) {
     return [whole, position = std::stoul(node.name.word) - 1](Frame& frame) -> Value {
-      const Value value = whole(frame);
+      const HeldValue of(whole, frame);
+      const Value& value = *of;
       if (value.is_undefined()) return {};
       if (!value.tuple() || may_be_undefined(value)) return Open{};
       return value.tuple()->parts.at(position);
@@ -111,7 +109,8 @@ Code Compiler::selection(const Node& node, const Scope& scope) {
     std::size_t position = 0;
   };
   return [whole, name = node.name, last = std::make_shared<Last>()](Frame& frame) -> Value {
-    const Value value = whole(frame);
+    const HeldValue of(whole, frame);
+    const Value& value = *of;
     if (value.is_undefined()) return {};
     const BindingValue* binding = value.binding();
     if (!binding || may_be_undefined(value)) return Open{};
@@ -217,7 +216,7 @@ Code Compiler::application(const Node& node, const Scope& scope) {
   if (row && !generic && row->evaluation.unary) {
     return [compute = row->evaluation.unary, a = expression(argument, scope)](Frame& frame) {
       const Computing value(frame.context);
-      return counted(compute, frame.context, a(frame));
+      return counted(compute, frame.context, *HeldValue(a, frame));
     };
   }
   if (row && row->evaluation.binary && argument->kind == Kind::tuple && argument->children.size() == 2) {
@@ -225,23 +224,23 @@ Code Compiler::application(const Node& node, const Scope& scope) {
     if (const Term* relation = match::argument_of(through, "_∼"); relation && function->name.word == "_⦇_⦈") {
       return [r = expression(*relation, scope), s = expression(argument->children[1], scope)](Frame& frame) {
         const Computing value(frame.context);
-        const Value inverted = r(frame);
-        return counted(inverse_image, frame.context, inverted, s(frame));
+        const HeldValue inverted(r, frame);
+        return counted(inverse_image, frame.context, *inverted, *HeldValue(s, frame));
       };
     }
     return [compute = row->evaluation.binary, a = expression(argument->children[0], scope),
             b = expression(argument->children[1], scope)](Frame& frame) {
       const Computing value(frame.context);
-      const Value left = a(frame);
-      return counted(compute, frame.context, left, b(frame));
+      const HeldValue left(a, frame);
+      return counted(compute, frame.context, *left, *HeldValue(b, frame));
     };
   }
   const auto gives_sets = std::make_shared<bool>(false);  // what has given no set yet is not looked for among the kept
   return [this, f = expression(function, scope), a = expression(argument, scope), gives_sets](Frame& frame) {
     const Computing value(frame.context);
     frame.context.steps.take();
-    const Value left = f(frame), right = a(frame);
-    Value result = *gives_sets ? applied(left, right, frame.context) : apply_value(left, right, frame.context);
+    const HeldValue left(f, frame), right(a, frame);
+    Value result = *gives_sets ? applied(*left, *right, frame.context) : apply_value(*left, *right, frame.context);
     *gives_sets = *gives_sets || result.set();
     return result;
   };

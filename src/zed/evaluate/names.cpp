@@ -22,7 +22,7 @@ Code Compiler::name(const Node& node, const Scope& scope) {
       return local->code;
     }
     reads_.push_back(*local->slot);
-    return [slot = *local->slot](Frame& frame) { return frame.slots[slot]; };
+    return Code::of_slot(*local->slot);
   }
   Meaning* global = definitions_.find(node.name);
   if (!global) {

@@ -59,8 +59,8 @@ Truth chained(const std::vector<Code>& operands, const std::vector<ToolkitRelati
 
 Property link(Code left, Code right, ToolkitRelation holds) {
   return test_of([left = std::move(left), right = std::move(right), holds](Frame& frame) {
-    const Value a = left(frame);
-    return asked(holds, a, right(frame), frame.context);
+    const HeldValue a(left, frame), b(right, frame);
+    return asked(holds, *a, *b, frame.context);
   });
 }
 

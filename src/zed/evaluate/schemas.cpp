@@ -39,14 +39,19 @@ Property Compiler::declaration(const Declaration& declaration, const Scope& scop
     const Local local = component(name, scope);
     reads_.insert(reads_.end(), local.reads.begin(), local.reads.end());
     if (local.slot) reads_.push_back(*local.slot);
-    const Code value = local.slot ? Code([slot = *local.slot](Frame& frame) { return frame.slots[slot]; }) : local.code;
+    const Code value = local.slot ? Code::of_slot(*local.slot) : local.code;
     Property property;
     if (declaration.form == Declaration::Form::defined) {
-      property = test_of([value, set](Frame& frame) { return equal(value(frame), set(frame), frame.context); });
+      property = test_of([value, set](Frame& frame) {
+        const HeldValue a(value, frame), b(set, frame);
+        return equal(*a, *b, frame.context);
+      });
       if (local.slot) property.equations.push_back({*local.slot, set, reads});
     } else {
-      property =
-          test_of([value, set](Frame& frame) { return contains_value(set(frame), value(frame), frame.context); });
+      property = test_of([value, set](Frame& frame) {
+        const HeldValue member(value, frame), of(set, frame);
+        return contains_value(*of, *member, frame.context);
+      });
       if (local.slot) {
         property.declared = *local.slot;
         property.set = set;

@@ -2,10 +2,12 @@
 /// A context goes through an evaluation: it has the unknowns that are looked for, and whether what is evaluated must
 /// hold.
 
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "durero/zed/value/steps.hpp"
@@ -94,7 +96,74 @@ struct Frame {
   Context& context;
 };
 
-using Code = std::function<Value(Frame&)>;
+/// The code of an expression computes its value, or knows where the value is at hand.
+class Code {
+ public:
+  Code() = default;  ///< it is of no expression
+  /// Computes the value each time.
+  template <class Compute>
+    requires(std::is_invocable_r_v<Value, Compute&, Frame&> && !std::same_as<Compute, Code>)
+  Code(Compute compute) : compute_(std::move(compute)) {}  // NOLINT: what computes a value is code
+
+  /// Makes the code of a local name, which has the value in its slot.
+  static Code of_slot(unsigned slot) {
+    Code code;
+    code.slot_ = slot;
+    return code;
+  }
+  /// Makes the code of an expression that has one value: it is computed when it is first asked for, and kept in a place
+  /// that outlives the code.
+  static Code once(Code compute, Value& place) {
+    compute.kept_ = &place;
+    return compute;
+  }
+
+  /// Returns the value. Precondition: it is of an expression.
+  Value operator()(Frame& frame) const {
+    if (const Value* value = at_hand(frame)) return *value;
+    if (!kept_) return compute_(frame);
+    Value value = compute_(frame);
+    *kept_ = value;
+    return value;
+  }
+  /// Returns the value where nothing needs to be computed for it, or else null. It stays there while other code of the
+  /// scope is run, as that writes only to slots and places of its own.
+  const Value* at_hand(const Frame& frame) const {
+    if (slot_) return &frame.slots[*slot_];
+    return kept_ && !kept_->is_undefined() ? kept_ : nullptr;
+  }
+  /// Says whether it is of an expression.
+  explicit operator bool() const { return slot_ || compute_; }
+
+ private:
+  std::function<Value(Frame&)> compute_;
+  std::optional<unsigned> slot_;
+  Value* kept_ = nullptr;
+};
+
+/// A held value is computed, or refers to the value where that is at hand.
+class HeldValue {
+ public:
+  /// Computes the value where it is not at hand. Precondition: the code is of an expression.
+  HeldValue(const Code& code, Frame& frame) : value_(code.at_hand(frame)) {
+    if (!value_) value_ = &computed_.emplace(Computed{code, frame});
+  }
+  HeldValue(const HeldValue&) = delete;
+  HeldValue& operator=(const HeldValue&) = delete;
+  /// Returns the value, as long as this lives.
+  const Value& operator*() const { return *value_; }
+
+ private:
+  /// Computes a value in its place, so that it is not moved there.
+  struct Computed {
+    const Code& code;
+    Frame& frame;
+    operator Value() const { return code(frame); }  // NOLINT: it is a value
+  };
+  std::optional<Value> computed_;
+  const Value* value_;
+};
+
 using Test = std::function<Truth(Frame&)>;
 
 /// Returns that the truth is open, where no comparison of numbers says on what it depends.
