@@ -103,7 +103,7 @@ std::string explore_json(const Machine& machine, const ExploreReport& report, co
   out.member("states", report.states).member("transitions", report.transitions).member("initial", report.initial);
   out.member("depth", std::uint64_t{report.depth}).member("classes", report.classes);
   write_texts(out, "exchanged", report.exchanged);
-  out.member("stopped", report.stopped);
+  out.member("planned", report.planned).member("stopped", report.stopped);
   write_texts(out, "bounded", report.bounded);
   out.new_line().member("deadlocks", report.deadlocks).key("deadlock_ways").begin_array();
   for (const auto& way : report.deadlock_ways) {

@@ -29,8 +29,11 @@ std::string counts_text(const Machine& machine, const ExploreReport& report) {
   if (!sets.empty())
     said +=
         fmt::format("  {} of these states differ by more than an exchange of members of {}\n", report.classes, sets);
-  if (report.stopped) said += "  stopped: not all states were gone on from\n";
+  if (report.stopped && report.planned) said += "  stopped: not all states were gone on from\n";
   for (const std::string& bound : report.bounded) said += "  bounded: " + bound + "\n";
+  if (!report.planned)
+    said += fmt::format("  {} while operations were planned: no state was looked for\n",
+                        report.stopped ? "stopped" : "the time was over");
   return said;
 }
 
@@ -40,7 +43,8 @@ std::string operations_text(const ExploreReport& report) {
   std::string said = "operations\n";
   for (const OperationCoverage& each : report.operations)
     said += fmt::format("  {:<{}}  {}{}\n", each.name, width,
-                        each.transitions == 0
+                        !report.planned ? "not looked for"
+                        : each.transitions == 0
                             ? "never happened"
                             : number_of(each.transitions, "transition") + ", in " + number_of(each.states, "state"),
                         each.evaluated ? " (looked for by the evaluator)" : "");

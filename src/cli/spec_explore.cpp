@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <new>
 #include <optional>
@@ -90,6 +91,7 @@ const spec::ExploreReport& explored(spec::StateSpace& space) {
 }
 
 int spec_explore(ExploreCall call) {
+  call.bounds.begun = std::chrono::steady_clock::now();
   const auto machine = machine_of(call.files, call.given, call.setup);
   bound_memory(call.memory);
   const std::atomic<bool>& stop = interrupted();
@@ -178,7 +180,7 @@ void add_spec_explore(CLI::App& spec, int& status) {
   const auto call = std::make_shared<ExploreCall>();
   add_machine_options(*command,
                       {call->files, call->given, call->setup, call->numbers, call->bounds.states, call->memory});
-  command->add_option("--time", call->bounds.seconds, "Seconds that the search goes on at most, after it is planned")
+  command->add_option("--time", call->bounds.seconds, "Seconds that it goes on at most, reading and planning included")
       ->check(number(0.001, 1e9));
   add_claim_options(*command, *call);
   add_output_options(*command, *call);
@@ -186,7 +188,8 @@ void add_spec_explore(CLI::App& spec, int& status) {
       "A state is a schema S, an operation one that has the components of S and of S ', as in spec run. States are\n"
       "found breadth first, so each way is a shortest one. Every conjecture of the text that speaks of a state or a\n"
       "step is tried in each. A bound that left something out is named; without such a line the answer is whole, for\n"
-      "given sets of these sizes. When it is interrupted, or its time is over, it prints what it found.\n\n"
+      "given sets of these sizes. When it is interrupted, or its time is over, it prints what it found, and says so\n"
+      "where it was still planning.\n\n"
       "A way of --eventually and --leads-to goes on where it can; steps that leave the state as it is are no part of "
       "it.\n\n" +
       exit_status("all was done", "a claim is false in some state, or what --fail names is there",

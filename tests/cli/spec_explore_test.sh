@@ -130,8 +130,20 @@ cat >slow.tex <<'EOF'
 \begin{schema}{InitSlow} Slow~' \where n' = 0 \end{schema}
 \begin{schema}{Up} \Delta Slow \\ a?, b? : 1 \upto 30000 \where a? * a? = 2 * b? * b? \\ n' = n + 1 \end{schema}
 EOF
-explores 1 slow.tex --time 0.2 --fail bounded
+explores 1 slow.tex --time 2 --fail bounded
 has out 'Slow: 1 state, 0 transitions, 0 steps deep'
 has out '  bounded: states: --time'
+
+# The time runs from the beginning of the command: that of the program's own text is over while it is planned.
+explores 1 --time 0.001 --fail bounded
+has out 'Escena: 0 states, 0 transitions, 0 steps deep'
+has out '  bounded: states: --time'
+has out '  the time was over while operations were planned: no state was looked for'
+has out '  Agregar_Esfera                    not looked for'
+! grep -q never out || fail 'of what was not looked for nothing is said'
+explores 0 --time 0.001 --json
+has out '"planned":false,"stopped":false,"bounded":["states: --time"]'
+explores 0 probe.tex --json
+has out '"planned":true,"stopped":false,"bounded":[]'
 refused 'durero: spec explore: --time 0: no number from 0.001 to 1000000000; expected one' long.tex --time 0
 finish

@@ -495,6 +495,47 @@ TEST_CASE("an exploration whose time is over says so as a bound") {
   CHECK_FALSE(explored(counter("3"), bounds).is_bounded());
 }
 
+TEST_CASE("an exploration whose time is over while it plans says so, and that it looked for nothing") {
+  const Machine machine(read(counter("3")), members(2));
+  ExploreBounds bounds = plain();
+  bounds.always = {"n > 5"};
+  bounds.seconds = 60;
+  bounds.begun -= std::chrono::hours(1);
+  StateSpace space(machine, bounds);
+  const ExploreReport& late = space.explore();
+  CHECK(late.late);
+  CHECK_FALSE(late.planned);
+  CHECK(late.states == 0);
+  CHECK(late.initial == 0);
+  CHECK(late.refuted.empty());
+  CHECK(late.bounded == std::vector<std::string>{"states: --time"});
+  REQUIRE(late.operations.size() == 1);
+  CHECK(late.operations[0].facts.empty());
+  CHECK_FALSE(late.operations[0].evaluated);
+  CHECK(space.graph().states.empty());
+
+  bounds.begun = std::chrono::steady_clock::now();
+  const ExploreReport whole = StateSpace(machine, bounds).explore();
+  CHECK(whole.planned);
+  CHECK(whole.refuted.size() == 1);
+  CHECK_FALSE(whole.is_bounded());
+
+  bounds.go_on = [](std::size_t, std::size_t) { return false; };
+  const ExploreReport stopped = StateSpace(machine, bounds).explore();
+  CHECK(stopped.stopped);
+  CHECK_FALSE(stopped.planned);
+  CHECK(stopped.states == 0);
+  CHECK(stopped.bounded.empty());
+}
+
+TEST_CASE("a predicate that is none of a state is refused although the time is over") {
+  ExploreBounds bounds = plain();
+  bounds.seconds = 1;
+  bounds.begun -= std::chrono::hours(1);
+  bounds.always = {"m > 5"};
+  CHECK_THROWS_AS(explored(counter("3"), bounds), zed::ZError);
+}
+
 /// Lights that go round, and may break.
 std::string lights(const std::string& more) {
   return "\\begin{zed} L ::= red | green | off \\end{zed}\n" + schema("S", "l : L", "") +

@@ -6,6 +6,7 @@
 /// text does not tell apart are interchangeable: of states that differ by such an exchange alone one is gone on from,
 /// and the others are counted with it.
 
+#include <chrono>
 #include <functional>
 #include <limits>
 
@@ -26,9 +27,11 @@ struct ExploreBounds {
   std::vector<std::pair<std::string, std::string>> leads_to{};
   bool fair =
       false;  ///< on a way that has no end an operation that stays possible is done at some time (weak fairness)
-  double seconds = std::numeric_limits<double>::infinity();  ///< it goes on for so long at most
-  /// Called now and then, within a state's steps too, with the states found and gone on from; false stops the
-  /// exploration. The steps that were being looked for are not in the report then.
+  double seconds = std::numeric_limits<double>::infinity();  ///< it goes on for so long at most, from `begun` on
+  /// The time runs from here: from the making of these bounds, unless it is set.
+  std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+  /// Called now and then, while operations are planned and within a state's steps too, with the states found and gone
+  /// on from; false stops the exploration. The steps that were being looked for are not in the report then.
   std::function<bool(std::size_t states, std::size_t done)> go_on{};
 };
 
@@ -76,6 +79,7 @@ struct ExploreReport {
   std::vector<std::string> bounded{};                    ///< what was left out, by the flag that would admit it
   bool stopped = false;                                  ///< `go_on` stopped it
   bool late = false;                                     ///< its time was over before it came to an end
+  bool planned = true;  ///< it did not end so while operations were planned, and no state was looked for then
   /// Says whether there may be more than was found.
   bool is_bounded() const { return stopped || late || !bounded.empty(); }
 };
@@ -83,7 +87,8 @@ struct ExploreReport {
 /// The states that a machine can reach.
 class StateSpace {
  public:
-  /// Of a machine that outlives it. Throws zed::ZError where a predicate of the bounds is none of a state.
+  /// Of a machine that outlives it, whose operations it plans. Throws zed::ZError where a predicate of the bounds is
+  /// none of a state.
   StateSpace(const Machine& machine, ExploreBounds bounds);
   ~StateSpace();
   StateSpace(const StateSpace&) = delete;

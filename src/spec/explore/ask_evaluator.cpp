@@ -11,7 +11,7 @@ using zed::Name;
 using zed::Term;
 
 TermTranslator::TermTranslator(const Machine::Parts& parts, InternedValues& values, NumberBounds numbers)
-    : parts_(parts), values_(values), numbers_(numbers) {
+    : parts_(parts), values_(values), numbers_(numbers), unfolder_(parts.specification.sections) {
   for (const zed::Section& section : parts.specification.sections)
     for (const zed::Paragraph& paragraph : section.paragraphs) {
       for (const Name& name : zed::names_of(paragraph)) globals_.emplace(name, &paragraph);

@@ -32,10 +32,7 @@ class Watched {
 StateSpace::Impl::Impl(const Machine& of, ExploreBounds how)
     : machine(of), bounds(std::move(how)), planned(of, {bounds.low, bounds.high}), table(of.components().size()) {
   std::vector<Term> predicates;
-  for (const std::string& always : bounds.always) {
-    predicates.push_back(state_predicate(always, "--always"));
-    add_claim("always " + zed::to_unicode(predicates.back()), "--always", predicates.back());
-  }
+  for (const std::string& always : bounds.always) predicates.push_back(state_predicate(always, "--always"));
   for (const std::string& text : bounds.eventually) {
     predicates.push_back(state_predicate(text, "--eventually"));
     eventual.emplace_back(predicates.back(), "eventually " + zed::to_unicode(predicates.back()));
@@ -45,8 +42,21 @@ StateSpace::Impl::Impl(const Machine& of, ExploreBounds how)
     predicates.insert(predicates.end(), {p, q});
     leads.emplace_back(p, q, zed::to_unicode(p) + " leads to " + zed::to_unicode(q));
   }
-  add_claims();
   bounds.graph = bounds.graph || !eventual.empty() || !leads.empty();
+  const Watched watched(machine.parts().watch, [this] { return may_go_on(); });
+  try {
+    plan(predicates);
+  } catch (const StoppedSearch&) {  // the report says by what
+    report.planned = false;
+  }
+}
+
+/// Plans the operations, and translates the claims about states; those about steps are translated where they are asked.
+void StateSpace::Impl::plan(const std::vector<Term>& predicates) {
+  planned.plan();
+  for (std::size_t i = 0; i < bounds.always.size(); ++i)
+    add_claim("always " + zed::to_unicode(predicates[i]), "--always", predicates[i]);
+  add_claims();
   const bool planned_all = std::all_of(planned.operations().begin(), planned.operations().end(),
                                        [](const PlannedOperation& each) { return each.plan != nullptr; });
   if (bounds.symmetry && !bounds.graph && planned_all) exchange.emplace(planned, predicates);
@@ -151,7 +161,7 @@ void StateSpace::Impl::go_on(StateIndex at) {
 
 /// Says whether the time is not over, and nobody stops it.
 bool StateSpace::Impl::may_go_on() {
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - bounds.begun;
   report.late = taken.count() > bounds.seconds;
   report.stopped = !report.late && bounds.go_on && !bounds.go_on(table.size(), gone_on);
   return !report.late && !report.stopped;
@@ -160,7 +170,6 @@ bool StateSpace::Impl::may_go_on() {
 /// Goes on from each state. A state in which it is stopped was not gone on from, so that it is no deadlock, and no way
 /// ends there.
 void StateSpace::Impl::go_through(const std::vector<zed::Valuation>& from) {
-  begun = std::chrono::steady_clock::now();
   const Watched watched(machine.parts().watch, [this] { return may_go_on(); });
   try {
     begin(from);
@@ -172,8 +181,8 @@ void StateSpace::Impl::go_through(const std::vector<zed::Valuation>& from) {
 
 void StateSpace::Impl::explore(const std::vector<zed::Valuation>& from) {
   for (const PlannedOperation& operation : planned.operations())
-    report.operations.push_back({operation.name, 0, 0, {}, operation.plan == nullptr});
-  go_through(from);
+    report.operations.push_back({operation.name, 0, 0, {}, report.planned && operation.plan == nullptr});
+  if (report.planned) go_through(from);
   finish();
 }
 
@@ -184,6 +193,7 @@ void StateSpace::Impl::finish() {
   for (std::size_t i = 0; i < report.operations.size(); ++i) {
     OperationCoverage& covered = report.operations[i];
     report.transitions += covered.transitions;
+    if (!report.planned) continue;  // nothing was asked
     for (const FactCount& count : planned.operations()[i].counts)
       covered.facts.push_back({zed::to_unicode(count.fact), count.fact->place, count.yes, count.no});
   }

@@ -1,8 +1,6 @@
 #pragma once
 /// An exploration in progress.
 
-#include <chrono>
-
 #include "lasso_search.hpp"
 #include "member_exchange.hpp"
 #include "planned_machine.hpp"
@@ -15,8 +13,9 @@ struct ExploredClaim {
   std::string text, place;
   zed::Term term;
   bool of_state = false;
-  IdTest test{};                                             ///< of a state
-  std::vector<std::pair<std::size_t, IdTest>> step_tests{};  ///< of the steps of operations; the initial is last
+  IdTest test{};  ///< of a state
+  /// Of the steps of operations; the initial one is last. One that was not asked yet is empty.
+  std::vector<std::pair<std::size_t, IdTest>> step_tests{};
   bool false_somewhere = false, open_somewhere = false, asked = false;
 };
 
@@ -36,6 +35,7 @@ struct StateSpace::Impl {
     std::vector<ValueId> row;
   };
 
+  void plan(const std::vector<zed::Term>& predicates);
   void explore(const std::vector<zed::Valuation>& from);
   std::vector<Transition> way_to(StateIndex at);
   Transition start(StateIndex at);
@@ -43,6 +43,7 @@ struct StateSpace::Impl {
   std::optional<std::pair<Transition, StateIndex>> step(StateIndex from, StateIndex to_class, std::uint32_t operation);
 
   void add_claims();
+  IdTest step_claim(const ExploredClaim& claim, std::size_t operation);
   void add_claim(const std::string& text, const std::string& place, const zed::Term& term);
   zed::Term state_predicate(const std::string& text, const std::string& option) const;
   void begin(const std::vector<zed::Valuation>& from);
@@ -84,7 +85,6 @@ struct StateSpace::Impl {
   std::set<StateIndex> cut_from{};  // a bound kept steps of these from being taken
   std::size_t gone_on = 0;          // so many of the queue were gone on from
   bool cut = false;                 // --states left out some
-  std::chrono::steady_clock::time_point begun{};
   ExploreReport report{};
 };
 

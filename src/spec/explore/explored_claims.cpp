@@ -73,18 +73,20 @@ void StateSpace::Impl::add_claims() {
     if (claim.of_state) {
       claim.test = consequent_first(instance, [&](const Term& part) { return planned.state_test(part); });
     } else {
-      auto& operations = planned.operations();
+      const auto& operations = planned.operations();
       for (std::size_t i = 0; i < operations.size(); ++i)
-        if (has_all(operations[i].scope, *names))
-          claim.step_tests.emplace_back(
-              i, consequent_first(instance, [&](const Term& part) { return planned.step_test(operations[i], part); }));
-      if (has_all(planned.initial().scope, *names))
-        claim.step_tests.emplace_back(operations.size(), consequent_first(instance, [&](const Term& part) {
-                                        return planned.step_test(planned.initial(), part);
-                                      }));
+        if (has_all(operations[i].scope, *names)) claim.step_tests.emplace_back(i, IdTest());
+      if (has_all(planned.initial().scope, *names)) claim.step_tests.emplace_back(operations.size(), IdTest());
     }
     claims.push_back(std::move(claim));
   }
+}
+
+/// Translates a claim for the steps of an operation.
+IdTest StateSpace::Impl::step_claim(const ExploredClaim& claim, std::size_t operation) {
+  auto& operations = planned.operations();
+  const PlannedOperation& of = operation == operations.size() ? planned.initial() : operations[operation];
+  return consequent_first(claim_instance(claim.term), [&](const Term& part) { return planned.step_test(of, part); });
 }
 
 template <class Test>
@@ -118,8 +120,9 @@ void StateSpace::Impl::try_step(std::size_t operation, StateIndex before, std::s
   const auto& operations = planned.operations();
   const bool is_initial = operation == operations.size();
   for (std::size_t i = 0; i < claims.size(); ++i)
-    for (const auto& [of, test] : claims[i].step_tests) {
-      if (of != operation) continue;
+    for (auto& [of, test] : claims[i].step_tests) {
+      if (of != operation || claims[i].false_somewhere) continue;
+      if (!test) test = step_claim(claims[i], operation);
       planned.load(is_initial ? planned.initial() : operations[operation],
                    is_initial ? std::span<const ValueId>() : table.state(before), row);
       ask(claims[i], test, [&] {

@@ -22,7 +22,9 @@ struct OpenCases {
 class CaseSearch {
  public:
   CaseSearch(const Machine& machine, const ExploreBounds& bounds)
-      : space_(machine, bounds), split_(machine, {bounds.low, bounds.high}, true) {}
+      : space_(machine, bounds), split_(machine, {bounds.low, bounds.high}) {
+    split_.plan(true);
+  }
 
   OperationCases found() {
     for (PlannedOperation& operation : split_.operations()) add_cases(operation);

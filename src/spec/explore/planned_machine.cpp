@@ -24,13 +24,35 @@ std::vector<Term> all_facts(TermTranslator& translator, const zed::SchemaText& t
 
 }  // namespace
 
-PlannedMachine::PlannedMachine(const Machine& machine, NumberBounds numbers, bool split)
+PlannedMachine::PlannedMachine(const Machine& machine, NumberBounds numbers)
     : machine_(machine), translator_(machine.parts(), values_, numbers), rows_(0) {
   for (const Name& name : machine.components()) {
     state_places_.push_back(translator_.place());
     state_scope_.places.emplace(name, state_places_.back());
   }
-  const Term state = zed::reference(Name{machine.state(), ""});
+  for (const MachineOperation& each : machine.operations()) {
+    PlannedOperation operation;
+    operation.name = each.name;
+    operation.inputs = each.inputs;
+    operation.outputs = each.outputs;
+    operations_.push_back(std::move(operation));
+  }
+  initial_.name = machine.init().empty() ? machine.state() : machine.init();
+}
+
+void PlannedMachine::plan(bool split) {
+  plan_invariant();
+  for (PlannedOperation& operation : operations_) {
+    plan(operation, false, split);
+    fit();
+  }
+  plan(initial_, true, split);
+  fit();
+}
+
+/// Translates what the state schema says of a state.
+void PlannedMachine::plan_invariant() {
+  const Term state = zed::reference(Name{machine_.state(), ""});
   if (const auto text = translator_.flat(state)) {
     keep_sequences(*text);
     state_facts_ = all_facts(translator_, *text);
@@ -41,17 +63,6 @@ PlannedMachine::PlannedMachine(const Machine& machine, NumberBounds numbers, boo
   Term after = zed::make(
       {.kind = zed::Kind::decoration, .place = {}, .name = {"", "'"}, .children = {state}, .names = {}, .text = {}});
   if (const auto text = translator_.flat(after)) after_facts_ = all_facts(translator_, *text);
-  for (const MachineOperation& each : machine.operations()) {
-    PlannedOperation operation;
-    operation.name = each.name;
-    operation.inputs = each.inputs;
-    operation.outputs = each.outputs;
-    operations_.push_back(std::move(operation));
-  }
-  for (PlannedOperation& operation : operations_) plan(operation, false, split);
-  initial_.name = machine.init().empty() ? machine.state() : machine.init();
-  plan(initial_, true, split);
-  fit();
 }
 
 void PlannedMachine::keep_sequences(const zed::SchemaText& text) {
@@ -123,17 +134,16 @@ void PlannedMachine::plan(PlannedOperation& operation, bool is_initial, bool spl
     std::stable_partition(sought.facts.begin(), sought.facts.end(),
                           [&](const Term& fact) { return !has_fact(wish.uncounted, fact); });
     sought.scope = operation.scope;
-    operation.plan = planned_search(translator_, sought, wish);
-    for (const Name& name : operation.plan->bounded())
+    const auto plan = planned_search(translator_, sought, wish);
+    for (const Name& name : plan->bounded())
       bounded_.insert(operation.name + ": some values of " + name.text() + " were tried: --numbers");
     for (const Term& fact : facts)
       if (!has_fact(wish.held, fact))
         operation.checks.push_back(translator_.predicate_read(fact, operation.scope).code);
+    operation.plan = plan;
   } catch (const NotInterned&) {
-    operation.plan = nullptr;
     operation.counts.clear();
   } catch (const Undecided&) {
-    operation.plan = nullptr;
     operation.counts.clear();
   }
 }

@@ -42,7 +42,11 @@ class StepRows {
 
 class PlannedMachine {
  public:
-  PlannedMachine(const Machine& machine, NumberBounds numbers, bool split = false);
+  /// With its operations as yet without plans.
+  PlannedMachine(const Machine& machine, NumberBounds numbers);
+  /// Plans them; `split` goes each side of their disjunctions on its own. Throws StoppedSearch, and the operations that
+  /// were not planned stay without plans then.
+  void plan(bool split = false);
 
   const Machine& machine() const { return machine_; }
   InternedValues& values() { return values_; }
@@ -77,6 +81,7 @@ class PlannedMachine {
   bool admits(const PlannedOperation& operation, std::span<const ValueId> before, std::span<const ValueId> row);
 
  private:
+  void plan_invariant();
   void plan(PlannedOperation& operation, bool is_initial, bool split);
   /// Keeps the sets of sequences that names are declared from.
   void keep_sequences(const zed::SchemaText& text);

@@ -55,6 +55,7 @@ PlanMaker::Places PlanMaker::unknown_places(const Pending& pending) {
 
 void PlanMaker::plan(Pending pending, Steps& steps, std::vector<Term> sides) {
   for (;;) {
+    translator_.parts().watch.ask();
     if (wish_.split && add_sides(pending, steps, sides, true)) return;
     if (add_tests(pending, steps) || add_equation(pending, steps)) continue;
     if (pending.unknown.empty()) break;

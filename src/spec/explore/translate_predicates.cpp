@@ -1,7 +1,6 @@
 /// Translates predicates and schema texts.
 #include <algorithm>
 
-#include "durero/zed/evaluate/unfold.hpp"
 #include "durero/zed/syntax/parser.hpp"
 #include "search_plan.hpp"
 #include "toolkit_operators.hpp"
@@ -20,6 +19,7 @@ TermTranslator::Translated<IdTest> TermTranslator::predicate_read(const Term& te
 
 /// A predicate that is not translated, or cannot be decided here, is the evaluator's.
 IdTest TermTranslator::predicate(const Term& term, const FrameScope& scope) {
+  parts_.watch.count();
   IdTest test;
   try {
     test = translated_test(term, scope);
@@ -229,7 +229,7 @@ std::shared_ptr<const zed::SchemaText> TermTranslator::flat_anew(const Term& sch
     const zed::Type* of = type && type->is_schema_set() ? type->parts()[0].field(component) : nullptr;
     return of && of->is_known() ? zed::parse_unicode(of->settled().text(zed::Type::max_size)) : Term();
   };
-  const auto text = zed::unfolded(schema, parts_.specification.sections, carrier);
+  const auto text = unfolder_.unfolded(schema, carrier);
   return text ? (*text)->text : nullptr;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "durero/zed/evaluate/unfold.hpp"
 #include "interned_values.hpp"
 #include "spec/machine_parts.hpp"
 
@@ -104,14 +105,27 @@ class TermTranslator {
 
  private:
   friend class PlanMaker;
+  /// The places that are read in its life are kept apart. At its end, by an error too, they are added to the others.
+  class ReadsApart {
+   public:
+    explicit ReadsApart(std::set<unsigned>& reads) : reads_(reads), before_(std::exchange(reads, {})) {}
+    ~ReadsApart() {
+      before_.merge(reads_);  // the others are many, and are not gone through
+      reads_.swap(before_);
+    }
+    ReadsApart(const ReadsApart&) = delete;
+    ReadsApart& operator=(const ReadsApart&) = delete;
+
+   private:
+    std::set<unsigned>& reads_;
+    std::set<unsigned> before_;
+  };
   /// Translates, and tells the places that the code reads.
   template <class Translate>
   auto with_reads(Translate&& translate) -> Translated<decltype(translate())> {
-    const std::set<unsigned> before = std::exchange(reads_, {});
+    const ReadsApart apart(reads_);
     auto code = translate();
-    std::set<unsigned> reads = std::exchange(reads_, before);
-    reads_.insert(reads.begin(), reads.end());
-    return {std::move(code), std::move(reads)};
+    return {std::move(code), reads_};
   }
   IdCode expression(const zed::Term& term, const FrameScope& scope);
   IdCode translated(const zed::Term& term, const FrameScope& scope);
@@ -158,6 +172,7 @@ class TermTranslator {
   std::map<zed::Name, ValueId> global_values_;
   std::map<std::pair<ValueId, ValueId>, ValueId> applications_;
   std::map<std::pair<ValueId, ValueId>, bool> memberships_;
+  zed::SchemaUnfolder unfolder_;
   std::map<zed::Name, std::shared_ptr<const zed::SchemaText>> flat_;
 };
 

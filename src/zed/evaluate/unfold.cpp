@@ -242,14 +242,21 @@ class Unfolder {
 
 }  // namespace
 
-std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers,
-                             const Actuals& actuals) {
-  const Definitions definitions(sections);
-  const auto flat = Unfolder(definitions, carriers, actuals).flat(schema);
+SchemaUnfolder::SchemaUnfolder(const std::vector<Section>& sections)
+    : definitions_(std::make_shared<const Definitions>(sections)) {}
+
+std::optional<Term> SchemaUnfolder::unfolded(const Term& schema, const Carriers& carriers,
+                                             const Actuals& actuals) const {
+  const auto flat = Unfolder(*definitions_, carriers, actuals).flat(schema);
   if (!flat) return std::nullopt;
   SchemaText text = declarations_of(flat->declared);
   for (const Term& fact : flat->facts) text.predicates.push_back({fact, {}, {}});
   return quantified(Kind::schema_text, std::move(text), {});
+}
+
+std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers,
+                             const Actuals& actuals) {
+  return SchemaUnfolder(sections).unfolded(schema, carriers, actuals);
 }
 
 }  // namespace durero::zed

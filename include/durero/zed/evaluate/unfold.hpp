@@ -4,6 +4,7 @@
 /// precondition of Op, calculated.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,5 +23,19 @@ using Actuals = std::function<std::optional<std::vector<Term>>(const Term& refer
 /// are not known, and where a name would be captured. It has the same bindings.
 std::optional<Term> unfolded(const Term& schema, const std::vector<Section>& sections, const Carriers& carriers,
                              const Actuals& actuals = {});
+
+class Definitions;
+
+/// An unfolder does what unfolded() does for several schemas of the same sections, whose definitions it looks up once.
+class SchemaUnfolder {
+ public:
+  /// The sections outlive it.
+  explicit SchemaUnfolder(const std::vector<Section>& sections);
+  /// Returns what unfolded() returns.
+  std::optional<Term> unfolded(const Term& schema, const Carriers& carriers, const Actuals& actuals = {}) const;
+
+ private:
+  std::shared_ptr<const Definitions> definitions_;
+};
 
 }  // namespace durero::zed
