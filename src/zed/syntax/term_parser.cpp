@@ -43,11 +43,12 @@ Term TermParser::checked(Term term) const {
   return term;
 }
 
-Term TermParser::term(int least) {
+Term TermParser::term(int least, Sort sort) {
   const ParsingDepth deeper(depth_, in_.peek().place);
   const std::size_t from = in_.position();
   Making made;
-  Term left = leading(made);
+  Term left = leading(made, sort);
+  const auto takes_relation = [=] { return binding::relation >= least && sort == Sort::any; };
   for (;;) {
     const Token& token = in_.peek();
     const std::size_t sign_at = in_.position();
@@ -57,7 +58,7 @@ Term TermParser::term(int least) {
       const Connective sign = bound(*connective);
       if (sign.strength < least) break;
       in_.next();
-      const Term right = term(sign.right_strength());
+      const Term right = term(sign.right_strength(), sort);
       left = checked(node(sign.kind, {left, right}, left->place));
       otherwise = sign.strength != connective->strength;
     } else if (token.is("⧹") && least <= (in_.is_spivey() ? spivey_binding::hiding : binding::hiding)) {
@@ -67,19 +68,23 @@ Term TermParser::term(int least) {
     } else if (token.is("×") && least <= binding::infix + product_precedence) {
       left = product(left);
     } else if (token.is(named_relation)) {
-      if (binding::relation < least) break;
+      if (!takes_relation()) break;
       left = relations(left, from);
     } else if (token.own) {
-      if (!token.own->first() || !token.own->of->has_left() || own_strength(*token.own->of) < least) break;
-      const bool one_word = token.own->of->parts.size() == 3;
-      left = token.own->of->role == Role::relation ? relations(left, from) : own_operation({left});
+      const OperatorTemplate& of = *token.own->of;
+      const bool relates = of.role == Role::relation;
+      if (!token.own->first() || !of.has_left() || own_strength(of) < least) break;
+      if (relates && !takes_relation()) break;
+      const bool one_word = of.parts.size() == 3;
+      left = relates ? relations(left, from) : own_operation({left});
       if (!one_word) last_ = {};
     } else if (token.symbol->infix) {
       const Operator& of_iso = *token.symbol->infix;
       const Operator op = in_.is_spivey() ? spivey_binding::infix(of_iso) : of_iso;
-      const int strength = op.role == Role::relation ? binding::relation : binding::infix + op.precedence;
-      if (strength < least) break;
-      left = op.role == Role::relation ? relations(left, from) : infix(left, strength, op);
+      const bool relates = op.role == Role::relation;
+      const int strength = binding::infix + op.precedence;
+      if (relates ? !takes_relation() : strength < least) break;
+      left = relates ? relations(left, from) : infix(left, strength, op);
       otherwise = op.precedence != of_iso.precedence || op.right != of_iso.right;
     } else {
       break;
@@ -177,7 +182,7 @@ Term TermParser::hiding(Term left) {
   return checked(make(std::move(node)));
 }
 
-Term TermParser::leading(Making& made) {
+Term TermParser::leading(Making& made, Sort sort) {
   const Token& token = in_.peek();
   const Place place = token.place;
   if (const Quantifier* sign = token.symbol->quantifier)
@@ -187,7 +192,7 @@ Term TermParser::leading(Making& made) {
     in_.next();
     const std::size_t from = in_.position();
     const int strength = bound(*sign).strength;
-    Term operand = term(strength);
+    Term operand = term(strength, sort);
     made = {true, strength != sign->strength};
     group(last_, made.otherwise, from, in_.position());
     return checked(node(sign->kind, {std::move(operand)}, place));
@@ -220,12 +225,14 @@ Term TermParser::size_applied(const Operator& op, Place place) {
   return all;
 }
 
+/// The body of λ and μ is an expression, which ends before a relation: λ x : X • x = f is (λ x : X • x) = f.
 Term TermParser::quantifier(Kind kind, bool value_needed) {
   const Place place = in_.next().place;
   SchemaText text = schema_text();
   if (kind == Kind::mu && !value_needed && !in_.sees("•")) return checked(quantified(kind, std::move(text), {}, place));
   in_.expect("•");
-  Term body = term();
+  const bool is_value = (kind == Kind::lambda || kind == Kind::mu) && !in_.is_spivey();
+  Term body = term(binding::weakest, is_value ? Sort::expression : Sort::any);
   return checked(quantified(kind, std::move(text), {std::move(body)}, place));
 }
 

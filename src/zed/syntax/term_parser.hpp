@@ -13,8 +13,11 @@ class TermParser {
   /// A `regrouping`, where there is one, is told what ISO's grammar would take for another tree.
   explicit TermParser(TokenStream& in, IsoGrouping* regrouping = nullptr) : in_(in), regrouping_(regrouping) {}
 
+  /// A sort of term: an expression has no relation, but in brackets.
+  enum class Sort : unsigned char { any, expression };
+
   /// Parses a term in which every operator binds at least as tightly as `least`.
-  Term term(int least = binding::weakest);
+  Term term(int least = binding::weakest, Sort sort = Sort::any);
 
   /// Parses declarations, then predicates behind a `|`, if any, and stops before what cannot belong to it. Where it is
   /// `labelled`, in a box, each predicate keeps its label.
@@ -32,7 +35,8 @@ class TermParser {
   struct Making {
     bool by_operator = false, otherwise = false;
   };
-  Term leading(Making& made);  // takes what can stand first in a term: a quantifier, a prefix operator, an application
+  Term leading(Making& made,
+               Sort sort);  // takes what can stand first in a term: a quantifier, a prefix operator, an application
   Term size_applied(const Operator& op, Place place);
   void group(const Making& made, bool otherwise, std::size_t from, std::size_t to);
   void bind(Making& left, std::size_t from, std::size_t sign, bool otherwise);

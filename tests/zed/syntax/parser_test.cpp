@@ -36,6 +36,13 @@ TEST_CASE("operators bind as the standard says, and associate to their side") {
   same("- x + y", "(- x) + y");
   same("∀ x : A • p ∧ q", "∀ x : A • (p ∧ q)");
   same("dom f ∪ ran g", "(dom f) ∪ (ran g)");
+  same("λ x : A • x + 1 = f", "(λ x : A • x + 1) = f");
+  same("μ x : A • x ∈ S ∧ p", "((μ x : A • x) ∈ S) ∧ p");
+  same("λ x : A • S ∧ T = f", "(λ x : A • S ∧ T) = f");
+  same("λ x : A • ¬ S ⊆ f", "(λ x : A • ¬ S) ⊆ f");
+  same("f ∪ λ x : A • x = g", "(f ∪ (λ x : A • x)) = g");
+  same("∀ x : A • λ y : B • y = f", "∀ x : A • ((λ y : B • y) = f)");
+  same("let x == a • x = b", "let x == a • (x = b)");
   same("f [S; T]", "f ([S; T])");
   same("f [x, y : A | p] [x : A]", "(f ([x, y : A | p])) ([x : A])");
   same("f [A] x", "(f[A]) x");
