@@ -1,6 +1,6 @@
 #pragma once
 /// The type-checker checks expressions in checker_terms.cpp, predicates, names and schemas in the files of these names,
-/// and paragraphs and sections in typecheck.cpp.
+/// schemas whose components are told later in checker_passes.cpp, and paragraphs and sections in typecheck.cpp.
 
 #include <fmt/core.h>
 
@@ -22,6 +22,7 @@ using Fields = std::vector<std::pair<Name, Type>>;
 struct FieldTable {
   Fields fields;
   std::unordered_map<Name, std::size_t> positions{};
+  bool is_open = false;  ///< a schema is included whose components are not known yet: it may declare any name
 
   /// Returns the type of a name, or null.
   const Type* find(const Name& name) const {
@@ -46,10 +47,22 @@ class Checker {
   Type expression(const Term& term);
   void predicate(const Term& term);
 
-  // Opens a scope with these names, or closes the innermost one and returns its names.
+  // Opens a scope with these names, or closes the innermost one and returns it.
   void push(Fields fields);
   void push(FieldTable table) { scopes_.push_back(std::move(table)); }
-  Fields pop();
+  FieldTable pop();
+
+  /// Checks a part of the text, again and again while a pass tells the components of a schema that the pass before it
+  /// did not know; and a last time, which reports those that nothing tells.
+  template <class Check>
+  void in_passes(Check&& check) {
+    Pass pass{};
+    do {
+      pass = begin_pass();
+      check();
+      solve();
+    } while (!is_last(pass));
+  }
 
   /// Returns what the declarations of a schema text declare; its predicates are left to predicates().
   FieldTable signature(const SchemaText& text);
@@ -96,7 +109,20 @@ class Checker {
   void relate(const Name& relation, const Node& left, const Type& a, const Node& right, const Type& b);
   void schema_predicate(const Node& node, const Type& type);
 
+  /// A pass begins with so many defects and generic instances.
+  struct Pass {
+    std::size_t defects, generics;
+  };
+  Pass begin_pass() const { return {into_.defects.size(), generics_.size()}; }
+  bool is_last(const Pass& pass);
+  bool awaits(const Node& node, const Type& type);
+  /// Returns the type of an expression, or of a set of bindings, of which no more is known: one to be determined, where
+  /// the components of some schema are awaited; else unknown, as an error was reported.
+  Type undetermined() { return awaited_.empty() ? Type::unknown() : fresh(); }
+  Type undetermined_schema() { return awaited_.empty() ? Type::unknown() : Type::power(fresh()); }
+
   Type schema_expression(const Node& node);
+  Type schema_of_text(const SchemaText& text);
   Type schema_quantifier(const Node& node);
   Type renaming(const Node& node);
   Type hiding(const Node& node);
@@ -141,8 +167,11 @@ class Checker {
   std::vector<FieldTable> scopes_;
   std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined
   std::vector<Selection> selections_;
-  bool alone_ = false;  // the term is no part of a text
-  Place at_;            // the node being checked stands here
+  std::vector<std::pair<const Node*, Type>> awaited_;  // schemas of this pass whose components are not known yet
+  std::unordered_map<const Node*, Type> told_;         // and the types of schemas that passes before it told
+  bool is_strict_ = false;                             // nothing more is told: a schema without components is an error
+  bool alone_ = false;                                 // the term is no part of a text
+  Place at_;                                           // the node being checked stands here
   std::size_t errors_before_ = 0, errors_at_start_ = into_.defects.size();
   std::size_t work_ = 0, variables_ = 0;
 };

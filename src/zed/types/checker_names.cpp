@@ -96,6 +96,7 @@ std::string Checker::nearest_name(const Name& name) const {
 std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* actuals, Place place) {
   for (const auto& scope : std::views::reverse(scopes_)) {
     const Type* type = scope.find(name);
+    if (!type && scope.is_open) return fresh();
     if (!type) continue;
     if (actuals) error(place, name.text() + " is a variable", "expected no generic actuals after it");
     return *type;
@@ -150,10 +151,10 @@ void Checker::push(Fields fields) {
   push(std::move(table));
 }
 
-Fields Checker::pop() {
-  Fields fields = std::move(scopes_.back().fields);
+FieldTable Checker::pop() {
+  FieldTable table = std::move(scopes_.back());
   scopes_.pop_back();
-  return fields;
+  return table;
 }
 
 void Checker::finish_paragraph() {

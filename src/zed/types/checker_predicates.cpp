@@ -42,7 +42,7 @@ void Checker::predicate(const Term& term) {
 
 void Checker::schema_predicate(const Node& node, const Type& type) {
   spend(type.size());
-  if (type.is(Type::Kind::unknown)) return;
+  if (type.is(Type::Kind::unknown) || awaits(node, type)) return;
   if (!type.is_schema_set())
     return error(node.place, fmt::format("an expression of type {} stands where a predicate is expected", type.text()),
                  "expected a predicate or a schema");

@@ -33,8 +33,11 @@ FieldTable Checker::signature(const SchemaText& text) {
   FieldTable table;
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::included) {
-      if (const auto fields = schema_fields(declaration.term, "as a declaration"))
+      if (const auto fields = schema_fields(declaration.term, "as a declaration")) {
         merge(table, *fields, declaration.place, "included");
+      } else {
+        table.is_open = table.is_open || !awaited_.empty();
+      }
       continue;
     }
     const Type type = declaration.form == Declaration::Form::typed
@@ -79,6 +82,7 @@ Fields Checker::merged(const Fields& left, const Fields& right, Place place) {
 
 std::optional<Fields> Checker::schema_fields(const Term& term, const char* role) {
   const Type type = expression(term);
+  if (awaits(*term, type)) return std::nullopt;
   if (type.is_schema_set()) return fields_of(type.parts()[0]);
   if (!type.is(Type::Kind::unknown))
     error(term->place, fmt::format("an expression of type {} stands {}", type.text(), role), "expected a schema");
@@ -88,12 +92,10 @@ std::optional<Fields> Checker::schema_fields(const Term& term, const char* role)
 Type Checker::schema_expression(const Node& node) {
   switch (node.kind) {
     case Kind::schema_text:
-      push(signature(*node.text));
-      predicates(*node.text);
-      return schema_set(pop());
+      return schema_of_text(*node.text);
     case Kind::decoration: {
       auto fields = schema_fields(node.children[0], "before a stroke");
-      return fields ? schema_set(decorated(std::move(*fields), node.name.strokes)) : Type::unknown();
+      return fields ? schema_set(decorated(std::move(*fields), node.name.strokes)) : undetermined_schema();
     }
     case Kind::renaming:
       return renaming(node);
@@ -111,16 +113,23 @@ Type Checker::schema_expression(const Node& node) {
       return schema_quantifier(node);
     case Kind::negation: {
       const auto fields = schema_fields(node.children[0], "behind ¬");
-      return fields ? schema_set(*fields) : Type::unknown();
+      return fields ? schema_set(*fields) : undetermined_schema();
     }
     default:
       break;
   }
   const auto left = schema_fields(node.children[0], "as an operand of the schema calculus");
   const auto right = schema_fields(node.children[1], "as an operand of the schema calculus");
-  if (!left || !right) return Type::unknown();
+  if (!left || !right) return undetermined_schema();
   const Fields both = merged(*left, *right, node.children[1]->place);
   return schema_set(node.kind == Kind::projection ? *right : both);
+}
+
+Type Checker::schema_of_text(const SchemaText& text) {
+  push(signature(text));
+  predicates(text);
+  FieldTable table = pop();
+  return table.is_open ? undetermined_schema() : schema_set(std::move(table.fields));
 }
 
 /// ΔS and ΞS declare the components of S and of S ′.
@@ -131,7 +140,7 @@ Type Checker::doubled(const Type& schema, Place place) {
 
 Type Checker::renaming(const Node& node) {
   auto fields = schema_fields(node.children[0], "before a renaming");
-  if (!fields) return Type::unknown();
+  if (!fields) return undetermined_schema();
   std::set<Name> olds;
   FieldTable renamed;
   for (std::size_t i = 0; i + 1 < node.names.size(); i += 2)
@@ -149,7 +158,7 @@ Type Checker::renaming(const Node& node) {
 
 Type Checker::hiding(const Node& node) {
   auto fields = schema_fields(node.children[0], "before ⧹");
-  if (!fields) return Type::unknown();
+  if (!fields) return undetermined_schema();
   spend(fields->size() * node.names.size());
   for (const Name& name : node.names) {
     if (find(*fields, name) == fields->end())
@@ -164,7 +173,7 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
                      const std::string& right_stroke) {
   auto left = schema_fields(node.children[0], "as the left operand"),
        right = schema_fields(node.children[1], "as the right operand");
-  if (!left || !right) return Type::unknown();
+  if (!left || !right) return undetermined_schema();
   spend(left->size() * right->size());
   Fields kept;
   for (const auto& [name, type] : *left) {
@@ -189,7 +198,7 @@ Type Checker::joined(const Node& node, const char* what, const std::string& left
 /// pre S hides the after-state and the outputs.
 Type Checker::precondition(const Node& node) {
   auto fields = schema_fields(node.children[0], "behind pre");
-  if (!fields) return Type::unknown();
+  if (!fields) return undetermined_schema();
   std::erase_if(*fields, [](const auto& field) {
     return field.first.strokes.ends_with("'") || field.first.strokes.ends_with("!");
   });
@@ -200,10 +209,10 @@ Type Checker::schema_quantifier(const Node& node) {
   push(signature(*node.text));
   predicates(*node.text);
   auto fields = schema_fields(node.children[0], "behind the • of a schema quantifier");
-  const Fields bound = pop();
-  if (!fields) return Type::unknown();
-  spend(fields->size() * bound.size());
-  for (const auto& [name, type] : bound) {
+  const FieldTable bound = pop();
+  if (!fields || bound.is_open) return undetermined_schema();
+  spend(fields->size() * bound.fields.size());
+  for (const auto& [name, type] : bound.fields) {
     const auto entry = find(*fields, name);
     if (entry == fields->end()) continue;
     if (!unify(entry->second, type))

@@ -156,7 +156,7 @@ Type Checker::characteristic(const SchemaText& text) {
       while (schema->kind == Kind::decoration) schema = schema->children[0];  // the tuple of S ′ is θ S ′
       const auto type = into_.types.find(schema.get());
       const bool known = type != into_.types.end() && type->second.is_schema_set();
-      parts.push_back(known ? type->second.parts()[0] : Type::unknown());
+      parts.push_back(known ? type->second.parts()[0] : undetermined());
     }
     for (const Name& name : declaration.names) parts.push_back(*scopes_.back().find(name));
   }
@@ -266,7 +266,7 @@ Type Checker::binding_extension(const Node& node) {
 /// θS' takes each component x of S from x' in scope.
 Type Checker::theta(const Node& node) {
   const auto fields = schema_fields(node.children[0], "behind θ");
-  if (!fields) return Type::unknown();
+  if (!fields) return undetermined();
   spend(fields->size());
   for (const auto& [name, type] : *fields) {
     const Name wanted{name.word, name.strokes + node.name.strokes};

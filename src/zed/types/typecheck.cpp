@@ -82,7 +82,8 @@ class SectionChecker {
   void constructor(const FreeType& of, const Branch& branch) {
     Type type = Type::given(of.name);
     if (branch.argument) {
-      const Type set = terms_.expression(branch.argument);
+      Type set = Type::unknown();
+      terms_.in_passes([&] { set = terms_.expression(branch.argument); });
       if (!set.is(Type::Kind::power) && !set.is(Type::Kind::unknown))
         terms_.error(branch.argument->place,
                      fmt::format("an expression of type {} stands as the argument of a constructor", set.text()),
@@ -105,7 +106,8 @@ class SectionChecker {
 
   void paragraph(const Definition& definition, Place place) {
     formals(definition.formals, place);
-    Type type = terms_.expression(definition.value);
+    Type type = Type::unknown();
+    terms_.in_passes([&] { type = terms_.expression(definition.value); });
     terms_.pop();
     declare(definition.name, {definition.formals, std::move(type)}, Global::Form::definition, place);
   }
@@ -113,9 +115,12 @@ class SectionChecker {
   /// Checks the declarations and predicates of a box with its formals in scope, and returns what it declares.
   Fields signature_of_box(const std::vector<Name>& generic_formals, const SchemaText& text, Place place) {
     formals(generic_formals, place);
-    terms_.push(terms_.signature(text));
-    terms_.predicates(text);
-    Fields fields = terms_.pop();
+    Fields fields;
+    terms_.in_passes([&] {
+      terms_.push(terms_.signature(text));
+      terms_.predicates(text);
+      fields = terms_.pop().fields;
+    });
     terms_.pop();
     return fields;
   }
@@ -139,7 +144,7 @@ class SectionChecker {
 
   void paragraph(const Conjecture& conjecture, Place place) {
     formals(conjecture.formals, place);
-    terms_.predicate(conjecture.claim.term);
+    terms_.in_passes([&] { terms_.predicate(conjecture.claim.term); });
     terms_.pop();
   }
 
@@ -169,8 +174,8 @@ void inherit(const Section& section, Typing& into) {
   }
 }
 
-/// Checks a term that stands alone: as a predicate, where its form is that of one.
-void check_at_end(Checker& checker, const Term& term) {
+/// Checks a term as a predicate, where its form is that of one, or as an expression.
+void check_by_form(Checker& checker, const Term& term) {
   const Node* form = term.get();
   while (form->kind == Kind::let) form = form->children[0].get();  // a let is what its body is
   switch (form->kind) {
@@ -190,7 +195,11 @@ void check_at_end(Checker& checker, const Term& term) {
     default:
       checker.expression(term);
   }
-  checker.solve();
+}
+
+/// Checks a term that stands alone.
+void check_at_end(Checker& checker, const Term& term) {
+  checker.in_passes([&] { check_by_form(checker, term); });
   checker.finish_paragraph();
 }
 
