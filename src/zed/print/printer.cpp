@@ -93,7 +93,11 @@ void Printer::quantified(const Node& node, std::string_view sign, bool last) {
   schema_text(*node.text);
   if (node.children.empty()) return;
   symbol("•");
-  term(node.children[0], binding::weakest, last);
+  const bool is_value = node.kind == Kind::lambda || node.kind == Kind::mu;
+  const bool parentheses = is_value && shows_relation(*node.children[0]);
+  if (parentheses) symbol("(");
+  term(node.children[0], binding::weakest, last || parentheses);
+  if (parentheses) tight(")");
 }
 
 void Printer::conditional(const Node& node, bool last) {

@@ -67,14 +67,21 @@ class MarkSearch {
     marks_.behind[end - 1] += ")";
   }
 
-  /// Returns where the body of a quantifier ends: as far to the right as brackets and separators let it. Those between
-  /// a quantifier and its • are of its schema text.
+  static bool relates(const Token& token) {
+    if (token.own) return token.own->of->role == Role::relation;
+    return token.symbol->infix && token.symbol->infix->role == Role::relation;
+  }
+
+  /// Returns where the body of a quantifier ends: as far to the right as brackets and separators let it, and before a
+  /// relation where it is an expression. Those between a quantifier and its • are of its schema text.
   std::size_t end_of_body(std::size_t from) const {
     static constexpr std::array<std::string_view, 8> separators = {",", ";", "|", "•", "then", "else", "⟫", "&"};
+    const bool is_value = tokens_[from]->is("λ") || tokens_[from]->is("μ");
     int depth = 0, open = 0;
     for (std::size_t i = from; i < tokens_.size(); ++i) {
       const Token& token = *tokens_[i];
-      if (depth == 0 && open == 0 && i > from && (is_break(i) || lexing::among(token.text, separators))) return i;
+      const bool ends = is_break(i) || lexing::among(token.text, separators) || (is_value && relates(token));
+      if (depth == 0 && open == 0 && i > from && ends) return i;
       if (opens(token)) ++depth;
       if (closes(token) && --depth < 0) return i;
       if (depth > 0) continue;

@@ -1,5 +1,7 @@
 #include "zed/print/strength.hpp"
 
+#include <algorithm>
+
 #include "zed/syntax/connectives.hpp"
 #include "zed/syntax/match.hpp"
 
@@ -64,6 +66,12 @@ int strength(const Node& node) {
     default:
       return binding::primary;
   }
+}
+
+bool shows_relation(const Node& node) {
+  if (node.kind == Kind::relation) return true;
+  return connective_of(node.kind) && strength(node) < binding::relation &&
+         std::ranges::any_of(node.children, [](const Term& operand) { return shows_relation(*operand); });
 }
 
 }  // namespace durero::zed

@@ -23,4 +23,8 @@ const Node* sequence_of(const Node& application);
 /// Says how tightly a node binds, as it is printed.
 int strength(const Node& node);
 
+/// Says whether a relation stands in what is printed of a node, outside of brackets and of a quantifier's body: it
+/// would end the body of a λ or μ.
+bool shows_relation(const Node& node);
+
 }  // namespace durero::zed

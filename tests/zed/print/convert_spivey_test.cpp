@@ -107,6 +107,8 @@ TEST_CASE("a quantifier that is an operand has parentheses, and a line end in br
             "f == \\lambda x : \\num @ x \\\\ g == (\\lambda x : \\num @ x) \\\\ h == (\\mu x : \\num @ x, 2)") ==
         "\\begin{zed}\n  f == (\\lambda x : \\num @ x) \\\\\n  g == (\\lambda x : \\num @ x) \\\\\n"
         "  h == ((\\mu x : \\num @ x), 2)\n\\end{zed}");
+  CHECK(zed_in_spivey("\\vdash? \\lambda x : \\num | x = 1 @ x + 1 = \\{ (1, 2) \\}") ==
+        "\\begin{theorem}{}\n  \\vdash? (\\lambda x : \\num | x = 1 @ x + 1) = \\{ (1, 2) \\}\n\\end{theorem}");
   CHECK(zed_in_spivey("A == \\{ x : \\num | x > 0 \\\\ (x < 3 \\\\ x \\neq 2) @ x + \\\\ 1 \\}") ==
         "\\begin{zed}\n  A == \\{ x : \\num | x > 0; \\\\\n  (x < 3 \\land \\\\\n  x \\neq 2) @ x + \\\\\n  1 "
         "\\}\n\\end{zed}");
