@@ -102,7 +102,7 @@ refused 'EXPR:1:1: the character # means nothing here; expected \#' spec eval '#
 refused 'EXPR:1:1: the generic actuals of {} are not determined; expected ∅' spec eval '{}'
 run 0 spec eval '∀ x : ℕ • x ≥ 0'
 is out true
-refused 'EXPR:1:1: this is not decided: one of x, y ranges over a set that is not finite, and no equation gives its value; expected a bound for x, as x : 0‥9, and a bound for y, as y : 0‥9' spec eval '∀ x, y : ℕ • x + y ≥ x'
+refused 'EXPR:1:1: this is not decided: one of x, y ranges over a set that is not finite, and no equation gives its value; expected a bound for x, as x : 0‥9, and a bound for y, as y : 0‥9' spec eval '∀ x, y : ℕ • x * x + y ≥ x'
 refused 'EXPR:1:4: ' spec eval '1 +'
 refused 'EXPR:1:1: ' spec eval '1 ∈ 2'
 refused 'EXPR:1:1: nadie is not declared' spec eval nadie

@@ -120,6 +120,7 @@ class Compiler {
   void add_bounds(std::vector<ValueBound>& to, const RelationOf& relation, const Scope& scope) const;
   Property let_predicate(const Term& term, const Scope& scope);
   Property quantified(const Term& term, const Scope& scope);
+  std::shared_ptr<const LinearQuestion> linear(const Node& quantifier, const Scope& scope, const Scope& inner);
   Property exists_one(const Node& node, const Scope& scope);
   Property schema(const Term& term, const Scope& scope);
   Property schema_reference(const Term& term, const Scope& scope);

@@ -6,6 +6,7 @@
 #include "zed/evaluate/bounds.hpp"
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
+#include "zed/evaluate/linear_question.hpp"
 #include "zed/operators.hpp"
 #include "zed/syntax/match.hpp"
 #include "zed/value/toolkit_functions.hpp"
@@ -83,6 +84,16 @@ Truth for_all(const Solver& search, const Property& body, Frame& frame) {
   } catch (const EvaluationError&) {
     return Truth::open;
   }
+}
+
+/// Where that is not decided, linear conditions may decide it.
+Truth for_all(const Solver& search, const Property& body, const LinearQuestion* linear, Frame& frame) {
+  if (!linear) return for_all(search, body, frame);
+  const Test denies = [&](Frame& inside) {
+    const Truth in_head = search.holds(inside);
+    return in_head == Truth::no ? in_head : both(in_head, !evaluate(body, inside));
+  };
+  return !searched([&] { return !for_all(search, body, frame); }, linear, frame, denies);
 }
 
 Truth just_one(const CompiledSchemaText& head, Frame& frame) {
@@ -211,13 +222,29 @@ Property Compiler::quantified(const Term& term, const Scope& scope) {
     Property property;
     property.kind = Property::Kind::exists;
     property.search = head.search;
+    property.linear = linear(node, scope, inner);
     property.term = term;
     return property;
   }
   const CompiledSchemaText head = this->head(*node.text, scope, inner);
-  return test_of([search = head.search,
-                  body = predicate(node.children[0], inner)](Frame& frame) { return for_all(*search, body, frame); },
+  return test_of([search = head.search, body = predicate(node.children[0], inner), linear = linear(node, scope, inner)](
+                     Frame& frame) { return for_all(*search, body, linear.get(), frame); },
                  term);
+}
+
+/// The question of whole numbers that a quantifier asks, if it asks one.
+std::shared_ptr<const LinearQuestion> Compiler::linear(const Node& quantifier, const Scope& scope, const Scope& inner) {
+  const LinearSurroundings around{[&](const Name& name) { return !find(name, scope) && !definitions_.find(name); },
+                                  [&](const Name& name) -> const Term* {
+                                    const Meaning* meaning = find(name, scope) ? nullptr : definitions_.find(name);
+                                    const auto* form =
+                                        meaning ? std::get_if<Definition>(&meaning->paragraph->form) : nullptr;
+                                    return form && form->formals.empty() ? &form->value : nullptr;
+                                  },
+                                  [&](const Declaration& declaration) { return components(declaration, definitions_); },
+                                  [&](const Term& term) { return expression(term, scope); },
+                                  [&](const Name& name) { return *inner.names.at(name).slot; }};
+  return linear_question(quantifier, around);
 }
 
 Property Compiler::exists_one(const Node& node, const Scope& scope) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "zed/evaluate/search.hpp"
+#include "zed/evaluate/linear_question.hpp"
 
 namespace durero::zed {
 namespace {
@@ -37,6 +37,13 @@ Truth evaluate_whole(const Property& property, Frame& frame) {
   return here;
 }
 
+Truth evaluate_exists(const Property& property, Frame& frame) {
+  const Solver& search = *property.search;
+  if (!property.linear) return search.exists(frame);
+  return searched([&] { return search.exists(frame); }, property.linear.get(), frame,
+                  [&](Frame& inside) { return search.holds(inside); });
+}
+
 }  // namespace
 
 Property all_of(std::vector<Property> parts) {
@@ -61,7 +68,7 @@ Truth evaluate(const Property& property, Frame& frame) {
     case Property::Kind::any:
       return evaluate_any(property, frame);
     case Property::Kind::exists:
-      return property.search->exists(frame);
+      return evaluate_exists(property, frame);
     case Property::Kind::all:
       break;
   }

@@ -11,6 +11,7 @@
 namespace durero::zed {
 
 class Solver;
+class LinearQuestion;
 
 /// An equation is `x = e` among the conjuncts of a predicate: it determines x wherever it must hold and e does not
 /// depend on x.
@@ -32,16 +33,17 @@ struct ValueBound {
 struct Property {
   enum class Kind { all, any, exists, test };
   Kind kind = Kind::all;
-  std::vector<Property> parts;           ///< all and any have operands, exists one body
-  std::shared_ptr<const Solver> search;  ///< exists looks for its variables so
-  Test test;                             ///< a test asks this
-  std::vector<Equation> equations;       ///< a test `x = e` determines these
-  std::vector<Equation> spans;           ///< a test `dom x = e` or `ran x = e` determines x where e is empty
-  std::vector<ValueBound> bounds{};      ///< a test bounds these variables
-  std::vector<Property> links{};         ///< a test a < b < c is the conjunction of these
-  unsigned declared = 0;                 ///< a declaration declares the variable in this slot
-  Code set;                              ///< a declaration has a set, and no other property has
-  std::vector<unsigned> reads;           ///< this set depends on these slots
+  std::vector<Property> parts;                     ///< all and any have operands, exists one body
+  std::shared_ptr<const Solver> search;            ///< exists looks for its variables so
+  std::shared_ptr<const LinearQuestion> linear{};  ///< and may decide by this where the search does not
+  Test test;                                       ///< a test asks this
+  std::vector<Equation> equations;                 ///< a test `x = e` determines these
+  std::vector<Equation> spans;                     ///< a test `dom x = e` or `ran x = e` determines x where e is empty
+  std::vector<ValueBound> bounds{};                ///< a test bounds these variables
+  std::vector<Property> links{};                   ///< a test a < b < c is the conjunction of these
+  unsigned declared = 0;                           ///< a declaration declares the variable in this slot
+  Code set;                                        ///< a declaration has a set, and no other property has
+  std::vector<unsigned> reads;                     ///< this set depends on these slots
   /// The slots that a relation depends on, with those of the variables that its operands bind; other properties leave
   /// them out.
   std::optional<std::vector<unsigned>> depends{};

@@ -60,7 +60,7 @@ TEST_CASE("quantifiers over numbers are decided where their truth changes") {
   CHECK(truth_of("∃ x : ℝ • x * x * x = 9") == Truth::open);
   CHECK(truth_of("∃ x : ℝ • x < 5 ∧ x * x * x = 9") == Truth::open);
   CHECK(truth_of("∃ x : ℝ • x * x * x = 9 ∧ x < 5") == Truth::open);
-  CHECK(truth_of("∀ x, y : ℕ • x + y ≥ x") == Truth::open);
+  CHECK(truth_of("∀ x, y : ℕ • x * x + y ≥ x") == Truth::open);
 }
 
 const std::string ray = "⦉p == ⦉x == 0, y == 0, z == -(5)⦊, v == ⦉x == 0, y == 0, z == 1⦊⦊";
