@@ -6,6 +6,8 @@
 #include "durero/zed/value/undecided.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/value/functions.hpp"
+#include "zed/value/integer_lines.hpp"
+#include "zed/value/sets.hpp"
 
 namespace durero::zed {
 namespace {
@@ -33,9 +35,41 @@ std::optional<std::vector<Value>> other_parts(Frame& frame, const std::function<
   return listed ? std::optional(*all.set()->members()) : std::nullopt;
 }
 
-class Comprehension : public Set {
+/// Returns the line of the values of a term, where the only variable of the closure is declared from whole numbers and
+/// nothing else is said of it. `value` gives the second part of a pair whose first part is the variable.
+std::optional<IntegerLine> line_of(const Closure& closure, Context& context,
+                                   const std::function<Value(Frame&)>& value) {
+  const Solver& search = *closure.head.search;
+  const auto& variables = search.variables();
+  const bool is_plain = closure.closed() && closure.head.groups.size() == 1 && !closure.head.groups[0].names &&
+                        variables.size() == 1 && variables[0].set && !variables[0].value && search.goal().parts.empty();
+  if (!is_plain || search.goal().kind != Property::Kind::all) return std::nullopt;
+  const ApplicationDepth deeper(context);
+  const Computing nothing_is_found(context);
+  Frame frame = closure.frame(context);
+  const Value set = variables[0].set(frame);
+  const auto* least = set.set() ? integers_from(*set.set()) : nullptr;
+  if (!least) return std::nullopt;
+  const Unknown number{context.fresh()};
+  frame.slots[variables[0].slot] = number;
+  return line_through(value(frame), number, *least);
+}
+
+class Comprehension : public Set, public LineSource {
  public:
   Comprehension(Closure closure, Steps& steps) : closure_(std::move(closure)), steps_(steps) {}
+
+  // The pairs (x, e) are a function of x.
+  std::optional<IntegerLine> line(Context& context) const override {
+    if (!closure_.term) return std::nullopt;
+    return line_of(closure_, context, [this](Frame& inside) -> Value {
+      const Value here = closure_.term(inside);
+      if (!here.tuple() || here.tuple()->parts.size() != 2) return {};
+      const auto* first = here.tuple()->parts[0].get<Unknown>();
+      const auto* variable = inside.slots[closure_.head.search->variables()[0].slot].get<Unknown>();
+      return first && variable && first->id == variable->id ? here.tuple()->parts[1] : Value();
+    });
+  }
 
   Truth contains(const Value& value, Context& context) const override {
     const ApplicationDepth deeper(context);
@@ -220,9 +254,11 @@ bool whole_unknown(const Value& argument, const std::vector<TupleComponent>& gro
   return (argument.is_open() || argument.get<Unknown>()) && (groups.size() > 1 || groups[0].names);
 }
 
-class Lambda : public Set {
+class Lambda : public Set, public LineSource {
  public:
   Lambda(Closure closure, Steps& steps) : closure_(std::move(closure)), steps_(steps) {}
+
+  std::optional<IntegerLine> line(Context& context) const override { return line_of(closure_, context, closure_.term); }
 
   Value apply(const Value& argument, Context& context) const override {
     if (whole_unknown(argument, closure_.head.groups)) return Open{};

@@ -4,6 +4,7 @@
 
 #include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
+#include "zed/value/integer_lines.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
 #include "zed/value/small_members.hpp"
@@ -46,6 +47,8 @@ class FunctionSet : public Set {
   Truth contains(const Value& value, Context& context) const override {
     if (!value.set()) return lost(context);
     if (const auto* function = settled(value)) return settled_is_in(*function, from_, to_, form_, context);
+    if (!value.set()->members())
+      if (const auto of_line = line_in_it(value, context)) return *of_line;
     const auto& pairs = enumerated(value, "whether it is a function, for");
     if (form_.function && !is_function(pairs)) return Truth::no;
     const Truth inside = both(each_in(pairs, 0, from_, context), each_in(pairs, 1, to_, context));
@@ -98,7 +101,7 @@ class FunctionSet : public Set {
     std::vector<Value> to = to_.set()->some_members(scope, context);
     if (form_.total) {
       const auto* from = from_.set()->members();
-      return from ? some_total(*from, to, scope.most) : some_settled(to, scope);
+      return from ? some_total(*from, to, scope.most) : some_infinite(to, scope, context);
     }
     std::vector<Value> from = from_.set()->some_members(scope, context);
     if (from.size() > most_tried_parts) from.resize(most_tried_parts);
@@ -160,21 +163,44 @@ class FunctionSet : public Set {
     return ends;
   }
 
-  /// Total functions from ℕ, ℕ₁, or such integers, not all: constant ones, and those with other values at few places.
-  std::vector<Value> some_settled(const std::vector<Value>& to, const SmallScope& scope) const {
+  /// Whether the value is a line that is a member. Nothing where it is none, or that is not known.
+  std::optional<Truth> line_in_it(const Value& value, Context& context) const {
+    const auto line = integer_line(value, context);
+    return line ? line_is_in(*line, from_, to_, form_, context) : std::nullopt;
+  }
+
+  /// Total functions from whole numbers, not all: lines, constant ones, and those with other values at few places.
+  std::vector<Value> some_infinite(const std::vector<Value>& to, const SmallScope& scope, Context& context) const {
     const std::optional<int>* least = integers_from(*from_.set());
-    if (!least || !*least || form_.injective || form_.finite) return {};
-    std::vector<Value> places, some;
-    for (const Value& rest : to) some.push_back(settled_function(**least, {}, rest));
+    std::vector<Value> some;
+    if (!least) return some;
+    for (const IntegerLine& line : small_lines(*least))
+      if (line_is_in(line, from_, to_, form_, context) == Truth::yes) some.push_back(line_function(line));
+    if (!*least) add_constant(some, to, context);
+    if (*least && !form_.injective && !form_.finite) add_settled(some, **least, to, scope);
+    if (some.size() > scope.most) some.resize(scope.most);
+    return some;
+  }
+
+  /// Constant functions on ℤ of whole numbers.
+  void add_constant(std::vector<Value>& some, const std::vector<Value>& to, Context& context) const {
+    for (const Value& value : to) {
+      if (!value.real() || !value.real()->is_integer()) continue;
+      const IntegerLine line{std::nullopt, Real(), *value.real()};
+      if (line_is_in(line, from_, to_, form_, context) == Truth::yes) some.push_back(line_function(line));
+    }
+  }
+
+  void add_settled(std::vector<Value>& some, int least, const std::vector<Value>& to, const SmallScope& scope) const {
+    std::vector<Value> places;
+    for (const Value& rest : to) some.push_back(settled_function(least, {}, rest));
     for (const Real& number : scope.numbers)
-      if (number.is_integer() && number >= Real(**least)) places.emplace_back(number);
+      if (number.is_integer() && number >= Real(least)) places.emplace_back(number);
     const std::vector<Value> pairs = pairs_of(ends_of(places, most_tried_places), ends_of(to, most_tried_values));
     for (const Value& others : subsets_of(pairs, scope.most, true))
       for (std::size_t i = 0; i < std::min(to.size(), most_tried_rests); ++i)
         if (is_function(*others.set()->members()))
-          some.push_back(settled_function(**least, *others.set()->members(), to[i]));
-    if (some.size() > scope.most) some.resize(scope.most);
-    return some;
+          some.push_back(settled_function(least, *others.set()->members(), to[i]));
   }
 
   static Truth each_in(const std::vector<Value>& pairs, std::size_t part, const Value& set, Context& context) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "durero/zed/value/undecided.hpp"
+#include "zed/value/integer_lines.hpp"
 #include "zed/value/number_sets.hpp"
 #include "zed/value/rules.hpp"
 #include "zed/value/sets.hpp"
@@ -200,9 +201,13 @@ std::optional<std::vector<Value>> value_at(const Set& function, const Value& arg
 
 namespace {
 
-class FunctionValue : public Set {
+class FunctionValue : public Set, public LineSource {
  public:
   explicit FunctionValue(const OperatorRow& row) : row_(row) {}
+  std::optional<IntegerLine> line(Context&) const override {
+    if (row_.evaluation.unary != functions::successor) return std::nullopt;
+    return IntegerLine{0, Real(1), Real(1)};
+  }
   Value apply(const Value& argument, Context& context) const override {
     if (argument.is_undefined()) return {};
     const Computing value(context);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "durero/zed/value/undecided.hpp"
+#include "zed/value/integer_lines.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -174,9 +175,13 @@ class RangeOfRule : public Set {
   Value relation_;
 };
 
-class Identity : public Set {
+class Identity : public Set, public LineSource {
  public:
   explicit Identity(Value set) : set_(std::move(set)) {}
+  std::optional<IntegerLine> line(Context&) const override {
+    const auto* least = set_.set() ? integers_from(*set_.set()) : nullptr;
+    return least ? std::optional(IntegerLine{*least, Real(1), Real()}) : std::nullopt;
+  }
   Partners partners(const Value& known, std::size_t, Context& context) const override {
     return kept(Values{known}, [&](const Value& value) { return contains_value(set_, value, context); });
   }

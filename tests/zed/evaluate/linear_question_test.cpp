@@ -59,7 +59,7 @@ TEST_CASE("linear comparisons of all whole numbers are decided") {
 
 TEST_CASE("a part that is no linear comparison of whole numbers decides nothing") {
   for (const char* open : {"∀ x, y : ℕ • x * y ≥ 0", "∀ x, y : ℕ • x div 2 + y ≥ y", "∀ x, y : ℕ • x mod 2 ≤ y + 1",
-                           "∀ x, y : ℝ • x + y > x ∨ y ≤ 0", "∀ x, y : ℕ • x + 1/2 ≠ y",
+                           "∀ x, y : 𝔸 • x + y > x ∨ y ≤ 0", "∀ x, y : ℕ • x + 1/2 ≠ y",
                            "∀ x, y : ℤ • ∃ z : ℤ • 2 * z = x + y ∨ 2 * z = x + y + 1"}) {
     INFO(open);
     CHECK(truth_of(open) == Truth::open);

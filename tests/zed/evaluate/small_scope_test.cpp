@@ -466,13 +466,14 @@ TEST_CASE("constant functions on ℕ, and those with other values at few places,
   ScopeAnswers answers;
   for (const char* predicate :
        {"∃ f : ℕ → ℕ • f 0 = 3", "∃ f : ℕ → ℕ • f 5 = f 6 + 1", "∃ f : ℕ₁ → 0 ‥ 1 • f 1 = 1 ∧ f 2 = 0",
-        "∃ f : ℕ → ℕ • f 100 = 70 ∧ f 2 = 0", "∃ f : ℕ → T • f 0 = t0 ∧ f 1 ≠ t0", "∃ f : ℕ → ℕ • # (ran f) = 2"}) {
+        "∃ f : ℕ → ℕ • f 100 = 70 ∧ f 2 = 0", "∃ f : ℕ → T • f 0 = t0 ∧ f 1 ≠ t0", "∃ f : ℕ → ℕ • # (ran f) = 2",
+        "∃ f : ℤ → ℕ • f 0 = 3", "∃ f : ℕ ↣ ℕ • f 0 = 3"}) {
     INFO(predicate);
     CHECK(answers.truth(predicate) == "true");
   }
   CHECK(answers.truth("∀ f : ℕ → ℕ • f 0 = f 1") == "false");
-  for (const char* predicate : {"∃ f : ℕ ↣ ℕ • f 0 = 3", "∃ f : ℕ → ℕ • f 0 = - 1", "∃ f : ℕ → ℕ • ∀ n : ℕ • f n > n",
-                                "∃ f : ℤ → ℕ • f 0 = 3", "∀ f : ℕ → ℕ • f 0 ≥ 0"}) {
+  for (const char* predicate : {"∃ f : ℕ ↣ ℕ • f 0 = 50", "∃ f : ℕ → ℕ • f 0 = - 1", "∃ f : ℕ → ℕ • ∀ n : ℕ • f n > n",
+                                "∃ f : ℤ → T • f 0 = t0", "∀ f : ℕ → ℕ • f 0 ≥ 0"}) {
     INFO(predicate);
     CHECK(answers.truth(predicate) == "");
   }
