@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "durero/zed/syntax/toolkit_sections.hpp"
 #include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
@@ -56,11 +57,12 @@ struct OperatorRow {
   std::string_view name;     ///< `_∪_`, `#_`, `_∼`, `dom` have an underscore for each operand
   std::string_view command;  ///< it has no backslash, and is empty where LaTeX writes the symbol as it is
   Binding binding;
-  std::string_view formals, type;  ///< it is declared from this set; each generic formal is one letter
-  Evaluation evaluation{};         ///< arrows have none, nor has what is not evaluated
-  CoqNotation coq{};               ///< it has none where no rule of translation covers it
-  std::string_view opposite{};     ///< this relation holds exactly where the row's does not
-  std::optional<Arrow> arrow{};    ///< sets of relations and functions have one
+  std::optional<ToolkitSection> section;  ///< the section of the toolkit that declares it, if one does
+  std::string_view formals, type;         ///< it is declared from this set; each generic formal is one letter
+  Evaluation evaluation{};                ///< arrows have none, nor has what is not evaluated
+  CoqNotation coq{};                      ///< it has none where no rule of translation covers it
+  std::string_view opposite{};            ///< this relation holds exactly where the row's does not
+  std::optional<Arrow> arrow{};           ///< sets of relations and functions have one
 
   /// Returns the name without its underscores.
   std::string_view symbol() const;

@@ -1,6 +1,10 @@
 #include "zed/evaluate/definitions.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+
+#include "zed/operators.hpp"
 
 namespace durero::zed {
 namespace {
@@ -86,11 +90,25 @@ Definitions::Definitions(const std::vector<Section>& sections) : sections_(secti
   for (const Section& section : sections) {
     for (const Paragraph& paragraph : section.paragraphs) add(section, paragraph);
   }
+  is_whole_ = true;
 }
 
 void Definitions::add(Meaning global) {
-  Name name = global.name;
-  globals_.emplace(std::move(name), std::move(global));
+  const OperatorRow* row = operator_row(global.name.text());
+  if (row && row->section)
+    of_toolkit_ = fmt::format("{} is declared in {} and in {}, and what is evaluated has one meaning of it",
+                              global.name.text(), global.section->name, name_of(*row->section));
+  const auto [at, added] = globals_.try_emplace(global.name, global);
+  if (added || at->second.section == global.section) return;
+  ambiguous_.try_emplace(global.name,
+                         fmt::format("{} is declared in {} and in {}, and what is evaluated has one meaning of it",
+                                     global.name.text(), at->second.section->name, global.section->name));
+}
+
+void Definitions::refuse_ambiguous(const Name& name) const {
+  if (!is_whole_) return;
+  if (!of_toolkit_.empty()) throw EvaluationError(of_toolkit_);
+  if (const auto at = ambiguous_.find(name); at != ambiguous_.end()) throw EvaluationError(at->second);
 }
 
 void Definitions::add(const Section& section, const Paragraph& paragraph) {
@@ -117,11 +135,13 @@ void Definitions::add(const Section& section, const Paragraph& paragraph) {
 }
 
 Meaning* Definitions::find(const Name& name) {
+  refuse_ambiguous(name);
   const auto entry = globals_.find(name);
   return entry == globals_.end() ? nullptr : &entry->second;
 }
 
 const Meaning* Definitions::find(const Name& name) const {
+  refuse_ambiguous(name);
   const auto entry = globals_.find(name);
   return entry == globals_.end() ? nullptr : &entry->second;
 }

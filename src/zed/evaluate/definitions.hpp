@@ -29,7 +29,8 @@ class Definitions {
  public:
   /// The sections outlive it.
   explicit Definitions(const std::vector<Section>& sections);
-  /// Returns null where the specification declares no such name.
+  /// Returns null where the specification declares no such name. Throws EvaluationError where two sections declare it,
+  /// and for every name where a section declares one of the toolkit: it does not see that one, and other sections may.
   Meaning* find(const Name& name);
   const Meaning* find(const Name& name) const;
   const std::vector<Section>& sections() const { return sections_; }
@@ -37,8 +38,12 @@ class Definitions {
  private:
   void add(Meaning global);
   void add(const Section& section, const Paragraph& paragraph);
+  void refuse_ambiguous(const Name& name) const;
   const std::vector<Section>& sections_;
   std::unordered_map<Name, Meaning> globals_;
+  std::unordered_map<Name, std::string> ambiguous_;  // these names have two meanings, as the texts say
+  std::string of_toolkit_;                           // a section declares a name that the toolkit has, as this says
+  bool is_whole_ = false;                            // all sections are added
 };
 
 /// Returns `S` for `ΔS` and for `ΞS`, unless the specification declares that name itself; else nothing.

@@ -42,9 +42,9 @@ NameWalk::Meaning NameWalk::meaning_of(const Name& name) {
     const auto schema = schemas_.find(declared);
     return {global(*declared), schema == schemas_.end() ? std::nullopt : std::optional(schema->second), {}};
   }
-  const auto sees = typing_.sees_toolkit.find(section_->name);
-  const auto& known = sees != typing_.sees_toolkit.end() && sees->second ? toolkit() : prelude();
-  if (known.contains(name)) return {toolkit_name(name), {}, {}};
+  const auto seen = typing_.toolkit.find(section_->name);
+  if (toolkit_scheme(name, seen == typing_.toolkit.end() ? ToolkitSections() : seen->second))
+    return {toolkit_name(name), {}, {}};
   for (const std::string_view sign : doubling_signs) {
     if (!name.word.starts_with(sign) || name.word.size() == sign.size() || !name.strokes.empty()) continue;
     Meaning base = meaning_of({name.word.substr(sign.size()), {}});

@@ -28,15 +28,15 @@ std::string add_operator(Operators& to, OperatorTemplate added) {
   return {};
 }
 
-std::string otherwise_associated(const Operators& known, bool sees_toolkit, const OperatorTemplate& added) {
+std::string otherwise_associated(const Operators& known, ToolkitSections seen, const OperatorTemplate& added) {
   const auto has_side = [](const OperatorTemplate& of) { return of.role != Role::relation && of.is_infix(); };
   if (!has_side(added)) return {};
   for (const auto& [word, part] : known)
     if (has_side(*part.of) && part.of->precedence == added.precedence && part.of->right != added.right)
       return part.of->name();
   for (const OperatorRow& row : operator_rows())
-    if (sees_toolkit && row.binding.role && row.binding.role != Role::relation && row.fixity() == Fixity::infix &&
-        row.binding.precedence == added.precedence && row.binding.right != added.right)
+    if (row.section && seen.has(*row.section) && row.binding.role && row.binding.role != Role::relation &&
+        row.fixity() == Fixity::infix && row.binding.precedence == added.precedence && row.binding.right != added.right)
       return std::string(row.name);
   return {};
 }

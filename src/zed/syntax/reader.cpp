@@ -147,8 +147,8 @@ class SpecificationReader {
   }
 
   void inherit(const std::string& child, const std::string& parent, const std::string& path, Place place) {
-    if (is_toolkit(parent)) {
-      if (parent == "standard_toolkit" || parent == "sequence_toolkit") see_toolkit_.insert(child);
+    if (const auto given = ToolkitSections::of(parent)) {
+      toolkit_[child] |= *given;
       return;
     }
     if (parent == bag_toolkit) begin_bags();
@@ -157,7 +157,7 @@ class SpecificationReader {
     const Markup& theirs = specification_.markup[parent];
     Markup& mine = specification_.markup[child];
     mine.insert(theirs.begin(), theirs.end());
-    if (see_toolkit_.contains(parent)) see_toolkit_.insert(child);
+    toolkit_[child] |= toolkit_[parent];
     const Operators& known = specification_.operators[parent];
     for (const auto& [word, part] : known)
       if (is_otherwise_associated(child, *part.of, {path, place})) break;
@@ -168,8 +168,7 @@ class SpecificationReader {
   /// at that place.
   bool is_otherwise_associated(const std::string& section, const OperatorTemplate& added,
                                const std::pair<std::string, Place>& at) {
-    const std::string other =
-        otherwise_associated(specification_.operators[section], see_toolkit_.contains(section), added);
+    const std::string other = otherwise_associated(specification_.operators[section], toolkit_[section], added);
     if (other.empty()) return false;
     specification_.defects.push_back({at.first,
                                       at.second,
@@ -218,7 +217,7 @@ class SpecificationReader {
 
   Section anonymous(const Block& block, const std::string& path) {
     Section section{path, "Specification", {"standard_toolkit"}, {}, block.begin, {}};
-    see_toolkit_.insert(section.name);
+    toolkit_[section.name] = ToolkitSections::all();
     if (!started_.insert(section.name).second)
       throw ZError(block.begin, "a second file without a section header", "expected \\begin{zsection}");
     if (block.spivey && block.spivey->has_bags) {
@@ -309,8 +308,8 @@ class SpecificationReader {
   std::map<std::string, Pieces> pieces_;  // of these
   Specification specification_;
   std::set<std::string> files_, started_;
-  std::set<std::string> see_toolkit_;         // these sections have the whole toolkit among their ancestors
-  std::map<std::string, std::string> where_;  // a section leads to its file
+  std::map<std::string, ToolkitSections> toolkit_;  // each section has these of the toolkit among its ancestors
+  std::map<std::string, std::string> where_;        // a section leads to its file
 };
 
 }  // namespace
@@ -321,12 +320,7 @@ const Section* Specification::find(const std::string& name) const {
   return nullptr;
 }
 
-bool is_toolkit(const std::string& section) {
-  static constexpr std::array<std::string_view, 7> names = {"prelude",          "set_toolkit",    "relation_toolkit",
-                                                            "function_toolkit", "number_toolkit", "sequence_toolkit",
-                                                            "standard_toolkit"};
-  return std::find(names.begin(), names.end(), section) != names.end();
-}
+bool is_toolkit(const std::string& section) { return ToolkitSections::of(section).has_value(); }
 
 bool is_built_in(const Section& section) { return section.file == bag_toolkit; }
 

@@ -40,8 +40,8 @@ class Checker {
  public:
   using Globals = std::unordered_map<Name, std::shared_ptr<const Global>>;
 
-  Checker(std::string file, Globals& globals, bool sees_toolkit, Typing& into)
-      : file_(std::move(file)), globals_(globals), sees_toolkit_(sees_toolkit), into_(into) {}
+  Checker(std::string file, Globals& globals, ToolkitSections toolkit, Typing& into)
+      : file_(std::move(file)), globals_(globals), toolkit_(toolkit), into_(into) {}
 
   // Checks a term as an expression, and returns its type, or as a predicate.
   Type expression(const Term& term);
@@ -87,6 +87,7 @@ class Checker {
   Type reference(const Node& node);
   std::string expected_name(const Name& name) const;
   std::string nearest_name(const Name& name) const;
+  std::string expected_parent(const Name& name) const;
   const KnownNames& global_names() const;
   std::optional<Type> lookup(const Name& name, const std::vector<Type>* actuals, Place place);
   std::optional<Type> component_in_scope(const Name& name, Place place);
@@ -162,7 +163,7 @@ class Checker {
   Globals& globals_;
   mutable std::optional<KnownNames> global_names_;  // those of so many globals, once a message has asked for them
   mutable std::size_t global_names_of_ = 0;
-  bool sees_toolkit_;
+  ToolkitSections toolkit_;  // that are seen
   Typing& into_;
   std::vector<FieldTable> scopes_;
   std::vector<std::pair<Name, std::pair<Place, Type>>> generics_;  // these instances are to be determined

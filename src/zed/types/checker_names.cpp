@@ -48,6 +48,7 @@ Type Checker::reference(const Node& node) {
 std::string Checker::expected_name(const Name& name) const {
   if (name.word.find("↗") != name.word.npos)
     return "expected a declared name; an iteration has blanks, R ↗ n ↙ (R~^{~n~} in LaTeX)";
+  if (const std::string parent = expected_parent(name); !parent.empty()) return parent;
   std::string strokes = name.strokes;
   while (!strokes.empty() && text::continues(strokes.back())) strokes.pop_back();
   if (strokes.empty()) return nearest_name(name);
@@ -59,13 +60,21 @@ std::string Checker::expected_name(const Name& name) const {
   return fmt::format("expected {0} {1} ({0}~{1} in LaTeX) for the decoration of the schema {0}", base.text(), stroke);
 }
 
+/// Names the parent that would give a name of the toolkit which no ancestor declares; nothing for any other name.
+std::string Checker::expected_parent(const Name& name) const {
+  const auto at = toolkit().find(name);
+  if (at == toolkit().end() || toolkit_.has(at->second.section)) return {};
+  return fmt::format("expected {} among the ancestors, or a declaration", name_of(at->second.section));
+}
+
 /// The names of all paragraphs so far and of the toolkit. A paragraph adds names, so that their number tells two lists
 /// apart.
 const KnownNames& Checker::global_names() const {
   if (!global_names_ || global_names_of_ != globals_.size()) {
     std::vector<std::string> known;
     for (const auto& [global, meaning] : globals_) known.push_back(global.text());
-    for (const auto& [own, scheme] : sees_toolkit_ ? toolkit() : prelude()) known.push_back(own.text());
+    for (const auto& [own, entry] : toolkit())
+      if (toolkit_.has(entry.section)) known.push_back(own.text());
     global_names_.emplace(std::move(known));
     global_names_of_ = globals_.size();
   }
@@ -105,8 +114,7 @@ std::optional<Type> Checker::lookup(const Name& name, const std::vector<Type>* a
     if (at->second->form == Global::Form::lost) return Type::unknown();
     return instance(name, at->second->scheme, actuals, place);
   }
-  const auto& known = sees_toolkit_ ? toolkit() : prelude();
-  if (const auto entry = known.find(name); entry != known.end()) return instance(name, entry->second, actuals, place);
+  if (const Scheme* scheme = toolkit_scheme(name, toolkit_)) return instance(name, *scheme, actuals, place);
   return implied_schema(name, actuals, place);
 }
 

@@ -65,7 +65,7 @@ void Checker::relation(const Node& node) {
   for (const Term& operand : node.children) types.push_back(expression(operand));
   if (node.children.size() == 1) {
     const auto declared = lookup(node.names[0], nullptr, node.place);
-    if (!declared) return error(node.place, node.names[0].text() + " is not declared", "expected the toolkit's parent");
+    if (!declared) return error(node.place, node.names[0].text() + " is not declared", expected_name(node.names[0]));
     if (!unify(*declared, Type::power(types[0])))
       error(
           node.place, fmt::format("the operand has the type {}", types[0].text()),
@@ -91,7 +91,7 @@ void Checker::relate(const Name& relation, const Node& left, const Type& a, cons
     return;
   }
   const auto declared = lookup(relation, nullptr, right.place);
-  if (!declared) return error(left.place, symbol + " is not declared", "expected standard_toolkit among the ancestors");
+  if (!declared) return error(left.place, symbol + " is not declared", expected_name(relation));
   const Type wanted = declared->is(Type::Kind::power) ? declared->parts()[0] : *declared;
   const std::string both = wanted.text();
   if (!unify(wanted, Type::product({a, b}))) mismatch(fmt::format("expected {}", both));

@@ -28,18 +28,18 @@ std::vector<Name> names_of(std::string_view formals) {
   return names;
 }
 
-/// Returns the names with the types of their rows. Many rows have one type, which is read once.
-std::unordered_map<Name, Scheme> schemes(const std::vector<std::string_view>& names) {
-  std::unordered_map<Name, Scheme> typed;
-  std::unordered_map<std::string_view, Type> types;
-  for (const std::string_view name : names) {
-    const OperatorRow& row = *operator_row(name);
-    const auto [type, is_new] = types.try_emplace(row.type, Type::unknown());
+/// Reads the types of rows. Many rows have one type, which is read once.
+class RowTypes {
+ public:
+  Scheme scheme(const OperatorRow& row) {
+    const auto [type, is_new] = types_.try_emplace(row.type, Type::unknown());
     if (is_new) type->second = element_type(parse_unicode(row.type));
-    typed.emplace(Name{std::string(name), {}}, Scheme{names_of(row.formals), type->second});
+    return {names_of(row.formals), type->second};
   }
-  return typed;
-}
+
+ private:
+  std::unordered_map<std::string_view, Type> types_;
+};
 
 }  // namespace
 
@@ -48,24 +48,29 @@ const Type& arithmos() {
   return type;
 }
 
-const std::unordered_map<Name, Scheme>& prelude() {
-  static const auto table = schemes({"𝔸", "ℕ", "_+_"});
-  return table;
-}
-
 const std::unordered_map<Name, Scheme>& calculator() {
-  static const auto table = schemes({"_/_", "√_"});
-  return table;
-}
-
-const std::unordered_map<Name, Scheme>& toolkit() {
   static const auto table = [] {
-    std::vector<std::string_view> names;
-    for (const OperatorRow& row : operator_rows())
-      if (!row.type.empty() && !calculator().contains(Name{std::string(row.name), {}})) names.push_back(row.name);
-    return schemes(names);
+    std::unordered_map<Name, Scheme> typed;
+    for (const char* name : {"_/_", "√_"}) typed.emplace(Name{name, {}}, RowTypes().scheme(*operator_row(name)));
+    return typed;
   }();
   return table;
+}
+
+const std::unordered_map<Name, ToolkitEntry>& toolkit() {
+  static const auto table = [] {
+    RowTypes types;
+    std::unordered_map<Name, ToolkitEntry> typed;
+    for (const OperatorRow& row : operator_rows())
+      if (row.section) typed.emplace(Name{std::string(row.name), {}}, ToolkitEntry{*row.section, types.scheme(row)});
+    return typed;
+  }();
+  return table;
+}
+
+const Scheme* toolkit_scheme(const Name& name, ToolkitSections seen) {
+  const auto at = toolkit().find(name);
+  return at != toolkit().end() && seen.has(at->second.section) ? &at->second.scheme : nullptr;
 }
 
 }  // namespace durero::zed

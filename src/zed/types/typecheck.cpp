@@ -16,7 +16,7 @@ class SectionChecker {
       : section_(section),
         into_(into),
         globals_(into.scopes[section.name]),
-        terms_(section.file, globals_, into.sees_toolkit[section.name], into) {}
+        terms_(section.file, globals_, into.toolkit[section.name], into) {}
 
   void run() {
     try {
@@ -46,8 +46,7 @@ class SectionChecker {
     terms_.solve();
     const auto entry = globals_.find(name);
     const bool known = entry != globals_.end() && entry->second->form != Global::Form::lost;
-    const auto& toolkit_names = into_.sees_toolkit[section_.name] ? toolkit() : prelude();
-    if (known || toolkit_names.contains(name)) {
+    if (known || toolkit_scheme(name, into_.toolkit[section_.name])) {
       const std::string where =
           known ? fmt::format("{}:{}", entry->second->file, entry->second->place.line) : "the toolkit";
       terms_.error(place, fmt::format("{} is declared already, in {}", name.text(), where), "expected a new name");
@@ -154,24 +153,39 @@ class SectionChecker {
   Checker terms_;
 };
 
+Defect declared_twice(const Section& section, const Name& name, std::string_view one, std::string_view other) {
+  return {section.file, section.place,
+          fmt::format("the parents declare {} twice, in {} and {}", name.text(), one, other),
+          "expected one declaration of it", Defect::Severity::error};
+}
+
 /// A section sees, when it begins, all that its parents see at their end.
 void inherit(const Section& section, Typing& into) {
   auto& mine = into.scopes[section.name];
-  bool& sees_toolkit = into.sees_toolkit[section.name];
+  ToolkitSections& toolkit_seen = into.toolkit[section.name];
   for (const std::string& parent : section.parents) {
-    if (is_toolkit(parent)) sees_toolkit = sees_toolkit || parent != "prelude";
+    if (const auto given = ToolkitSections::of(parent)) toolkit_seen |= *given;
     const auto theirs = into.scopes.find(parent);
     if (theirs == into.scopes.end() || parent == section.name) continue;
-    sees_toolkit = sees_toolkit || into.sees_toolkit[parent];
+    toolkit_seen |= into.toolkit[parent];
     for (const auto& [name, global] : theirs->second) {
       const auto [at, added] = mine.emplace(name, global);
       if (!added && at->second != global)
-        into.defects.push_back({section.file, section.place,
-                                fmt::format("the parents declare {} twice, in {} and {}", name.text(),
-                                            at->second->section, global->section),
-                                "expected one declaration of it", Defect::Severity::error});
+        into.defects.push_back(declared_twice(section, name, at->second->section, global->section));
     }
   }
+}
+
+/// Refuses a name that one parent declares, where another one gives a section of the toolkit that declares it too.
+void refuse_names_of_toolkit(const Section& section, Typing& into) {
+  const ToolkitSections seen = into.toolkit[section.name];
+  const bool all_alike = std::ranges::all_of(section.parents, [&](const std::string& parent) {
+    return !into.scopes.contains(parent) || into.toolkit[parent] == seen;
+  });
+  if (all_alike) return;  // each parent refused such names itself
+  for (const auto& [name, global] : into.scopes[section.name])
+    if (toolkit_scheme(name, seen))
+      into.defects.push_back(declared_twice(section, name, global->section, name_of(toolkit().at(name).section)));
 }
 
 /// Checks a term as a predicate, where its form is that of one, or as an expression.
@@ -223,6 +237,7 @@ Typing check(const Specification& specification) {
   for (const Section& section : specification.sections) {
     const auto first = static_cast<std::ptrdiff_t>(typing.defects.size());
     inherit(section, typing);
+    refuse_names_of_toolkit(section, typing);
     SectionChecker(section, typing).run();
     std::stable_sort(typing.defects.begin() + first, typing.defects.end(), [](const Defect& a, const Defect& b) {
       return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
@@ -247,9 +262,10 @@ Typing check_term(const Typing& known, const std::string& section, const Term& t
                   const std::vector<std::pair<Name, Type>>& locals, const std::string& file) {
   Typing typing;
   const auto scope = known.scopes.find(section);
-  const auto toolkit = known.sees_toolkit.find(section);
+  const auto toolkit_seen = known.toolkit.find(section);
   Checker::Globals globals = scope == known.scopes.end() ? Checker::Globals() : scope->second;
-  Checker checker(file, globals, toolkit == known.sees_toolkit.end() || toolkit->second, typing);
+  Checker checker(file, globals, toolkit_seen == known.toolkit.end() ? ToolkitSections::all() : toolkit_seen->second,
+                  typing);
   checker.push(locals);
   checker.take_alone();
   try {

@@ -28,6 +28,31 @@ bool holds(const std::string& predicate) {
   return truth == Truth::yes;
 }
 
+/// Returns why an evaluator on this text does not decide a predicate, or nothing where it is true.
+std::string undecided(const std::string& text, const std::string& predicate) {
+  const Specification read = read_text(text, "s.tex");
+  REQUIRE(read.ok());
+  try {
+    return Evaluator(read.sections).holds(parse_unicode(predicate)) == Truth::yes ? "" : "false";
+  } catch (const EvaluationError& error) {
+    return error.what();
+  }
+}
+
+TEST_CASE("a name that two sections declare is not decided, nor a text that declares a name of the toolkit") {
+  const auto section = [](const std::string& name, const std::string& parents, const std::string& definition) {
+    return "\\begin{zsection} \\SECTION " + name + " \\parents " + parents + " \\end{zsection}\n\\begin{zed} " +
+           definition + " \\end{zed}\n";
+  };
+  const std::string two = section("a", "prelude", "n == 1 \\\\ m == 1") + section("b", "prelude", "n == 2 \\\\ k == 2");
+  CHECK(undecided(two, "n = 2") == "n is declared in a and in b, and what is evaluated has one meaning of it");
+  CHECK(undecided(two, "m + k = 3").empty());
+  const std::string own = section("a", "prelude", "dom == \\lambda x : \\nat @ x + 1 \\\\ n == dom~1");
+  for (const char* asked : {"dom 1 = 2", "n = 2", "∀ f : ℕ ⇸ ℕ • dom f = ∅"})
+    CHECK(undecided(own, asked) ==
+          "dom is declared in a and in relation_toolkit, and what is evaluated has one meaning of it");
+}
+
 TEST_CASE("numbers, tuples and bindings") {
   CHECK(value("1 + 2 * 3") == "7");
   CHECK(value("(μ r : ℝ | r * 2 = 1)") == "1/2");

@@ -195,6 +195,8 @@ TEST_CASE("operators of one precedence associate to one side in all that a secti
         "s.tex:5:17: _ r _ and _ l _, of precedence 50, associate to different sides; expected one side, or another "
         "precedence");
   CHECK(said(section("a", "prelude", left + " \\\\ " + right)).starts_with("s.tex:2:"));
+  CHECK(said(section("a", "number\\_toolkit", right)).empty());  // ⊕ is of relation_toolkit
+  CHECK(said(section("a", "relation\\_toolkit", "") + section("b", "a", right)).find("_⊕_") != std::string::npos);
   CHECK(said(section("a", "sequence\\_toolkit", right)) ==
         "s.tex:2:13: _ r _ and _⊕_, of precedence 50, associate to different sides; expected one side, or another "
         "precedence");

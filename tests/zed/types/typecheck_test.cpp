@@ -102,6 +102,21 @@ TEST_CASE("an error says what may be meant") {
         "expected a declared name; an iteration has blanks, R ↗ n ↙ (R~^{~n~} in LaTeX)");
 }
 
+TEST_CASE("a name of the toolkit that no ancestor declares is told by the parent that would give it") {
+  const auto expected = [](const std::string& parents, const std::string& value) {
+    const Typing typing = check(text("\\begin{zsection} \\SECTION s \\parents " + parents +
+                                     " \\end{zsection}\n\\begin{zed} n == " + value + " \\end{zed}"));
+    return typing.defects.empty() ? "" : typing.defects[0].expected;
+  };
+  CHECK(expected("function\\_toolkit", "\\max \\{1\\}") ==
+        "expected sequence_toolkit among the ancestors, or a declaration");
+  CHECK(expected("number\\_toolkit", "\\{ x : \\nat | x \\neq 1 \\}") ==
+        "expected set_toolkit among the ancestors, or a declaration");
+  CHECK(expected("sequence\\_toolkit", "\\max \\{1\\}").empty());
+  CHECK(expected("function\\_toolkit", "haed") == "expected a declared name");
+  CHECK(expected("sequence\\_toolkit", "haed") == "expected a declared name; did you mean head?");
+}
+
 TEST_CASE("several errors are reported, not only the first") {
   const Typing typing =
       check(text("\\begin{zed} [A] \\end{zed}\n\\begin{zed} B == x \\end{zed}\n\\begin{zed} C == A + 1 \\end{zed}\n"));

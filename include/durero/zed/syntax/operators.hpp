@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "durero/zed/syntax/toolkit_sections.hpp"
+
 namespace durero::zed {
 
 /// The role of an operator's result: a value, a set, or a predicate.
@@ -51,9 +53,9 @@ std::string add_operator(Operators& to, OperatorTemplate added);
 /// Says whether a name is one that a template gives.
 inline bool is_template_name(std::string_view name) { return name.find(' ') != name.npos; }
 
-/// Returns the name of an infix operator, among these or among those of the toolkit where all of it is seen, which has
-/// the precedence of this one and associates to the other side: ISO/IEC 13568, 8.3, forbids the two in one scope. Empty
-/// where there is none.
-std::string otherwise_associated(const Operators& known, bool sees_toolkit, const OperatorTemplate& added);
+/// Returns the name of an infix operator, among these or among those of the sections of the toolkit that are seen,
+/// which has the precedence of this one and associates to the other side: ISO/IEC 13568, 8.3, forbids the two in one
+/// scope. Empty where there is none.
+std::string otherwise_associated(const Operators& known, ToolkitSections seen, const OperatorTemplate& added);
 
 }  // namespace durero::zed

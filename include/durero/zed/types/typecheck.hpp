@@ -15,6 +15,7 @@
 #include "durero/zed/syntax/ast.hpp"
 #include "durero/zed/syntax/defect.hpp"
 #include "durero/zed/syntax/reader.hpp"
+#include "durero/zed/syntax/toolkit_sections.hpp"
 #include "durero/zed/types/types.hpp"
 
 namespace durero::zed {
@@ -48,9 +49,8 @@ struct Typing {
   std::unordered_map<const Node*, Type> types;
   /// Each section sees these names, among them those of its ancestors and not those of the toolkit.
   std::map<std::string, std::unordered_map<Name, std::shared_ptr<const Global>>> scopes;
-  /// Tells for each section whether it sees all names of the toolkit, which it does with any section of it but the
-  /// prelude among its ancestors; 𝔸, ℕ and + it sees anyway.
-  std::map<std::string, bool> sees_toolkit;
+  /// Each section sees the names of these sections of the toolkit, which are the prelude and its ancestors among them.
+  std::map<std::string, ToolkitSections> toolkit;
 
   /// Says whether all that was checked is well-typed. What could not be read was not checked.
   bool ok() const { return defects.empty(); }
