@@ -82,10 +82,23 @@ class TextWriter {
         for (const Paragraph& paragraph : piece.paragraphs) {
           add_schema_name(paragraph, schemas_);
           require_spivey(paragraph, schemas_);
+          require_operands(paragraph, piece, by);
         }
         write(piece, by);
       }
     }
+  }
+
+  /// Refuses a definition of an operator by its name with _, as fuzz takes it by its operands alone.
+  static void require_operands(const Paragraph& paragraph, const BlockPiece& piece, const Dialect& by) {
+    const auto* const definition = std::get_if<Definition>(&paragraph.form);
+    if (definition == nullptr || !is_template_name(definition->name.word)) return;
+    const std::vector<Token> tokens = lex(piece.block, by.markup, by.operators);
+    auto at = std::ranges::find(tokens, paragraph.place, &Token::place);
+    for (; at != tokens.end() && !at->is("=="); ++at)
+      if (at->is("_"))
+        throw ZError(at->place, "a definition of an operator by _ cannot be written in Spivey's Z",
+                     "expected a box, or names as operands");
   }
 
   void write(const BlockPiece& piece, const Dialect& by) {

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "durero/zed/syntax/defect.hpp"
+#include "zed/syntax/bag_toolkit.hpp"
 #include "zed/syntax/symbols.hpp"
 
 namespace durero::zed {
@@ -32,14 +33,19 @@ class SpiveyGrammar {
  public:
   SpiveyGrammar(const SchemaNames& known, Place place) : known_(known), place_(place) {}
 
-  void operator()(const GivenTypes&) const {}
+  void operator()(const GivenTypes& given) const {
+    for (std::size_t i = 0; i < given.names.size(); ++i) declares(given.names[i], given.places[i]);
+  }
   void operator()(const FreeType& type) const {
+    declares(type.name, place_);
     for (const Branch& branch : type.branches) {
+      declares(branch.name, branch.place);
       if (type.joined) refuse_in_spivey("& between free types", type.branches.front().place, "them one after another");
       if (branch.argument) expression(branch.argument);
     }
   }
   void operator()(const Definition& definition) const {
+    declares(definition.name, place_);
     if (is_operator_name(definition.name.word) && definition.formals.empty())
       refuse_in_spivey("a definition of an operator by _", definition.value->place, "an axdef, or names as operands");
     defines_schema(definition, known_) ? logic(definition.value) : expression(definition.value);
@@ -48,12 +54,24 @@ class SpiveyGrammar {
     const bool is_constraint = box.formals.empty() && box.text.predicates.size() == 1;
     if (box.text.declarations.empty() && !is_constraint)
       refuse_in_spivey("a box without a declaration", place_, "one or more, or one predicate without formals");
+    for (const Declaration& each : box.text.declarations)
+      for (std::size_t i = 0; i < each.names.size(); ++i) declares(each.names[i], each.places[i]);
     body(box.text);
   }
-  void operator()(const Schema& box) const { schema_text(box.text, place_); }
+  void operator()(const Schema& box) const {
+    declares(box.name, place_);
+    schema_text(box.text, place_);
+  }
   void operator()(const Conjecture& conjecture) const { logic(conjecture.claim.term); }
 
  private:
+  /// Spivey's Z declares bags itself. Another name in the place of theirs would be no command of LaTeX, and would leave
+  /// the prose behind.
+  void declares(const Name& name, Place at) const {
+    if (name.strokes.empty() && std::ranges::find(bag_names, name.word.text()) != bag_names.end())
+      refuse_in_spivey(name.text() + ", which Spivey's toolkit declares for bags,", at, "another name");
+  }
+
   void body(const SchemaText& text) const {
     for (const Declaration& each : text.declarations) declaration(each);
     for (const Predicate& each : text.predicates) logic(each.term);

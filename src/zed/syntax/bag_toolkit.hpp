@@ -1,11 +1,16 @@
 #pragma once
 /// The bags of Spivey's Z, which ISO Z has not (The Z Notation, 4.6), as a section of Z.
 
+#include <array>
 #include <string_view>
 
 namespace durero::zed {
 
 inline constexpr std::string_view bag_toolkit = "bag_toolkit";
+
+/// The names that it declares.
+inline constexpr std::array<std::string_view, 10> bag_names = {"bag _", "_ ♯ _", "count", "items", "⟦ ,, ⟧",
+                                                               "_ ⋿ _", "_ ⊑ _", "_ ⊎ _", "_ ⩁ _", "_ ⊗ _"};
 
 /// A text that uses bags has this section among its parents.
 inline constexpr std::string_view bag_toolkit_text = R"(

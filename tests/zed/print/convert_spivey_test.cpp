@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <random>
+#include <set>
 
 #include "durero/zed/print/convert.hpp"
 #include "durero/zed/types/typecheck.hpp"
 #include "support/catch.hpp"
 #include "zed/lines.hpp"
+#include "zed/syntax/bag_toolkit.hpp"
 
 namespace durero::zed {
 namespace {
@@ -243,6 +245,10 @@ TEST_CASE("what Spivey's Z has no form for is refused at its place") {
 }
 
 TEST_CASE("what fuzz cannot take is refused, or written otherwise") {
+  const std::string template_of = "\\generic 5 \\rightassoc (\\_ ~onto~ \\_) \\\\ ";
+  CHECK(refused_in_spivey(template_of + "\\_ ~onto~ \\_ [X, Y] == X \\rel Y") ==
+        "2:54: a definition of an operator by _ cannot be written in Spivey's Z");
+  CHECK_THAT(zed_in_spivey(template_of + "X ~onto~ Y == X \\rel Y"), Catch::Contains("X~ onto~ Y == X \\rel Y"));
   CHECK(refused_in_spivey("A == (\\# \\_)[B]") == "2:19: the function (# _) cannot be written in Spivey's Z");
   CHECK(refused_in_spivey("A == (\\negate \\_)") == "2:19: the function (- _) cannot be written in Spivey's Z");
   CHECK(zed_in_spivey("A == \\# B + \\negate 1") == "\\begin{zed}\n  A == \\# B + - 1\n\\end{zed}");
@@ -251,6 +257,31 @@ TEST_CASE("what fuzz cannot take is refused, or written otherwise") {
   CHECK_THROWS_WITH(spivey_of(header), Catch::Contains("a section without a paragraph cannot be written"));
   CHECK(refused_in_spivey("S == [ x, S : \\num ]") ==
         "2:23: the name S of a schema for another cannot be written in Spivey's Z");
+}
+
+TEST_CASE("a name that Spivey's Z has for bags is refused where a text declares it") {
+  const Typing typing = check(read_named("\\begin{zed} A == \\lbag 1 \\rbag \\end{zed}"));
+  std::set<std::string> declared;
+  for (const auto& [name, global] : typing.scopes.at("bag_toolkit")) declared.insert(name.text());
+  CHECK(declared == std::set<std::string>(bag_names.begin(), bag_names.end()));
+  const auto refusal = [](const std::string& name) {
+    return name + ", which Spivey's toolkit declares for bags, cannot be written in Spivey's Z";
+  };
+  CHECK(refused_in_spivey("[ A, count ]") == "2:18: " + refusal("count"));
+  CHECK(refused_in_spivey("items == 1") == "2:13: " + refusal("items"));
+  CHECK(refused_in_spivey("A ::= a | count") == "2:23: " + refusal("count"));
+  CHECK(refused_in_spivey("count ::= a") == "2:13: " + refusal("count"));
+  CHECK(zed_in_spivey("a == \\{ count : \\num @ count + 1 \\}") ==
+        "\\begin{zed}\n  a == \\{ count : \\num @ count + 1 \\}\n\\end{zed}");  // a name of its own there
+  CHECK_THROWS_WITH(spivey_of(header + "\\begin{axdef} a, items : \\num \\end{axdef}"),
+                    Catch::Contains(refusal("items")));
+  CHECK_THROWS_WITH(spivey_of(header + "\\begin{schema}{count} a : \\num \\end{schema}"),
+                    Catch::Contains(refusal("count")));
+  CHECK_THROWS_WITH(
+      spivey_of(header +
+                "%%Zinchar \\uplus U+228E\n\\begin{zed} \\function 30 \\leftassoc (\\_ \\uplus \\_) \\end{zed}\n"
+                "\\begin{axdef} \\_ \\uplus \\_ : \\num \\cross \\num \\fun \\num \\end{axdef}"),
+      Catch::Contains(refusal("_ ⊎ _")));
 }
 
 TEST_CASE("what binds otherwise in Spivey's Z is refused, and not changed") {
