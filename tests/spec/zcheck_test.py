@@ -115,13 +115,14 @@ WRONG = [  # the text, the line, what the message says
 ]
 
 
-# Right texts with notation that spec/ does without: generic schemas, compositions, LET, the prelude alone and the like.
+# Right texts with notation that spec/ does without: generic schemas, compositions, LET, parts of the toolkit and the like.
 NOT_READ = """
     abbreviation_generic arithmetic arrows composition_of_relations disjoint
-    generic_actuals lambda_guarded let_in operator_as_set
+    generic_actuals lambda_before_relation lambda_guarded let_in operator_as_set
     operator_of_a_section_without_toolkit products
     relation_by_name schema_generic schema_implication schema_piping
-    schema_projection schema_quantified schema_renaming space_commands zword
+    schema_projection schema_quantified schema_renaming signature_found_later space_commands
+    toolkit_name_beyond_parents toolkit_of_two_parents zword
 """
 # Wrong ones that it takes: a product in parentheses is to it the product without, an actual may stay open, and it compares
 # no associativities.
