@@ -528,6 +528,21 @@ TEST_CASE("an exploration whose time is over while it plans says so, and that it
   CHECK(stopped.bounded.empty());
 }
 
+TEST_CASE("of operations that were planned before an exploration was stopped nothing is said") {
+  const std::string text = counter(
+      "3", schema("Never", "\\Delta S", "n > 5 \\\\ n' = n") + schema("Other", "\\Delta S", "n > 7 \\\\ n' = n"));
+  std::size_t stops = 0;
+  for (bool planned = false; !planned; ++stops) {
+    std::size_t asked = 0;
+    ExploreBounds bounds = plain();
+    bounds.go_on = [&](std::size_t, std::size_t) { return ++asked <= stops; };
+    const ExploreReport report = explored(text, bounds);
+    planned = report.planned;
+    for (const OperationCoverage& each : report.operations) CHECK((planned || each.facts.empty()));
+  }
+  CHECK(stops > 5);
+}
+
 TEST_CASE("a predicate that is none of a state is refused although the time is over") {
   ExploreBounds bounds = plain();
   bounds.seconds = 1;

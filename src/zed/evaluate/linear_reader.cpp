@@ -4,6 +4,7 @@
 
 #include "zed/evaluate/linear_question.hpp"
 #include "zed/syntax/match.hpp"
+#include "zed/value/integer_lines.hpp"
 
 namespace durero::zed {
 namespace {
@@ -62,6 +63,37 @@ FormCode known_form(Code code) {
   };
 }
 
+/// The line that a function is; nothing where it is none, or has no value.
+std::optional<IntegerLine> known_line(const Code& function, Frame& frame) {
+  try {
+    return integer_line(function(frame), frame.context);
+  } catch (const EvaluationError&) {
+    return std::nullopt;
+  }
+}
+
+/// The value of a function that is a line.
+FormCode applied_form(Code function, FormCode argument) {
+  return [function = std::move(function), argument = std::move(argument)](Frame& frame) -> std::optional<IntegerForm> {
+    const auto line = known_line(function, frame);
+    const auto at = line ? argument(frame) : std::nullopt;
+    if (!at) return std::nullopt;
+    IntegerForm value;
+    value.add(*at, numerator(line->slope.surd().x));
+    value.constant += numerator(line->constant.surd().x);
+    return value;
+  };
+}
+
+/// The least number at which a function that is a line has a value; the argument itself where it has one at each.
+FormCode least_argument(Code function, FormCode argument) {
+  return [function = std::move(function), argument = std::move(argument)](Frame& frame) -> std::optional<IntegerForm> {
+    const auto line = known_line(function, frame);
+    if (!line) return std::nullopt;
+    return line->least ? constant_form(*line->least)(frame) : argument(frame);
+  };
+}
+
 LinearFormula not_known() { return {.kind = FormulaKind::unknown}; }
 LinearFormula joined_formula(FormulaKind kind, std::vector<LinearFormula> parts) {
   return {.kind = kind, .parts = std::move(parts)};
@@ -90,6 +122,7 @@ class LinearReader {
     if (std::none_of(quantifier.text->declarations.begin(), quantifier.text->declarations.end(),
                      [&](const Declaration& each) { return is_of_integers(each); }))
       return nullptr;
+    applied_.clear();
     LinearFormula formula = some(quantifier);
     std::vector<std::pair<unsigned, unsigned>> slots;
     bool is_whole = true;
@@ -125,7 +158,9 @@ class LinearReader {
 
   /// The sets of a text are read outside it.
   void declare(const Declaration& declaration, Quantified& inner, std::vector<LinearFormula>& parts) {
+    const std::size_t before = applied_.size();
     const auto of = declaration.form == Declaration::Form::typed ? range(declaration.term) : std::nullopt;
+    parts.push_back(defined_since(before, true));
     const std::vector<Name> names =
         declaration.form == Declaration::Form::included ? around_.components(declaration) : declaration.names;
     if (!of) parts.push_back(not_known());
@@ -204,7 +239,36 @@ class LinearReader {
       if (word[1] == '*') return product_form(*left, *right);
       return combined_form(*left, *right, word[1] == '-' ? -1 : 1);
     }
-    return std::nullopt;
+    return term->kind == Kind::application ? application(term) : std::nullopt;
+  }
+
+  /// f x of a function f that is known, and may be a line then. It has a value where x is in the domain of f.
+  std::optional<FormCode> application(const Term& term) {
+    const Term& function = term->children[0];
+    if (!is_plain_expression(function) || mentions_quantified(function)) return std::nullopt;
+    const auto argument = form(term->children[1]);
+    const auto code = argument ? code_of(function) : std::nullopt;
+    if (!code) return std::nullopt;
+    applied_.emplace_back(least_argument(*code, *argument), *argument);
+    return applied_form(*code, *argument);
+  }
+
+  /// The code of an expression; nothing where the evaluator has none.
+  std::optional<Code> code_of(const Term& term) const {
+    try {
+      return around_.code(term);
+    } catch (const EvaluationError&) {
+      return std::nullopt;
+    }
+  }
+
+  /// The applications that were read since then have values; or one of them has none.
+  LinearFormula defined_since(std::size_t before, bool holds) {
+    std::vector<LinearFormula> parts;
+    for (std::size_t i = before; i < applied_.size(); ++i)
+      parts.push_back(compared_forms(applied_[i].first, applied_[i].second, holds));
+    applied_.resize(before);
+    return joined_formula(holds ? FormulaKind::all : FormulaKind::any, std::move(parts));
   }
 
   bool mentions_quantified(const Term& term) const {
@@ -245,7 +309,17 @@ class LinearReader {
     return joined_formula(holds ? FormulaKind::all : FormulaKind::any, std::move(links));
   }
 
+  /// A relation holds of values alone: it is false where an operand has none.
   LinearFormula link(const Name& name, const Term& left, const Term& right, bool holds) {
+    const std::size_t before = applied_.size();
+    LinearFormula of_values = link_of_values(name, left, right, holds);
+    if (applied_.size() == before) return of_values;
+    std::vector<LinearFormula> parts{std::move(of_values)};
+    parts.push_back(defined_since(before, holds));
+    return joined_formula(holds ? FormulaKind::all : FormulaKind::any, std::move(parts));
+  }
+
+  LinearFormula link_of_values(const Name& name, const Term& left, const Term& right, bool holds) {
     const std::string word = name.text();
     const auto a = form(left);
     if (!a || is_quantified(name) || !around_.is_toolkit(name)) return not_known();
@@ -285,6 +359,7 @@ class LinearReader {
 
   const LinearSurroundings& around_;
   Quantified quantified_, quantified_of_outermost_;
+  std::vector<std::pair<FormCode, FormCode>> applied_;  // the least argument of each application, and its argument
   unsigned next_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "zed/value/sets.hpp"
+#include "zed/value/settled_functions.hpp"
 
 namespace durero::zed {
 namespace {
@@ -101,6 +102,11 @@ Known is_onto(const IntegerLine& line, const Value& to) {
 }  // namespace
 
 std::optional<IntegerLine> integer_line(const Value& value, Context& context) {
+  if (const SettledFunction* constant = settled(value)) {
+    const Real* rest = constant->rest().real();
+    if (!rest || !rest->is_integer() || !constant->pairs().empty()) return std::nullopt;
+    return IntegerLine{constant->least(), Real(), *rest};
+  }
   const auto* source = dynamic_cast<const LineSource*>(value.set());
   return source ? source->line(context) : std::nullopt;
 }

@@ -57,6 +57,28 @@ TEST_CASE("linear comparisons of all whole numbers are decided") {
   }
 }
 
+TEST_CASE("applications of functions that are lines are linear where they have a value") {
+  for (const char* truth :
+       {"∃ f : ℕ → ℕ • ∀ n : ℕ • f n > n", "∃ f : ℕ → ℕ • ∀ n, m : ℕ • f n = f m", "∀ x, y : ℕ • succ x + y > x",
+        "∀ x, y : ℤ • succ x > x ∨ x < 0 ∨ y > x", "∀ x, y : ℤ • ¬ succ x > x ⇒ x < 0 ∨ x > y + y",
+        "let f == (λ n : ℕ • 2 * n - 3) • ∀ x, y : ℕ₁ • f (x + y) > 0",
+        "let f == (λ n : ℕ • 7) • ∀ x, y : ℕ • f x ≤ y + 7", "∀ x : ℕ • ∀ y : 0 ‥ succ x • y ≤ x + 1"}) {
+    INFO(truth);
+    CHECK(truth_of(truth) == Truth::yes);
+  }
+  for (const char* falsity : {"∃ x, y : ℤ • succ x = x + 1 ∧ x < 0 ∧ y > x", "∀ x, y : ℤ | y ≥ x • succ x > x",
+                              "∃ x, y : ℤ • succ x ∉ ℕ ∧ x < y"}) {
+    INFO(falsity);
+    CHECK(truth_of(falsity) == Truth::no);
+  }
+}
+
+TEST_CASE("an application is no line where the function has other values, and nothing follows where it has none") {
+  CHECK(truth_of("let f == (λ n : ℕ • 0) ⊕ {1000 ↦ 50} • ∀ x, y : ℕ • f x ≤ y + 4") != Truth::yes);
+  CHECK(truth_of("let f == (λ n : ℕ • n * n) • ∀ x, y : ℕ • f x + y ≥ x") == Truth::open);
+  CHECK(truth_of("let f == {2 ↦ 3} • ∀ x, y : ℕ | x < y • f x ≤ y + 4") != Truth::yes);
+}
+
 TEST_CASE("a part that is no linear comparison of whole numbers decides nothing") {
   for (const char* open : {"∀ x, y : ℕ • x * y ≥ 0", "∀ x, y : ℕ • x div 2 + y ≥ y", "∀ x, y : ℕ • x mod 2 ≤ y + 1",
                            "∀ x, y : 𝔸 • x + y > x ∨ y ≤ 0", "∀ x, y : ℕ • x + 1/2 ≠ y",
@@ -126,7 +148,10 @@ WrittenFormula any_relation(const std::vector<std::string>& names) {
   const WrittenNumber a = any_number(names), b = any_number(names), c = any_number(names);
   const auto relation = *rc::gen::elementOf(std::vector<std::string>{"<", "≤", ">", "≥", "=", "≠"});
   const auto order = [relation](long left, long right) { return compares(left < right ? -1 : left > right, relation); };
-  switch (*rc::gen::inRange(0, 10)) {
+  switch (*rc::gen::inRange(0, 11)) {
+    case 7:  // of succ and of id ℕ there is a value from 0 on
+      return {fmt::format("succ ({}) {} (id ℕ) ({})", a.z, relation, b.z),
+              [=](const Point& p) { return a.value(p) >= 0 && b.value(p) >= 0 && order(a.value(p) + 1, b.value(p)); }};
     case 0:
       return {fmt::format("{} ∈ ({}) ‥ ({})", a.z, b.z, c.z),
               [=](const Point& p) { return b.value(p) <= a.value(p) && a.value(p) <= c.value(p); }};
@@ -208,6 +233,22 @@ Truth asked(const std::string& quantifier, const std::function<bool(const Point&
     const auto number = [&](std::size_t slot) { return std::stol(inside.slots[slot].real()->text()); };
     return truth(is_so({{"x", number(0)}, {"y", number(1)}}));
   });
+}
+
+TEST_CASE("the bounds of sets, and of an inner variable with the name of an outer one, are those that hold") {
+  const auto least_sum = [](long least, long most) {
+    return [=](const Point& p) { return p.at("x") >= least && p.at("y") >= least && p.at("x") + p.at("y") <= most; };
+  };
+  CHECK(asked("∃ x, y : ℕ • x + y ≤ 0", least_sum(0, 0)) == Truth::yes);
+  CHECK(asked("∃ x, y : ℕ • x + y ≤ - 1", least_sum(0, -1)) == Truth::no);
+  CHECK(asked("∃ x, y : ℕ₁ • x + y ≤ 2", least_sum(1, 2)) == Truth::yes);
+  CHECK(asked("∃ x, y : ℕ₁ • x + y ≤ 1", least_sum(1, 1)) == Truth::no);
+  const auto no_successor = [](const Point& p) { return p.at("x") < 0 && p.at("y") > p.at("x"); };
+  CHECK(asked("∃ x, y : - 3 ‥ 3 • ¬ succ x > x ∧ y > x", no_successor) == Truth::yes);
+  CHECK(asked("∃ x, y : - 3 ‥ 3 • succ x > x ∧ x < 0 ∧ y > x", [](const Point&) { return false; }) == Truth::no);
+  const auto is_origin = [](const Point& p) { return p.at("x") == 0 && p.at("y") == 0; };
+  CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 0 ∧ (∃ y : 2 ‥ 3 • y > x + 1)", is_origin) == Truth::yes);
+  CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 3 ∧ (∃ y : 0 ‥ 1 • y > x + 1)", is_origin) == Truth::no);
 }
 
 TEST_CASE("where sides of disjunctions are not followed, nothing is said to be impossible") {

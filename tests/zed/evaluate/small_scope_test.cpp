@@ -472,8 +472,9 @@ TEST_CASE("constant functions on ℕ, and those with other values at few places,
     CHECK(answers.truth(predicate) == "true");
   }
   CHECK(answers.truth("∀ f : ℕ → ℕ • f 0 = f 1") == "false");
-  for (const char* predicate : {"∃ f : ℕ ↣ ℕ • f 0 = 50", "∃ f : ℕ → ℕ • f 0 = - 1", "∃ f : ℕ → ℕ • ∀ n : ℕ • f n > n",
-                                "∃ f : ℤ → T • f 0 = t0", "∀ f : ℕ → ℕ • f 0 ≥ 0"}) {
+  for (const char* predicate :
+       {"∃ f : ℕ ↣ ℕ • f 0 = 50", "∃ f : ℕ → ℕ • f 0 = - 1", "∃ f : ℕ → ℕ • ∀ n : ℕ • f n > n * n",
+        "∃ f : ℤ → T • f 0 = t0", "∀ f : ℕ → ℕ • f 0 ≥ 0"}) {
     INFO(predicate);
     CHECK(answers.truth(predicate) == "");
   }
