@@ -122,7 +122,7 @@ NOT_READ = """
     operator_of_a_section_without_toolkit products
     relation_by_name schema_generic schema_implication schema_piping
     schema_projection schema_quantified schema_renaming signature_found_later space_commands
-    toolkit_name_beyond_parents toolkit_of_two_parents zword
+    template_of_unseen_signs toolkit_name_beyond_parents toolkit_of_two_parents zword
 """
 # Wrong ones that it takes: a product in parentheses is to it the product without, an actual may stay open, and it compares
 # no associativities.

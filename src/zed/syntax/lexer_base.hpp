@@ -91,7 +91,7 @@ class Lexer {
     token.from = static_cast<std::uint32_t>(start_);
     if (token.strokes.empty() && (type == Type::word || type == Type::symbol)) {
       token.own = own(token.text);
-      token.symbol = &token.text.symbol();
+      if (!token.own) token.symbol = &token.text.symbol();
     }
     ends_here();
     if (newline_) separate();

@@ -1,6 +1,7 @@
 #include "durero/zed/syntax/parser.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "zed/syntax/block_parser.hpp"
@@ -106,9 +107,17 @@ class ParagraphParser {
       in_.expect(",");
       return ",,";
     }
-    const bool word = token.type == Token::Type::word && token.strokes.empty();
+    const bool word = (token.type == Token::Type::word && token.strokes.empty()) || is_sign_of_toolkit(token);
     if (!word && !token.is("_") && !token.is(",,")) in_.fail("expected _, ,, or a word of the operator");
     return in_.next().text;
+  }
+
+  /// Says whether this is a sign of the toolkit's operators, which is free where the section does not see them.
+  static bool is_sign_of_toolkit(const Token& token) {
+    static constexpr std::array<std::string_view, 6> enclosing = {"⟨", "⟩", "⦇", "⦈", "↗", "↙"};
+    return token.type == Token::Type::symbol &&
+           (token.own || token.symbol->prefix || token.symbol->infix || token.symbol->postfix ||
+            std::ranges::find(enclosing, token.text.text()) != enclosing.end());
   }
 
   /// Words and operands take turns, and lists stand between two words.

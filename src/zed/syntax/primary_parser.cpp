@@ -48,7 +48,7 @@ Term TermParser::applied(Term function) {
 }
 
 bool TermParser::image(Term& so_far) {
-  if (!in_.sees("⦇")) return false;
+  if (!in_.sees("⦇") || in_.peek().own) return false;
   so_far = enclosing("_⦇_⦈", std::move(so_far));
   return true;
 }
@@ -170,9 +170,9 @@ Term TermParser::plain_primary() {
   if (token.is("(")) return parenthesis();
   if (token.is("{")) return braces();
   if (token.is("[")) return brackets();
+  if (begins_enclosing(token)) return own_operation({});
   if (token.is("⟨")) return sequence();
   if (token.is("⦉")) return binding_extension();
-  if (begins_enclosing(token)) return own_operation({});
   in_.fail("expected an expression or a predicate");
 }
 

@@ -144,6 +144,9 @@ class SpecificationReader {
     Markup& mine = specification_.markup[section.name];
     mine.insert(block.directives.begin(), block.directives.end());
     for (const std::string& parent : section.parents) inherit(section.name, parent, path, block.place);
+    if (const std::string word = word_of_toolkit(specification_.operators[section.name], toolkit_[section.name]);
+        !word.empty())
+      refuse_word(word, path, block.place);
   }
 
   void inherit(const std::string& child, const std::string& parent, const std::string& path, Place place) {
@@ -233,7 +236,8 @@ class SpecificationReader {
     for (const Block& block : blocks) {
       if (block.environment == "zsection") return;
       for (const auto& [command, meaning] : block.directives) markup[command] = meaning;
-      for (const OperatorTemplate& read : block.operators) add_operator(specification_.operators[section.name], read);
+      for (const OperatorTemplate& read : block.operators)
+        add_operator(specification_.operators[section.name], read, toolkit_[section.name]);
       if (block.environment == "zed" && may_have_template(block.body)) add_templates(block, markup, section);
     }
   }
@@ -249,13 +253,17 @@ class SpecificationReader {
     for (const ReadTemplate& found : templates_in(lex(block, markup, operators))) {
       warn_of_joined_operands(found, block, section);
       is_otherwise_associated(section.name, found.read, {section.file, found.place});
-      if (const std::string taken = add_operator(operators, found.read); !taken.empty())
-        specification_.defects.push_back({section.file,
-                                          found.place,
-                                          "the word " + taken + " of an operator has a meaning already",
-                                          "expected a word that is no operator's",
-                                          {}});
+      if (const std::string taken = add_operator(operators, found.read, toolkit_[section.name]); !taken.empty())
+        refuse_word(taken, section.file, found.place);
     }
+  }
+
+  void refuse_word(const std::string& word, const std::string& file, Place place) {
+    specification_.defects.push_back({file,
+                                      place,
+                                      "the word " + word + " of an operator has a meaning already",
+                                      "expected a word that is no operator's",
+                                      {}});
   }
 
   /// Where no ~ stands beside \_ in LaTeX, nor a blank beside _ in Unicode, it is a letter of the operator's word.

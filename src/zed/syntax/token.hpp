@@ -28,8 +28,9 @@ struct Token {
   const OperatorWord* own = nullptr;  ///< a template in scope makes the word one of an operator
   bool only_infix = false;            ///< LaTeX mark-up reserves such a `-` for the difference; the sign is \negate
   std::uint32_t from = 0, to = 0;     ///< its bytes in the text that was read, but for blanks behind it
-  const Symbol* symbol = &no_symbol;  ///< what is known of a word or symbol without strokes
-  bool only_name = false;             ///< in Spivey's Z a word is a name that is a keyword or an operator of ISO's
+  const Symbol* symbol =
+      &no_symbol;          ///< what is known of a word or symbol without strokes, which is none of a template
+  bool only_name = false;  ///< in Spivey's Z a word is a name that is a keyword or an operator of ISO's
 
   bool is(std::string_view sign) const {
     return (type == Type::symbol || (type == Type::word && strokes.empty() && !only_name)) && text == sign;

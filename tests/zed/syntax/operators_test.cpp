@@ -12,7 +12,8 @@ namespace {
 
 Operators with(std::vector<OperatorTemplate> templates) {
   Operators operators;
-  for (OperatorTemplate& each : templates) REQUIRE(add_operator(operators, std::move(each)).empty());
+  for (OperatorTemplate& each : templates)
+    REQUIRE(add_operator(operators, std::move(each), ToolkitSections::all()).empty());
   return operators;
 }
 
@@ -60,7 +61,7 @@ TEST_CASE("the words of a template know where they stand, and have one meaning")
                                         OperatorTemplate{Role::relation, {"_", "div", "_"}, 0, false},
                                         OperatorTemplate{Role::relation, {"_", "if", "_"}, 0, false},
                                         OperatorTemplate{Role::function, {"x", "_", "x"}, 0, false}}) {
-    CHECK_FALSE(add_operator(operators, taken).empty());
+    CHECK_FALSE(add_operator(operators, taken, ToolkitSections::all()).empty());
     CHECK(operators.size() == 3);
   }
 }
@@ -117,4 +118,46 @@ TEST_CASE("what a template names is declared and printed in its own form") {
   }
   const Paragraph generic = parse_unicode_paragraph("X onto Y == X", operators);
   CHECK(std::get<Definition>(generic.form).formals.size() == 2);
+}
+
+TEST_CASE("a word of the toolkit's operators is free where the section that gives it is not seen") {
+  const auto taken = [](const std::string& word, const char* section) {
+    Operators operators;
+    return add_operator(operators, {Role::relation, {word, "_"}, 0, false}, *ToolkitSections::of(section)) == word;
+  };
+  for (const auto& [word, section] :
+       {std::pair("∪", "set_toolkit"), std::pair("⦇", "relation_toolkit"), std::pair("disjoint", "function_toolkit"),
+        std::pair("-", "number_toolkit"), std::pair("⟩", "sequence_toolkit"), std::pair("seq", "sequence_toolkit")}) {
+    CAPTURE(word);
+    CHECK(taken(word, section));
+    CHECK_FALSE(taken(word, "prelude"));
+  }
+  for (const char* word : {"+", "=", "∈", "/", "ℙ", "if"}) {
+    CAPTURE(word);
+    CHECK(taken(word, "prelude"));
+  }
+  CHECK_FALSE(taken("eq", "standard_toolkit"));  // it is a part of seq alone
+}
+
+TEST_CASE("an operator with a word of the toolkit is the template's, and not the toolkit's") {
+  Operators operators;
+  const auto add = [&operators](OperatorTemplate added) {
+    REQUIRE(add_operator(operators, std::move(added), ToolkitSections()).empty());
+  };
+  add({Role::relation, {"_", "∪", "_"}, 0, false});
+  add({Role::function, {"⟨", "_", "⟩"}, 0, false});
+  add({Role::function, {"_", "⦇", "_", "⦈"}, 0, false});
+  add({Role::function, {"_", "∼"}, 0, false});
+  add({Role::function, {"#", "_", "end"}, 0, false});
+  const auto same = [&operators](const char* brief, const char* full) {
+    CAPTURE(brief, full);
+    CHECK(parse_unicode(brief, operators) == parse_unicode(full, operators));
+  };
+  same("a + b ∪ c", "(a + b, c) ∈ (_ ∪ _)");
+  same("f ⟨a⟩", "f ((⟨ _ ⟩) a)");
+  same("a ⦇ b ⦈", "(_ ⦇ _ ⦈) (a, b)");
+  same("a ∼", "(_ ∼) a");
+  same("# a end", "(# _ end) a");
+  CHECK(word_of_toolkit(operators, ToolkitSections()).empty());
+  CHECK(word_of_toolkit(operators, *ToolkitSections::of("set_toolkit")) == "∪");
 }

@@ -48,7 +48,12 @@ struct OperatorWord {
 using Operators = std::map<std::string, OperatorWord, std::less<>>;
 
 /// Adds an operator, and returns nothing; or returns the word of it that has another meaning already, and adds nothing.
-std::string add_operator(Operators& to, OperatorTemplate added);
+/// A word of the toolkit has one where a section that is seen gives it.
+std::string add_operator(Operators& to, OperatorTemplate added, ToolkitSections seen);
+
+/// Returns a word of these operators that a section of the toolkit which is seen gives another meaning; nothing where
+/// there is none.
+std::string word_of_toolkit(const Operators& known, ToolkitSections seen);
 
 /// Says whether a name is one that a template gives.
 inline bool is_template_name(std::string_view name) { return name.find(' ') != name.npos; }
