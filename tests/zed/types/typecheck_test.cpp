@@ -152,7 +152,8 @@ TEST_CASE("the components of a schema may be told behind its use, wherever a sch
            R"(s \\ t = s \\ s = [x : \nat])",
            R"((\forall c : s \hide (x) @ c.y = 1) \\ s = [x, y : \nat] \\ t = s)",
            R"(t \hide (y) = [z : \nat] \\ s \hide (x) = t \\ s = [x, y, z : \nat])",
-           R"(t \hide (y) = [z : \nat] \\ \{ s | x = t \} = \{\} \\ s = [x : \power [y, z : \nat]])",
+           R"(t \hide (y) = [z : \nat] \\ \{ s | t = [x : \nat] \} = \{\} \\ )"
+           R"(s = [t : \power [x : \nat]] \\ t = [y, z : \nat])",
            R"(\exists e : s @ (e \hide (x) = t \land e = [x, y : \nat]))",
        }) {
     CAPTURE(right);
