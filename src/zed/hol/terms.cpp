@@ -166,7 +166,7 @@ std::string HolWriter::extension(const std::vector<Term>& members, const Written
 std::string HolWriter::application(const Term& whole, const Written& scope, Applied& applied) {
   const Term &function = whole->children[0], &argument = whole->children[1];
   const bool named = function->kind == Kind::reference && !scope.contains(function->name);
-  const std::string name = named ? function->name.text() : "";
+  const std::string own = named ? function->name.text() : "", name = globals_.contains(own) ? "" : own;
   const bool two = argument->kind == Kind::tuple && argument->children.size() == 2;
   if (name == "⟨,,⟩") return term(argument, scope, applied);
   if (name == "_↦_" && two) return term(argument, scope, applied);
@@ -176,7 +176,7 @@ std::string HolWriter::application(const Term& whole, const Written& scope, Appl
   if (const char* written = written_as(functions_of_one, name))
     return fmt::format("({} {})", written, term(argument, scope, applied));
   if (name == "-_") return fmt::format("(z_minus 0 {})", term(argument, scope, applied));
-  if (constructors_.contains(name)) return fmt::format("({} {})", globals_.at(name), term(argument, scope, applied));
+  if (constructors_.contains(own)) return fmt::format("({} {})", globals_.at(own), term(argument, scope, applied));
   const char* relation = written_as(applied_relations, name);
   const std::string f = relation ? relation : term(function, scope, applied), x = term(argument, scope, applied);
   const std::string value = fresh();

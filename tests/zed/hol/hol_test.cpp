@@ -108,6 +108,14 @@ TEST_CASE("a schema is a predicate on its components, and an application has a v
                            "((Queue back front items) -> True)).\n"));
 }
 
+TEST_CASE("a name that a text declares is its own, though the toolkit has one beyond its parents") {
+  const std::string own =
+      "\\begin{zsection} \\SECTION s \\parents function\\_toolkit \\end{zsection}\n"
+      "\\begin{axdef} max : \\nat \\pfun \\nat \\end{axdef}\n\\begin{schema}{Queue} n : \\nat \\where n = max~1 "
+      "\\end{schema}";
+  CHECK_THAT(written(own, ProofAssistant::coq), Contains("(z_app max 1 value1)"));
+}
+
 TEST_CASE("the same terms are written in Isabelle's words") {
   const std::string isabelle = written(queue, ProofAssistant::isabelle);
   CHECK_THAT(isabelle, Contains("theory Queue\n  imports Main\nbegin\n"));
