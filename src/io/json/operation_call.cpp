@@ -83,7 +83,7 @@ CallInput read_input(WordCursor& in) {
   const std::string_view word = in.word("");
   if (word.empty())
     in.fail(input.value_offset, fmt::format("{} has no value", text::with_english(input.name)), "expected one after =");
-  input.value = Word{std::string(word)};
+  input.value = BareWord{std::string(word)};
   return input;
 }
 

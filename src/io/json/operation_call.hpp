@@ -15,7 +15,7 @@
 namespace durero::io {
 
 /// A word of the text syntax: whether it is a number or a name, the input says.
-struct Word {
+struct BareWord {
   std::string text;
 };
 
@@ -27,7 +27,7 @@ struct CallInput {
   std::size_t name_offset;
   std::size_t value_offset;
   // A string and a double are JSON's. A list of triples is that of an input of mesh_lists.
-  std::variant<Word, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>, std::vector<std::string>,
+  std::variant<BareWord, std::string, double, glm::dvec3, std::array<glm::dvec3, 3>, std::vector<std::string>,
                std::vector<glm::dvec3>>
       value;
 };

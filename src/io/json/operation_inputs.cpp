@@ -68,7 +68,7 @@ std::vector<std::string> Inputs::names(std::string_view input) const {
   std::vector<std::string> names;
   if (const auto* list = std::get_if<std::vector<std::string>>(&written)) {
     names = *list;
-  } else if (const auto* text = std::get_if<Word>(&written)) {
+  } else if (const auto* text = std::get_if<BareWord>(&written)) {
     for (const auto part : std::views::split(text->text, ',')) names.emplace_back(part.begin(), part.end());
   } else {
     fail(input, input_named(input) + " is no list of names", "expected a,b,… or, in JSON, [\"a\",\"b\",…]");
@@ -102,7 +102,7 @@ void Inputs::read(std::string_view name, double& value) const {
     value = *number;
     return;
   }
-  const auto* digits = std::get_if<Word>(&written);
+  const auto* digits = std::get_if<BareWord>(&written);
   if (digits == nullptr) fail(name, input_named(name) + " is no number", "expected a finite number");
   const auto number = read_finite(digits->text);
   if (!number)
@@ -154,7 +154,7 @@ void Inputs::read(std::string_view name, std::vector<model::Cara>& value) const 
 const std::string& Inputs::word(std::string_view name) const {
   const auto& written = find(name)->value;
   if (const auto* text = std::get_if<std::string>(&written)) return *text;
-  if (const auto* text = std::get_if<Word>(&written)) return text->text;
+  if (const auto* text = std::get_if<BareWord>(&written)) return text->text;
   fail(name, input_named(name) + " is no name", "expected a name");
 }
 

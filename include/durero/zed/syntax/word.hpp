@@ -37,10 +37,11 @@ class Word {
   Word(const char* text) : Word(std::string_view(text)) {}                       // NOLINT
   /// @}
 
-  /// Returns the text, which stays where it is until the program ends.
+  /// @{ Returns the text, which stays where it is until the program ends.
   const std::string& text() const { return entry_->text; }
   operator const std::string&() const { return entry_->text; }  // NOLINT: a word is a text
   operator std::string_view() const { return entry_->text; }    // NOLINT
+  /// @}
   /// Returns what the language and its toolkit know of it (symbols.hpp).
   const Symbol& symbol() const { return *entry_->symbol; }
   /// Returns the hash of the text.
