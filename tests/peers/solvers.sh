@@ -35,8 +35,8 @@ for solver in z3 cvc5; do
   finds $solver 1 false 'member x == ' '{x : ℕ | x mod 100003 = 7 ∧ x mod 99991 = 5} = ∅'
   finds $solver 1 false 'two witnesses x == ' '∃₁ x : ℤ • x > 100000 ∧ x mod 3 = 1'
   finds $solver 0 true 'witness x == ' '∃ x, y : 𝔸 • x + y = 100001 ∧ x - y = 1/3 ∧ x ≠ y'
-  finds_nothing $solver counter-example '∀ x, y : ℕ • x + y ≥ x'
-  finds_nothing $solver witness '∃ x, y : ℤ • 6 * x - 9 * y = 1 ∧ x > y + 1000'
+  finds_nothing $solver counter-example '∀ x, y : ℕ • x * x + y ≥ x'
+  finds_nothing $solver witness '∃ x, y : ℤ • x * x - 4 * y = 2 ∧ x > y + 1000'
   run 1 spec check --quiet text.tex --solver $solver --solver-time 60
   has out 'text.tex:4:13: conjecture is false, as in this state:'
   has out '  o = ⦉colour == '
