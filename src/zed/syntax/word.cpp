@@ -16,6 +16,7 @@ struct ByText {
   std::size_t operator()(const Word::Entry& entry) const { return entry.hash; }
   bool operator()(const Word::Entry& a, const Word::Entry& b) const { return a.text == b.text; }
   bool operator()(std::string_view a, const Word::Entry& b) const { return a == b.text; }
+  bool operator()(const Word::Entry& a, std::string_view b) const { return a.text == b; }
 };
 
 }  // namespace
