@@ -102,6 +102,11 @@ TEST_CASE("xform moves, turns, scales, mirrors and repeats what its files, or th
   CHECK((balls[2].centro == glm::dvec3(-2, 0, 2) && balls[3].centro == glm::dvec3(0, -2, 2)));
   CHECK(ring.groups.table().at("ring.3.ball").elementos == scene::Names{"s4"});
   CHECK(ring.lost == Lines{"4 surfaces of no material: what its modifier names is in no text that was read"});
+  const auto has_material = [](const io::Imported& made) {
+    return made.scene.material(made.scene.find("s1").value()).has_value();
+  };
+  CHECK(has_material(read("xform -m other ball.rad | xform -m m")));
+  CHECK_FALSE(has_material(read("xform -m m ball.rad | xform -m other")));
   CHECK(read("xform -a 2 -t 2 0 0 -a 3 -t 0 2 0 ball.rad").scene.shapes<scene::Sphere>().size() == 6);
   CHECK(read("xform -a 2 -t 2 0 0 ball.rad").groups.table().contains("a1.ball"));
   const auto top = read("xform -ry 90 sub/both.rad").scene.shapes<scene::Disc>()[0];
