@@ -5,7 +5,7 @@
 /// It is exact, as each condition that it makes follows from those before, for whole numbers:
 ///   - a·x ≥ l and b·x ≤ u with a, b > 0 give b·l ≤ a·b·x ≤ a·u, so b·l − a·u ≤ 0, in which x does not stand;
 ///   - Σ cᵢ·xᵢ ≤ m, where g > 0 divides each cᵢ, gives Σ (cᵢ/g)·xᵢ ≤ ⌊m/g⌋, since the sum is a whole number.
-/// Where k ≤ 0 is among them for a k > 0, there are no such numbers. Where it is not, numbers are chosen one by one,
+/// No such numbers exist if k ≤ 0 is among them for a k > 0. If it is not, numbers are chosen one by one,
 /// and each condition is one of the bounds between which a number is chosen: numbers that are found satisfy all.
 
 #include <map>
@@ -34,7 +34,7 @@ using LinearConditions = std::vector<IntegerForm>;
 /// The whole numbers of some variables.
 using IntegerPoint = std::map<unsigned, Integer>;
 
-/// What is known of linear conditions: that no whole numbers satisfy all, or some that do; or neither.
+/// The answer about linear conditions: that no whole numbers satisfy all, or some that do; or neither.
 struct LinearAnswer {
   bool is_impossible = false;
   std::optional<IntegerPoint> point{};  ///< variables that stand in no condition are not in it

@@ -140,7 +140,7 @@ class LinearReader {
     return declaration.form == Declaration::Form::typed && range(declaration.term);
   }
 
-  /// Some values satisfy the text, and make the body true under ∃, and false under ∀.
+  /// The formula that some values satisfy the text, and make the body true under ∃, and false under ∀.
   LinearFormula some(const Node& quantifier, std::vector<unsigned>* variables = nullptr) {
     const std::size_t outer = quantified_.size();
     std::vector<LinearFormula> parts;
@@ -349,7 +349,7 @@ class LinearReader {
     return joined_formula(holds ? FormulaKind::all : FormulaKind::any, std::move(parts));
   }
 
-  /// The same of an expression that may be no whole number: nothing is known then.
+  /// The formula in_range() of an expression that may be no whole number: nothing is known then.
   static LinearFormula in_known_range(const FormCode& form, const WholeNumberRange& range, bool holds) {
     LinearFormula formula = in_range(form, range, holds);
     // Of a whole number a ≤ a is true, and a < a is false, so that the formula is the same; of others neither is known.

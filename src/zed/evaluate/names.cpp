@@ -48,10 +48,9 @@ Code Compiler::instance_with(const Node& node, const Meaning& global, const Scop
   for (const Term& actual : node.children) expression(actual, scope);
   if (reads_.size() != before)
     cannot(node, node.name.text() + " is not evaluated with actuals that depend on variables");
-  return [this, &global, actuals = node.children, value = &constants_.emplace_back()](Frame& frame) {
-    if (value->is_undefined()) *value = generic_instance(global, actuals, frame.context);
-    return *value;
-  };
+  return Code::once([this, &global, actuals = node.children](
+                        Frame& frame) { return generic_instance(global, actuals, frame.context); },
+                    constants_.emplace_back());
 }
 
 Scope Compiler::formals(const std::vector<Name>& formals, const std::vector<Term>& actuals, const Scope& scope) {

@@ -86,7 +86,7 @@ Truth for_all(const Solver& search, const Property& body, Frame& frame) {
   }
 }
 
-/// Where that is not decided, linear conditions may decide it.
+/// A ∀ that the search does not decide may be decided by linear conditions.
 Truth for_all(const Solver& search, const Property& body, const LinearQuestion* linear, Frame& frame) {
   if (!linear) return for_all(search, body, frame);
   const Test denies = [&](Frame& inside) {

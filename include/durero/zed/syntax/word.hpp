@@ -22,7 +22,7 @@ concept TextOfWord = std::convertible_to<const Text&, std::string_view> && !std:
 /// the program keeps of it until it ends. Words may be made and read by several threads at once.
 class Word {
  public:
-  /// What is kept of a text.
+  /// An entry is kept of each text.
   struct Entry {
     std::string text;                ///< the word
     std::size_t hash = 0;            ///< that of the text, so that an order of hashing is the same in every run
