@@ -214,4 +214,9 @@ const OperatorRow* operator_row(std::string_view name) {
   return at == by_name.end() ? nullptr : at->second;
 }
 
+std::optional<ToolkitSection> toolkit_section_of(std::string_view name) {
+  const OperatorRow* row = operator_row(name);
+  return row ? row->section : std::nullopt;
+}
+
 }  // namespace durero::zed

@@ -75,4 +75,7 @@ std::span<const OperatorRow> operator_rows();
 /// Returns the row of a name, or null.
 const OperatorRow* operator_row(std::string_view name);
 
+/// Returns the section of the toolkit that declares a name, or nothing where none does.
+std::optional<ToolkitSection> toolkit_section_of(std::string_view name);
+
 }  // namespace durero::zed

@@ -9,6 +9,8 @@
 #include "durero/text/utf8.hpp"
 #include "durero/zed/coq/coq.hpp"
 #include "durero/zed/syntax/defect.hpp"
+#include "durero/zed/syntax/paragraphs.hpp"
+#include "zed/operators.hpp"
 
 namespace durero::zed::coq {
 namespace {
@@ -105,6 +107,9 @@ void CoqWriter::section(const Section& section) {
 }
 
 void CoqWriter::paragraph(const Paragraph& paragraph) {
+  for (const Name& name : names_of(paragraph))  // the rules of translation take it for the toolkit's
+    if (toolkit_section_of(name.text()))
+      uncovered(paragraph.place, fmt::format("{}, which the toolkit declares too,", name.text()));
   if (const auto* form = std::get_if<GivenTypes>(&paragraph.form)) return given(*form);
   if (const auto* form = std::get_if<FreeType>(&paragraph.form)) return free_type(*form);
   if (const auto* form = std::get_if<Definition>(&paragraph.form)) return definition(*form);

@@ -94,10 +94,9 @@ Definitions::Definitions(const std::vector<Section>& sections) : sections_(secti
 }
 
 void Definitions::add(Meaning global) {
-  const OperatorRow* row = operator_row(global.name.text());
-  if (row && row->section)
+  if (const auto section = toolkit_section_of(global.name.text()))
     of_toolkit_ = fmt::format("{} is declared in {} and in {}, and what is evaluated has one meaning of it",
-                              global.name.text(), global.section->name, name_of(*row->section));
+                              global.name.text(), global.section->name, name_of(*section));
   const auto [at, added] = globals_.try_emplace(global.name, global);
   if (added || at->second.section == global.section) return;
   ambiguous_.try_emplace(global.name,

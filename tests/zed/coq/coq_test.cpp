@@ -174,4 +174,8 @@ TEST_CASE("a form without a rule is refused at its place") {
   CHECK_THROWS_WITH(definition("P == \\{~ A : \\power E | \\# A = 1 ~\\}"),
                     Contains("here:") && Contains("has no rule of translation to Coq"));
   CHECK_THROWS_AS(more("\\begin{axdef} c : \\real \\where c > 0 % c.def.1\n\\end{axdef}\n"), ExportError);
+  CHECK_THROWS_WITH(exported(read_text("\\begin{zsection} \\SECTION own \\parents prelude \\end{zsection}\n"
+                                       "\\begin{zed} \\emptyset == \\{ 1 \\} \\end{zed}\n",
+                                       "here")),
+                    Contains("here:2:") && Contains("∅, which the toolkit declares too"));
 }
