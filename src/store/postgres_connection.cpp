@@ -75,29 +75,34 @@ void PostgresConnection::send(const std::string& name, std::span<const std::stri
     checked(of_, get(), nullptr);
 }
 
-/// Behind an error the server does nothing more of what was sent. The answer to the synchronisation comes last.
-PostgresAnswer PostgresConnection::first_error_of_sent() noexcept {
-  PostgresAnswer error;
+/// Behind an error the server does nothing more of what was sent. The answer to the synchronisation comes last. Where
+/// it cannot be waited for, as libpq has seen the server go, there is none: two ends of a statement come in a row, and
+/// the connection may pass for a good one still.
+PostgresConnection::PipelineOutcome PostgresConnection::outcome_of_sent() noexcept {
+  PipelineOutcome outcome;
   is_sending_ = false;
-  if (PQpipelineSync(get()) == 0) return error;
-  for (bool is_last = false; !is_last && PQstatus(get()) == CONNECTION_OK;) {
+  if (PQpipelineSync(get()) == 0) return outcome;
+  for (bool has_ended = false; !outcome.is_whole && PQstatus(get()) == CONNECTION_OK;) {
     PostgresAnswer answer(PQgetResult(get()));
-    const ExecStatusType status = answer ? PQresultStatus(answer.get()) : PGRES_COMMAND_OK;  // none ends a statement's
-    is_last = status == PGRES_PIPELINE_SYNC;
-    if (status == PGRES_FATAL_ERROR && !error) error = std::move(answer);
+    if (!answer && has_ended) break;
+    has_ended = !answer;
+    if (!answer) continue;
+    const ExecStatusType status = PQresultStatus(answer.get());
+    outcome.is_whole = status == PGRES_PIPELINE_SYNC;
+    if (status == PGRES_FATAL_ERROR && !outcome.error) outcome.error = std::move(answer);
   }
   PQexitPipelineMode(get());
-  return error;
+  return outcome;
 }
 
 void PostgresConnection::settle() {
   if (!is_sending_) return;
-  PostgresAnswer error = first_error_of_sent();
-  if (error || PQstatus(get()) != CONNECTION_OK) checked(of_, get(), error.release());
+  PipelineOutcome outcome = outcome_of_sent();
+  if (outcome.error || !outcome.is_whole) checked(of_, get(), outcome.error.release());
 }
 
 void PostgresConnection::rollback() noexcept {
-  if (is_sending_) first_error_of_sent();
+  if (is_sending_) outcome_of_sent();
   PQclear(PQexec(get(), "ROLLBACK"));
 }
 

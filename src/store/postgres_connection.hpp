@@ -41,7 +41,12 @@ class PostgresConnection {
   struct Finish {
     void operator()(PGconn* connection) const noexcept { PQfinish(connection); }
   };
-  PostgresAnswer first_error_of_sent() noexcept;
+  /// The answers to what was sent.
+  struct PipelineOutcome {
+    PostgresAnswer error{};  ///< the first, if any
+    bool is_whole = false;   ///< each statement is answered
+  };
+  PipelineOutcome outcome_of_sent() noexcept;
 
   const Database& of_;
   std::unique_ptr<PGconn, Finish> connection_;

@@ -8,10 +8,14 @@ import os
 import random
 import re
 import shlex
+import shutil
 import signal
+import socket
 import sqlite3
 import subprocess
 import sys
+import tempfile
+import threading
 import time
 import urllib.error
 import urllib.request
@@ -462,6 +466,68 @@ class StoppedServer:
 def test_a_server_that_stops_loses_nothing_that_was_answered():
     stopped = StoppedServer(20260131)
     assert sum(stopped.stop_once() for _ in range(4)) > 0, "no edit was under way"
+
+
+class CutServer:
+    """A server that goes away behind its N-th answer, with more notices under way than a client reads at a time: the
+    client's next words are not taken, and it learns why late."""
+
+    def __init__(self, answers):
+        self.left, self.folder = answers, tempfile.mkdtemp(prefix="cut")
+        self.listening = socket.socket(socket.AF_UNIX)
+        self.listening.bind(os.path.join(self.folder, ".s.PGSQL.5432"))
+        self.listening.listen()
+        threading.Thread(target=self.carry, daemon=True).start()
+
+    def uri(self, schema):
+        return f"postgresql://durero@/postgres?host={self.folder}&options=-csearch_path%3D{schema}"
+
+    def carry(self):
+        client = self.listening.accept()[0]
+        behind = socket.socket(socket.AF_UNIX)
+        behind.connect(os.path.join(server.folder, ".s.PGSQL.5432"))
+        threading.Thread(target=self.forward, args=(client, behind), daemon=True).start()
+        answers = behind.makefile("rb")
+        while self.left > 0 and (head := answers.read(5)):
+            client.sendall(head + answers.read(int.from_bytes(head[1:], "big") - 4))
+            self.left -= head[:1] == b"Z"
+        if self.left == 0:
+            text = b"SWARNING\0C57P02\0M" + b"x" * 60_000 + b"\0\0"
+            client.sendall(b"N" + (len(text) + 4).to_bytes(4, "big") + text)
+        for end in (client, behind):
+            with contextlib.suppress(OSError):
+                end.shutdown(socket.SHUT_RDWR)
+            end.close()
+
+    @staticmethod
+    def forward(client, behind):
+        with contextlib.suppress(OSError):
+            while words := client.recv(65_536):
+                behind.sendall(words)
+
+    def end(self):
+        self.listening.close()
+        shutil.rmtree(self.folder)
+
+
+def test_a_server_that_goes_away_behind_any_answer_ends_the_program():
+    names = [operation(f"n{number}") for number in range(300)]
+    with open("script", "w") as file:
+        file.writelines(name + "\n" for name in names)
+    for cut in range(1, 100):
+        uri = new_uri()
+        run("init", uri, *AT)
+        going_away = CutServer(cut)
+        done = subprocess.run([durero, "store", "edit", going_away.uri(uri.rsplit("%3D", 1)[1]), "--quiet", "--script", "script",
+                               "--group", "100"], capture_output=True, text=True, timeout=PATIENCE)
+        going_away.end()
+        if done.returncode == 0:
+            break
+        assert done.returncode == 2 and done.stderr.count("\n") == 1 and "; expected a server that " in done.stderr, (cut, done)
+        answered, there = len(accepted(done.stdout)), kept(uri)
+        assert there == names[:len(there)] and answered <= len(there) <= answered + 100, (cut, answered, len(there))
+        run("verify", uri)
+    assert cut > 10 and kept(uri) == names, cut
 
 
 class Serving:
