@@ -83,7 +83,7 @@ def imported(durero, root, call, folder):
     """The call with a scene in place of the database that it names; nothing where that is absent."""
     if not call[1].endswith(".nff"):
         return call
-    source, scene = folder_of_databases(root) / call[1], folder / "scene.json"
+    source, scene = folder_of_databases(root) / call[1], folder / call[1].replace(".nff", ".json")  # a picture names it
     if not source.exists():
         return None
     subprocess.run([durero, "import", source, "-o", scene], check=True, capture_output=True)
