@@ -19,6 +19,7 @@ struct EndlessVariable {
   std::string name, set;
   Type type;
   bool is_integer = false;
+  bool is_finite = false;  ///< it is known to have an end, and is too great
 };
 
 /// Looks through a term for its variables.
@@ -68,7 +69,8 @@ class EndlessSearch {
     const std::string text = zed::to_unicode(declaration.term);
     const bool integers = set->set()->numbers() == zed::Numbers::integers;
     if (declaration.form == zed::Declaration::Form::typed) {
-      for (const zed::Name& name : declaration.names) found.push_back({name.text(), text, element, integers});
+      for (const zed::Name& name : declaration.names)
+        found.push_back({name.text(), text, element, integers, set->set()->size().has_value()});
     } else if (element.is(Type::Kind::schema)) {
       found.push_back({text, "its states", element, false});
     }
@@ -102,7 +104,8 @@ std::string bounds_for(const std::vector<EndlessVariable>& variables, const std:
   for (const EndlessVariable& each : variables)
     if (each.is_integer) bounds.push_back(fmt::format("a bound for {0}, as {0} : 0‥9", each.name));
   for (const EndlessVariable& each : variables)
-    if (!each.is_integer && (has_number(each.type) || given.empty())) bounds.push_back("a finite set for " + each.name);
+    if (!each.is_integer && (has_number(each.type) || given.empty()))
+      bounds.push_back((each.is_finite ? "a smaller set for " : "a finite set for ") + each.name);
   for (const std::string& set : given) bounds.push_back(fmt::format("members of {0}, as by --scope {0}=3", set));
   return fmt::format("expected {}", fmt::join(bounds, ", and "));
 }
@@ -119,8 +122,8 @@ OpenVariables open_variables(const Term& term, const zed::Typing& typing, const 
             "expected finite sets, or equations, for what is quantified"};
   const std::string expected = bounds_for(variables, search.given_sets());
   if (variables.size() == 1)
-    return {fmt::format("{} ranges over {}, of which there is no end, and no equation gives its value",
-                        variables[0].name, variables[0].set),
+    return {fmt::format("{} ranges over {}, {}, and no equation gives its value", variables[0].name, variables[0].set,
+                        variables[0].is_finite ? "which has too many members" : "of which there is no end"),
             expected};
   std::vector<std::string> names;
   for (const EndlessVariable& each : variables) names.push_back(each.name);

@@ -60,6 +60,9 @@ TEST_CASE("the expectation fits what is not decided") {
         "this is not decided: x ranges over ℤ, of which there is no end, and no equation gives its value; expected a "
         "bound for x, as x : 0‥9");
   CHECK(said_of("∀ x : 0‥9 • x * x * x ≠ 2 * x + 7") == "true");
+  CHECK(said_of("∃ f : 1‥20 → 1‥20 • f (f 1 + f 20) = 21") ==
+        "this is not decided: f ranges over 1 ‥ 20 → 1 ‥ 20, which has too many members, and no equation gives its "
+        "value; expected a smaller set for f");
   CHECK(said_of("∀ n, m : NAME • n = m") ==
         "this is not decided: one of n, m ranges over a set that is not finite, and no equation gives its value; "
         "expected members of NAME, as by --scope NAME=3");

@@ -4,6 +4,7 @@
 
 #include "zed/evaluate/search.hpp"
 #include "zed/value/cuts.hpp"
+#include "zed/value/growing_function.hpp"
 #include "zed/value/sets.hpp"
 
 namespace durero::zed {
@@ -48,6 +49,12 @@ class TentativeValue {
   std::uint32_t id_;
 };
 
+/// Says whether a search goes through all members of a set, which are functions between finite sets.
+bool is_whole_space(const Set& set, Context& context) {
+  const std::vector<FunctionSpace> spaces = set.function_spaces({}, context);
+  return spaces.size() == 1 && spaces.front().whole;
+}
+
 }  // namespace
 
 void collect_spans(const Property& property, std::vector<Equation>& spans) {
@@ -86,7 +93,9 @@ bool Solver::may_be_listed(Frame& frame) const {
     if (!set.set()) return false;
     if (set.set()->members()) continue;
     const auto bounds_it = [&](const ValueBound& bound) { return bound.slot == variable.slot; };
-    if (set.set()->numbers() == Numbers::none && std::none_of(bounds_.begin(), bounds_.end(), bounds_it)) return false;
+    if (set.set()->numbers() == Numbers::none && std::none_of(bounds_.begin(), bounds_.end(), bounds_it) &&
+        !is_whole_space(*set.set(), frame.context))
+      return false;
     some = true;
   }
   return some;

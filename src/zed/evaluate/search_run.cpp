@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "zed/evaluate/search.hpp"
+#include "zed/value/growing_function.hpp"
 
 namespace durero::zed {
 namespace {
@@ -26,7 +28,22 @@ class Supposed {
   decltype(Context::values_found) found_;
 };
 
-constexpr int most_tries = 600;  // the most values tried for all variables of a search together
+constexpr int most_tries = 600;                // the most values tried for all variables of a search together
+constexpr int most_beginnings = 1 << 19;       // of functions, for all variables of a search together
+constexpr int most_some_beginnings = 1 << 15;  // at a time, of those that are not all
+constexpr std::size_t most_values = 24;        // of a function with infinitely many
+
+/// The growth of functions ends where it has gone through so many beginnings, or all steps are taken up to these.
+struct Growth {
+  int most_beginnings;
+  std::uint64_t most_steps;
+};
+
+/// Adds the conjuncts of a property that are no conjunctions.
+void add_conjuncts(const Property& property, std::vector<const Property*>& to) {
+  if (property.kind != Property::Kind::all) return to.push_back(&property);
+  for (const Property& part : property.parts) add_conjuncts(part, to);
+}
 
 }  // namespace
 
@@ -39,10 +56,11 @@ struct Solver::Run {
   bool any_one = false;  ///< one way is enough
   std::vector<Value> sets{};
   std::uint32_t first_unknown = 0;
-  bool unknowns = false, enumerated = false, stopped = false;
-  int tries = 0;
+  bool unknowns = false, enumerated = false, stopped = false, trying = false;
+  int tries = 0, beginnings = 0;
   std::size_t share = 0;  // so many values are tried of each variable: those of all are within most_tries
   Truth result = Truth::no;
+  std::vector<const Property*> conjuncts{};  // of the goal
 
   void from(std::size_t i) {
     if (stopped) return;
@@ -115,6 +133,7 @@ struct Solver::Run {
       if (!frame.slots[variable.slot].get<Unknown>()) continue;
       if (const auto values = search.bounded(variable, sets[i], frame)) return each_of(variable, *values);
     }
+    if (is_alone() && grows(true)) return;
     if (!visit && open == 1 && last) {
       const Set& set = *sets[static_cast<std::size_t>(last - search.variables_.data())].set();
       if (const auto some = search.some_number(*last, set, frame, extra)) {
@@ -122,8 +141,66 @@ struct Solver::Run {
         if (*some == Truth::yes) return judge(*some);
       }
     }
-    if (decides && is_alone()) try_some(open);
+    if (decides && is_alone()) {
+      try_some(open);
+      if (!stopped && !trying && open == 1) grows(false);
+    }
     if (!stopped) judge(lost(frame.context));
+  }
+
+  /// Gives a variable the functions that its set has: where that has no other members, or else some of them. It takes
+  /// at most half of the steps that are left, so that something else may decide the goal. Says whether nothing else
+  /// needs to.
+  bool grows(bool whole) {
+    for (std::size_t i = 0; i < search.variables_.size(); ++i) {
+      const Variable& variable = search.variables_[i];
+      if (!frame.slots[variable.slot].get<Unknown>() || variable.value || !sets[i].set()) continue;
+      const auto spaces = sets[i].set()->function_spaces({search.numbers_to_try(), most_values}, frame.context);
+      if (spaces.empty() || spaces.front().whole != whole) continue;
+      const Steps& steps = frame.context.steps;
+      const Growth limit{whole ? most_beginnings : std::min(most_beginnings, beginnings + most_some_beginnings),
+                         steps.taken() + (steps.most() - steps.taken()) / 2};
+      for (const FunctionSpace& space : spaces) {
+        GrowingFunction begun(space);
+        if (begun.may_be_whole()) grow(i, begun, limit);
+      }
+      return stopped || (whole && beginnings <= limit.most_beginnings && steps.taken() <= limit.most_steps);
+    }
+    return false;
+  }
+
+  /// Goes through the functions that begin so, but for those that begin so that the goal is false.
+  void grow(std::size_t i, GrowingFunction& begun, const Growth& limit) {
+    if (stopped || ++beginnings > limit.most_beginnings || frame.context.steps.taken() > limit.most_steps) return;
+    frame.context.steps.take();
+    const Variable& variable = search.variables_[i];
+    if (begun.is_whole()) return each_of(variable, std::vector<Value>{sets[i].set()->as_declared(begun.value())});
+    if (is_false_with(variable, begun.value())) return;
+    begun.each_way_on([&] { grow(i, begun, limit); });
+  }
+
+  /// Says whether some conjunct of the goal is false, whatever is not known. A conjunct that is not decided says
+  /// nothing.
+  bool is_false_with(const Variable& variable, Value value) {
+    const Supposed supposed(frame);
+    const Necessary not_here(frame.context, false);
+    frame.slots[variable.slot] = std::move(value);
+    const auto is_false = [this](const auto& asked) {
+      try {
+        return asked() == Truth::no;
+      } catch (const EvaluationError&) {
+        return false;
+      }
+    };
+    if (conjuncts.empty()) add_conjuncts(search.goal_, conjuncts);
+    const auto determined = [this] {
+      search.determine(frame);
+      return Truth::open;
+    };
+    is_false(determined);
+    return std::any_of(conjuncts.begin(), conjuncts.end(),
+                       [&](const Property* each) { return is_false([&] { return evaluate(*each, frame); }); }) ||
+           (extra && is_false([&] { return extra(frame); }));
   }
 
   /// Says whether nothing but the variables is unknown.
@@ -158,10 +235,12 @@ struct Solver::Run {
 
   void try_one(const Variable& variable, const Value& set, const Value& value) {
     if (stopped || ++tries > most_tries) return;
+    const bool before = std::exchange(trying, true);
     try {
       if (contains_value(set, value, frame.context) == Truth::yes) each_of(variable, std::vector<Value>{value});
     } catch (const EvaluationError&) {  // of this one it is not known
     }
+    trying = before;
   }
 
   bool is_number(std::size_t i) const {

@@ -1,9 +1,12 @@
 /// The toolkit has sets of relations and of functions.
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 
 #include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
+#include "zed/value/growing_function.hpp"
 #include "zed/value/integer_lines.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
@@ -13,7 +16,8 @@ namespace durero::zed {
 namespace {
 
 constexpr std::size_t most_listed_functions =
-    1 << 16;  // sets of functions with more members are known by membership only
+    1 << 16;                                   // sets of functions with more members are known by membership only
+constexpr std::size_t most_counted = 1 << 14;  // pairs of a relation: greater numbers of functions are not counted
 
 void refuse_uncomparable(const std::vector<Value>& pairs, std::size_t part) {
   for (const Value& pair : pairs)
@@ -35,6 +39,71 @@ std::vector<Value> seconds(const std::vector<Value>& pairs) {
   values.reserve(pairs.size());
   for (const Value& pair : pairs) values.push_back(pair.tuple()->parts[1]);
   return values;
+}
+
+/// The number of functions of the form, for the sizes of the sets, in numbers that add and multiply. One argument after
+/// the other gets a value or, where the form is not total, none; how many may follow depends only on how many values
+/// were taken so far. Nothing where a count on the way is more than `most`.
+template <class Number>
+std::optional<Number> number_of_functions(const Arrow& form, std::size_t from, std::size_t to,
+                                          const std::optional<Number>& most) {
+  const auto number = [](std::size_t n) { return Number(static_cast<int>(n)); };
+  std::vector<Number> ways{Number(1)};  // by the number of values taken
+  for (std::size_t i = 0; i < from; ++i) {
+    std::vector<Number> longer(std::min(i + 1, to) + 1, Number(0));
+    Number all(0);
+    for (std::size_t taken = 0; taken < ways.size(); ++taken) {
+      const std::size_t stay = (form.total ? 0 : 1) + (form.injective ? 0 : taken);
+      longer[taken] = longer[taken] + number(stay) * ways[taken];
+      if (taken < to) longer[taken + 1] = longer[taken + 1] + number(to - taken) * ways[taken];
+    }
+    for (std::size_t taken = 0; taken < longer.size(); ++taken) {
+      if (form.surjective && to - taken > from - i - 1) longer[taken] = Number(0);  // too few arguments are left
+      all = all + longer[taken];
+    }
+    if (most && all > *most) return std::nullopt;
+    ways = std::move(longer);
+  }
+  if (form.surjective) return ways.size() > to ? ways[to] : Number(0);
+  return std::accumulate(ways.begin(), ways.end(), Number(0));
+}
+
+/// Says whether so few relations are of the form that they may be listed.
+bool listable(const Arrow& form, std::size_t from, std::size_t to) {
+  if (form.function) {
+    if (form.total && form.injective && from > to) return true;  // there is none
+    return number_of_functions<double>(form, from, to, double{most_listed_functions}).has_value();
+  }
+  // For every member of the domain's set, a relation has some of the members of the other.
+  return to == 0 || from == 0 || (to < 20 && from * to <= std::bit_width(most_listed_functions - 1));
+}
+
+void add_functions(GrowingFunction& begun, std::vector<Value>& all) {
+  if (begun.is_whole()) return all.push_back(begun.value());
+  begun.each_way_on([&] { add_functions(begun, all); });
+}
+
+/// All functions of a space.
+std::vector<Value> functions_between(const FunctionSpace& space) {
+  std::vector<Value> all;
+  GrowingFunction begun(space);
+  if (begun.may_be_whole()) add_functions(begun, all);
+  return all;
+}
+
+/// All relations between two finite sets.
+std::vector<Value> relations(const std::vector<Value>& from, const std::vector<Value>& to) {
+  std::vector<std::vector<Value>> sets{{}};
+  for (const Value& a : from)
+    for (const Value& b : to)
+      for (std::size_t i = 0, end = sets.size(); i < end; ++i) {
+        sets.push_back(sets[i]);
+        sets.back().push_back(Value::pair(a, b));
+      }
+  std::vector<Value> all;
+  all.reserve(sets.size());
+  for (auto& pairs : sets) all.push_back(finite(std::move(pairs)));
+  return all;
 }
 
 class FunctionSet : public Set {
@@ -78,10 +147,36 @@ class FunctionSet : public Set {
   std::size_t listed() const override { return listed_ ? listed_->set()->listed() : 0; }
 
   const std::vector<Value>* members() const override {
+    if (listed_) return listed_->set()->members();
     const auto *from = from_.set()->members(), *to = to_.set()->members();
-    if (!from || !to || !listable(from->size(), to->size())) return nullptr;
-    if (!listed_) listed_ = Value::set(relations(*from, *to));
+    if (!from || !to || !listable(form_, from->size(), to->size())) return nullptr;
+    std::vector<Value> all;
+    if (form_.function)
+      all = functions_between({*from, *to, form_});
+    else
+      all = relations(*from, *to);
+    listed_ = Value::set(std::move(all));
     return listed_->set()->members();
+  }
+
+  std::optional<Real> size() const override {
+    const auto *from = from_.set()->members(), *to = to_.set()->members();
+    if (!from || !to || from_.set()->family() || to_.set()->family()) return std::nullopt;
+    if (std::max(from->size(), to->size()) > most_counted || from->size() * to->size() > most_counted)
+      return std::nullopt;
+    if (form_.function) return number_of_functions<Real>(form_, from->size(), to->size(), {});
+    Real number(1);
+    for (std::size_t i = 0; i < from->size() * to->size(); ++i) number = number + number;
+    return number;
+  }
+
+  // Where the functions have infinitely many values, some of these are taken.
+  std::vector<FunctionSpace> function_spaces(const SmallScope& scope, Context& context) const override {
+    const auto *from = from_.set()->members(), *to = to_.set()->members();
+    if (!form_.function || !from || from_.set()->family() || to_.set()->family()) return {};
+    if (to) return {{*from, *to, form_}};
+    if (form_.surjective) return {};
+    return {{*from, sorted(to_.set()->some_members(scope, context)), form_, false}};
   }
 
   std::optional<Value> members_up_to(std::size_t size, Context& context) const override {
@@ -211,54 +306,6 @@ class FunctionSet : public Set {
       if (result == Truth::no) return result;
     }
     return result;
-  }
-
-  /// For every member of the domain's set, a relation has some of the members of the other, and a function has one or
-  /// none.
-  bool listable(std::size_t from, std::size_t to) const {
-    std::size_t ways = 1;
-    const std::size_t each = form_.function ? to + 1 : to < 20 ? std::size_t{1} << to : most_listed_functions + 1;
-    for (std::size_t i = 0; i < from && ways <= most_listed_functions; ++i) ways *= each;
-    return ways <= most_listed_functions;
-  }
-
-  std::vector<Value> relations(const std::vector<Value>& from, const std::vector<Value>& to) const {
-    std::vector<std::vector<Value>> sets{{}};
-    for (const Value& member : from) {
-      std::vector<std::vector<Value>> longer;
-      for (const auto& pairs : sets) extend(pairs, member, to, longer);
-      sets = std::move(longer);
-    }
-    std::vector<Value> kept;
-    for (auto& pairs : sets) {
-      if (admitted(pairs, to.size())) kept.push_back(finite(std::move(pairs)));
-    }
-    return kept;
-  }
-
-  void extend(const std::vector<Value>& pairs, const Value& from, const std::vector<Value>& to,
-              std::vector<std::vector<Value>>& into) const {
-    const std::size_t first = into.size();
-    if (!form_.total) into.push_back(pairs);
-    if (!form_.function) {  // each member of `to` extends every set so far
-      for (const Value& member : to) {
-        for (std::size_t i = first, end = into.size(); i < end; ++i) {
-          into.push_back(into[i]);
-          into.back().push_back(Value::pair(from, member));
-        }
-      }
-      return;
-    }
-    for (const Value& value : to) {
-      into.push_back(pairs);
-      into.back().push_back(Value::pair(from, value));
-    }
-  }
-
-  bool admitted(const std::vector<Value>& pairs, std::size_t to) const {
-    if (!form_.injective && !form_.surjective) return true;
-    const std::size_t reached = Value::set(seconds(pairs)).set()->members()->size();
-    return (!form_.injective || reached == pairs.size()) && (!form_.surjective || reached == to);
   }
 
   Value from_, to_;

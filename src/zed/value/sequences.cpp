@@ -4,6 +4,7 @@
 
 #include "durero/zed/value/undecided.hpp"
 #include "zed/value/functions.hpp"
+#include "zed/value/growing_function.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/small_members.hpp"
 #include "zed/value/toolkit_functions.hpp"
@@ -94,6 +95,19 @@ class SequenceSet : public Set {
     return sequences_of(items, scope.most, nonempty_, distinct_);
   }
 
+  std::vector<FunctionSpace> function_spaces(const SmallScope& scope, Context& context) const override {
+    if (of_.set()->family()) return {};
+    const auto* of = of_.set()->members();
+    const Values to = of ? *of : sorted(of_.set()->some_members(scope, context));
+    std::vector<FunctionSpace> spaces;
+    for (std::size_t length = nonempty_ ? 1 : 0; length <= most_tried_length; ++length) {
+      Values places;
+      for (std::size_t i = 1; i <= length; ++i) places.emplace_back(Real(static_cast<double>(i)));
+      spaces.push_back({std::move(places), to, Arrow{.total = true, .injective = distinct_}, false});
+    }
+    return spaces;
+  }
+
   std::string spelled(Wording wording) const override {
     return std::string("(") + (distinct_ ? "iseq " : nonempty_ ? "seq₁ " : "seq ") + of_.set()->spelled(wording) + ")";
   }
@@ -101,6 +115,7 @@ class SequenceSet : public Set {
  private:
   static constexpr std::size_t most_listed_items = 7;  // of 7 members there are 13700 sequences, and of 8 some 110000
   static constexpr std::size_t most_tried_items = 5;   // of 5 there are 31 sequences of at most 2
+  static constexpr std::size_t most_tried_length = 8;  // of sequences that grow
 
   std::optional<Value> up_to(const Values& of, std::size_t length) const {
     auto sequences = all_sequences(of, length, distinct_);

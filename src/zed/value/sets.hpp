@@ -1,6 +1,7 @@
 #pragma once
 /// The toolkit has these kinds of set.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,11 @@ namespace durero::zed {
 
 /// Says whether a stands before b among the members of a finite set.
 inline bool precedes(const Value& a, const Value& b) { return compare(a, b) < 0; }
+/// Sorts values.
+inline std::vector<Value> sorted(std::vector<Value> values) {
+  std::sort(values.begin(), values.end(), precedes);
+  return values;
+}
 
 /// Makes a finite set of members that are sorted, each once.
 Value finite(std::vector<Value> sorted);

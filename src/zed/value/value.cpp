@@ -239,6 +239,8 @@ std::vector<Value> Set::some_members(const SmallScope& scope, Context&) const {
 
 std::optional<Value> Set::members_up_to(std::size_t, Context&) const { return std::nullopt; }
 
+std::vector<FunctionSpace> Set::function_spaces(const SmallScope&, Context&) const { return {}; }
+
 std::optional<std::vector<Value>> Set::partners(const Value& known, std::size_t part, Context& context) const {
   const auto* pairs = members();
   if (!pairs || family() || has_intensional(known)) return std::nullopt;

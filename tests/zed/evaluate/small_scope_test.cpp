@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "durero/zed/evaluate/evaluate.hpp"
 #include "durero/zed/syntax/parser.hpp"
@@ -25,7 +26,8 @@ std::uint64_t scope_seed() {
 /// Answers questions; nothing where one is not decided.
 class ScopeAnswers {
  public:
-  ScopeAnswers() : evaluator_(sections(), {}, &steps_) {}
+  explicit ScopeAnswers(std::uint64_t most_steps = most_scope_steps)
+      : most_steps_(most_steps), evaluator_(sections(), {}, &steps_) {}
 
   std::string truth(const std::string& predicate, const Valuation& locals = {}) {
     return decided([&]() -> std::string {
@@ -39,7 +41,10 @@ class ScopeAnswers {
       return value.is_open() || (value.set() && !value.set()->members()) ? "" : value.text();
     });
   }
-  Value listed(const std::string& expression) { return evaluator_.value(parse_unicode(expression)); }
+  Value listed(const std::string& expression) {
+    steps_ = Steps(most_steps_);
+    return evaluator_.value(parse_unicode(expression));
+  }
 
  private:
   static std::vector<Section> sections() {
@@ -49,7 +54,7 @@ class ScopeAnswers {
   }
   template <class Ask>
   std::string decided(Ask&& ask) {
-    steps_ = Steps(most_scope_steps);
+    steps_ = Steps(most_steps_);
     try {
       return ask();
     } catch (const EvaluationError&) {
@@ -59,6 +64,7 @@ class ScopeAnswers {
     }
   }
 
+  std::uint64_t most_steps_;
   Steps steps_;
   Evaluator evaluator_;
 };
@@ -98,6 +104,16 @@ const std::vector<VariableKind>& variable_kinds() {
        "({a, b : 0 ‥ 2 • {(0, a), (1, b)}})",
        {"true", "v ⊆ (0 ‥ 1) × (0 ‥ 2)"},
        {"v 0 = 1", "v 0 < v 1", "ran v = {2}", "v ∈ 0 ‥ 1 ↣ ℕ", "(∃ n : ℕ • v n = n + 1)"}},
+      {"0 ‥ 1 ⇸ 0 ‥ 300",  // the functions are too many to be listed: they grow
+       "(0 ‥ 1 ⇸ 0 ‥ 2)",
+       {"(∀ i : 0 ‥ 1 • i ∉ dom v ∨ v i ≤ 2)", "(∀ i : dom v • v i ∈ 0 ‥ 2)", "ran v ⊆ 0 ‥ 2"},
+       {"v 0 = 1", "0 ∈ dom v", "v 1 = v 0", "(0, 1) ∈ v", "dom v = {0}", "# v = 1", "v⦇{0}⦈ = {2}", "v 0 < v 1",
+        "(∃ n : 0 ‥ 2 • (1, n) ∈ v)", "v ⊕ {0 ↦ 1} = v", "1 ∈ ran v", "(let n == v 0 • n > 1)", "1 ∉ dom v"}},
+      {"0 ‥ 2 ↣ 0 ‥ 50",
+       "(0 ‥ 2 ↣ 0 ‥ 3)",
+       {"v 0 ≤ 3 ∧ v 1 ≤ 3 ∧ v 2 ≤ 3", "(∀ i : 0 ‥ 2 • v i < 4)", "(∀ i : dom v • v i * v i < 10)"},
+       {"v 0 = 1", "v 0 < v 1", "v 1 ≠ v 2 + 1", "(∀ i, j : 0 ‥ 2 | i < j • v i < v j)", "ran v = 1 ‥ 3",
+        "{i : 0 ‥ 1 • v i} = {0, 2}", "v (v 0) = 0", "(∃ i : 0 ‥ 2 • v i = i)", "(v∼) 2 = 0", "v 3 = 1"}},
       {"T", "{t0, t1 0, t1 1}", {"true"}, {"v = t0", "(∃ n : 0 ‥ 1 • v = t1 n)", "v ∈ ran t1", "v ≠ t1 0"}},
   };
   return all;
@@ -377,6 +393,26 @@ TEST_CASE("members of a bounded size are all gone through") {
   CHECK(asked.value("# {f : 1 ‥ 3 ⇸ 1 ‥ 3 | # f ≤ 1}") == "10");
 }
 
+TEST_CASE("functions between finite sets are gone through, but for beginnings that make it false") {
+  ScopeAnswers asked(20'000'000);
+  const std::string queens = "∀ i, j : 1 ‥ 9 | i < j • q j - q i ≠ j - i ∧ q j - q i ≠ i - j";
+  CHECK(asked.value("# {q : 1 ‥ 9 ⤖ 1 ‥ 9 | q 1 = 5 ∧ (" + queens + ")}") == "54");  // of 352, by the first queen
+  CHECK(asked.truth("∃ q : 1 ‥ 9 ⤖ 1 ‥ 9 • q 1 = q 9 + 1 ∧ q 2 = q 1 + 1 ∧ (" + queens + ")") == "false");
+  CHECK(asked.value("# {f : 1 ‥ 5 → 1 ‥ 12 | ∀ i : 1 ‥ 4 • f i ≤ f (i + 1)}") == "4368");  // 16 over 5
+  CHECK(asked.value("# {f : 1 ‥ 5 ↣ 1 ‥ 12 | ∀ i : 1 ‥ 4 • f i < f (i + 1)}") == "792");   // 12 over 5
+  CHECK(asked.value("# {f : 1 ‥ 9 ↠ 1 ‥ 4 | ∀ i : 1 ‥ 8 • f i ≤ f (i + 1)}") == "56");     // 8 over 3
+  CHECK(asked.value("# {c : 1 ‥ 11 → 1 ‥ 3 | (∀ i : 1 ‥ 9 • c i ≠ c (i + 1)) ∧ c 10 ≠ c 1 ∧ c 11 = 1}") == "1026");
+  CHECK(asked.value("# {f : 1 ‥ 6 ⤔ 1 ‥ 9 | ∀ i : 1 ‥ 6 • i ∉ dom f ∨ f i < 3}") == "43");  // 1 + 2 · 6 + 6 · 5
+  CHECK(asked.truth("∃ f : 1 ‥ 3 → ℕ • f 1 + f 2 = 10 ∧ f 2 * f 3 = 12 ∧ f 3 > f 2") == "true");
+  CHECK(asked.truth("∃ f : 1 ‥ 3 → ℕ • f 1 + f 2 = 10 ∧ f 2 * f 3 = 12 ∧ f 3 > 500") == "");
+  CHECK(asked.truth("∃ s : seq (1 ‥ 100) • # s = 3 ∧ s 1 * s 2 * s 3 = 1001 ∧ s 1 < s 2 ∧ s 2 < s 3") == "true");
+  CHECK(asked.truth("∃ s : seq ℕ • # s = 4 ∧ s 1 + s 2 = 20 ∧ s 2 * s 3 = 30 ∧ s 4 = 9") == "true");
+  CHECK(asked.truth("∃ s : seq (1 ‥ 100) • # s = 6 ∧ s 1 = 7 ∧ s 2 = 9") == "true");
+  CHECK(asked.truth("(1 ‥ 2 ↠ 1 ‥ 2) = {{1 ↦ 1, 2 ↦ 2}, {1 ↦ 2, 2 ↦ 1}}") == "true");
+  CHECK(asked.truth("∃ s : iseq (1 ‥ 20) • # s = 5 ∧ (∀ i : 1 ‥ 4 • s (i + 1) > 2 * s i)") == "");
+  CHECK(ScopeAnswers().truth("∃ f : 1 ‥ 20 → 1 ‥ 20 • f (f 1 + f 20) = 21") == "");  // there are too many
+}
+
 TEST_CASE("a set of pairs is written as a sequence where it was made, or is declared, as one") {
   ScopeAnswers asked;
   CHECK(asked.value("⟨3, 3⟩") == "⟨3, 3⟩");
@@ -444,6 +480,21 @@ TEST_CASE("what is made of infinite functions is applied") {
 TEST_CASE("the sizes of sets that nobody lists are counted") {
   ScopeAnswers asked;
   CHECK(asked.value("# (ℙ (1 ‥ 40))") == "1099511627776");
+  for (const auto& [set, size] : std::map<std::string, std::string>{{"1 ‥ 9 ↔ 1 ‥ 9", "2417851639229258349412352"},
+                                                                    {"1 ‥ 9 ⇸ 1 ‥ 9", "1000000000"},
+                                                                    {"1 ‥ 9 → 1 ‥ 9", "387420489"},
+                                                                    {"1 ‥ 9 ⤔ 1 ‥ 9", "17572114"},
+                                                                    {"1 ‥ 7 ↣ 1 ‥ 9", "181440"},
+                                                                    {"1 ‥ 9 ↠ 1 ‥ 5", "834120"},   // 5! · S(9, 5)
+                                                                    {"1 ‥ 9 ⤀ 1 ‥ 5", "2739240"},  // 5! · S(10, 6)
+                                                                    {"1 ‥ 10 ⤖ 1 ‥ 10", "3628800"},
+                                                                    {"1 ‥ 30 ↣ 1 ‥ 9", "0"},
+                                                                    {"1 ‥ 4 ↠ 1 ‥ 3", "36"},
+                                                                    {"∅ ↠ {1}", "0"},
+                                                                    {"∅ → ∅", "1"}}) {
+    INFO(set);
+    CHECK(asked.value("# (" + set + ")") == size);
+  }
   CHECK(asked.value("# (ℙ₁ (1 ‥ 40))") == "1099511627775");
   CHECK(asked.value("# (1 ‥ 1000000000)") == "1000000000");
   CHECK(asked.value("# ((1 ‥ 1000000000) × {1, 2})") == "2000000000");

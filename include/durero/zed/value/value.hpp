@@ -234,6 +234,8 @@ struct SmallScope {
   std::size_t given = 0;      ///< a given set `X` has so many members: X_1, X_2, …
 };
 
+struct FunctionSpace;
+
 /// The questions that every set answers, whatever its form.
 class Set {
  public:
@@ -261,6 +263,9 @@ class Set {
   /// Returns every member that is a set of so many members at most, as a finite set. Nothing where they cannot be
   /// listed.
   virtual std::optional<Value> members_up_to(std::size_t size, Context& context) const;
+  /// Returns spaces of functions that are members, for a search that gives them their values one by one; none where the
+  /// set is of another kind.
+  virtual std::vector<FunctionSpace> function_spaces(const SmallScope& scope, Context& context) const;
   /// Returns the other parts of all pairs of the relation whose part `part`, 0 or 1, is this value, each once. Nothing
   /// where they cannot be listed.
   virtual std::optional<std::vector<Value>> partners(const Value& known, std::size_t part, Context& context) const;
