@@ -122,6 +122,7 @@ class Compiler {
   Property quantified(const Term& term, const Scope& scope);
   std::shared_ptr<const LinearQuestion> linear(const Node& quantifier, const Scope& scope, const Scope& inner);
   Property exists_one(const Node& node, const Scope& scope);
+  Test by_numbers(Test test, const Term& same, const Scope& scope);
   Property schema(const Term& term, const Scope& scope);
   Property schema_reference(const Term& term, const Scope& scope);
   Property renamed(const Node& node, const Scope& scope);

@@ -34,6 +34,7 @@ struct LinearSurroundings {
   std::function<Components(const Declaration&)> components;  ///< the names that an included schema declares
   std::function<Code(const Term&)> code;                     ///< compiles an expression without quantified names
   std::function<unsigned(const Name&)> slot;                 ///< of a variable of the quantifier
+  std::function<std::optional<Term>(const Node&)> just_one;  ///< what says the same as an ∃₁ (said_by_exists.hpp)
 };
 
 class LinearQuestion {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zed/evaluate/linear_question.hpp"
+#include "zed/evaluate/said_by_exists.hpp"
 #include "zed/syntax/match.hpp"
 #include "zed/value/integer_lines.hpp"
 
@@ -294,6 +295,10 @@ class LinearReader {
       return joined_formula(FormulaKind::any,
                             {both(FormulaKind::all, true, holds), both(FormulaKind::all, false, !holds)});
     if (node.kind == Kind::relation) return relation(node, holds);
+    if (node.kind == Kind::exists_one) {
+      const auto same = around_.just_one(node);
+      return same ? formula(*same, holds) : not_known();
+    }
     if (node.kind != Kind::exists && node.kind != Kind::forall) return not_known();
     if ((node.kind == Kind::exists) == holds) return some(node);
     LinearFormula none{.kind = FormulaKind::none_such};
@@ -303,6 +308,8 @@ class LinearReader {
 
   LinearFormula relation(const Node& node, bool holds) {
     if (node.children.size() != node.names.size() + 1) return not_known();
+    const auto is_toolkit = [this](const Name& name) { return !is_quantified(name) && around_.is_toolkit(name); };
+    if (const auto same = emptiness_by_exists(node, is_toolkit)) return formula(*same, holds);
     std::vector<LinearFormula> links;
     for (std::size_t i = 0; i < node.names.size(); ++i)
       links.push_back(link(node.names[i], node.children[i], node.children[i + 1], holds));

@@ -7,6 +7,7 @@
 #include "zed/evaluate/compiler.hpp"
 #include "zed/evaluate/describe.hpp"
 #include "zed/evaluate/linear_question.hpp"
+#include "zed/evaluate/said_by_exists.hpp"
 #include "zed/operators.hpp"
 #include "zed/syntax/match.hpp"
 #include "zed/value/toolkit_functions.hpp"
@@ -94,6 +95,21 @@ Truth for_all(const Solver& search, const Property& body, const LinearQuestion* 
     return in_head == Truth::no ? in_head : both(in_head, !evaluate(body, inside));
   };
   return !searched([&] { return !for_all(search, body, frame); }, linear, frame, denies);
+}
+
+/// Asks a property that says the same where a test is not decided.
+Test or_else(Test first, Property second) {
+  return [first = std::move(first), second = std::move(second)](Frame& frame) {
+    try {
+      if (const Truth here = first(frame); here != Truth::open) return here;
+    } catch (const EvaluationError&) {
+      const Necessary not_here(frame.context, false);
+      if (const Truth here = evaluate(second, frame); here != Truth::open) return here;
+      throw;
+    }
+    const Necessary not_here(frame.context, false);
+    return evaluate(second, frame);
+  };
 }
 
 Truth just_one(const CompiledSchemaText& head, Frame& frame) {
@@ -186,6 +202,9 @@ Property Compiler::relation(const Term& term, const Scope& scope) {
   }
   Property property = link(operands[0], operands[1], relations[0]);
   property.term = term;
+  const auto is_toolkit = [&](const Name& name) { return !find(name, scope) && !definitions_.find(name); };
+  if (const auto other = emptiness_by_exists(node, is_toolkit))
+    property.test = by_numbers(property.test, *other, scope);
   add_bounds(property.bounds, {node.names[0].word, {node.children[0], operands[0]}, {node.children[1], operands[1]}},
              scope);
   property.depends = std::move(depends);
@@ -243,7 +262,8 @@ std::shared_ptr<const LinearQuestion> Compiler::linear(const Node& quantifier, c
                                   },
                                   [&](const Declaration& declaration) { return components(declaration, definitions_); },
                                   [&](const Term& term) { return expression(term, scope); },
-                                  [&](const Name& name) { return *inner.names.at(name).slot; }};
+                                  [&](const Name& name) { return *inner.names.at(name).slot; },
+                                  [&](const Node& one) { return just_one_by_exists(one, definitions_); }};
   return linear_question(quantifier, around);
 }
 
@@ -251,7 +271,19 @@ Property Compiler::exists_one(const Node& node, const Scope& scope) {
   const Slots slots(*scope.unit);
   Scope inner{.outer = &scope, .unit = scope.unit};
   const CompiledSchemaText head = this->head(*node.text, scope, inner, node.children[0]);
-  return test_of([head](Frame& frame) { return just_one(head, frame); }, Term(std::make_shared<const Node>(node)));
+  Test test = [head](Frame& frame) { return just_one(head, frame); };
+  if (const auto other = just_one_by_exists(node, definitions_)) test = by_numbers(std::move(test), *other, scope);
+  return test_of(std::move(test), Term(std::make_shared<const Node>(node)));
+}
+
+/// A test, and where it is not decided a predicate that says the same, if that is an ∃ of whole numbers, or denies one.
+Test Compiler::by_numbers(Test test, const Term& same, const Scope& scope) {
+  const bool denied = same->kind == Kind::negation;
+  Property exists = quantified(denied ? same->children[0] : same, scope);
+  if (!exists.linear) return test;
+  if (!denied) return or_else(std::move(test), std::move(exists));
+  return or_else(std::move(test),
+                 test_of([exists = std::move(exists)](Frame& frame) { return !evaluate(exists, frame); }));
 }
 
 }  // namespace durero::zed

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "durero/zed/evaluate/evaluate.hpp"
 #include "durero/zed/syntax/parser.hpp"
 #include "support/catch.hpp"
 #include "support/property.hpp"
+#include "zed/evaluate/said_by_exists.hpp"
 
 namespace durero::zed {
 namespace {
@@ -41,6 +44,12 @@ TEST_CASE("linear comparisons of all whole numbers are decided") {
                             "∀ n : 0 ‥ 5 • ∀ x, y : ℕ | x ≥ n • n * x + y ≥ n * n",
                             "∀ x, y : ℕ • ∀ z : x ‥ x + y • z ≥ x",
                             "∀ x, y : ℕ • 1 div 0 ≤ x ⇒ x + y ≥ x",
+                            "∃₁ x, y : ℤ • x + y = 5 ∧ x - y = 1",
+                            "∀ y : ℤ • ∃₁ x : ℤ | x < 9 - y • x + y = 3 ∧ x < 100 - y",
+                            "∃₁ x : ℕ • ∀ y : ℕ • x ≤ y",
+                            "{x, y : ℤ | 2 * x = 2 * y + 1} = ∅",
+                            "∅ ≠ {x, y : ℤ | 2 * x = 2 * y + 2}",
+                            "∀ n : ℤ • {x : ℤ | x > n ∧ x < n + 1} = {}",
                             "∀ x, y : ℕ | x > 1000000007 ∧ y > x • x + y > 2000000016"}) {
     INFO(truth);
     CHECK(truth_of(truth) == Truth::yes);
@@ -49,8 +58,9 @@ TEST_CASE("linear comparisons of all whole numbers are decided") {
   for (const char* falsity :
        {"∃ x, y : ℤ • x + y > x + y", "∃ x, y : ℤ • 2 * x = 2 * y + 1", "∀ x, y : ℤ • 7 * x + 11 * y ≠ 100000001",
         "∀ x, y : ℕ | x > 1000000007 ∧ y > x • x + y > 2000000017", "∀ x, y : ℤ • ∃ z : ℤ • x < z ∧ z < y",
-        "∃ x : ℕ • ∀ y : ℕ • y ≤ x", "∃ x, y : ℕ • x + y < x ∨ x + y < y", "∀ x, y : ℕ • x - y ∈ ℕ",
-        "∀ x, y : ℤ | x + y > 50 • x > 25 ∨ y > 26", "∃ x : 3 ‥ 1; y : ℕ • y ≥ 0",
+        "∃₁ x, y : ℕ • x + y = 1", "∃₁ x : ℤ • 2 * x > 10", "∃₁ x : ℤ • 2 * x = 11 ∧ x > 3",
+        "{x, y : ℤ | 2 * x = 2 * y + 2} = ∅", "∃ x : ℕ • ∀ y : ℕ • y ≤ x", "∃ x, y : ℕ • x + y < x ∨ x + y < y",
+        "∀ x, y : ℕ • x - y ∈ ℕ", "∀ x, y : ℤ | x + y > 50 • x > 25 ∨ y > 26", "∃ x : 3 ‥ 1; y : ℕ • y ≥ 0",
         "∃ x, y : ℕ • 1 div 0 ≤ x ∧ x + y < x"}) {
     INFO(falsity);
     CHECK(truth_of(falsity) == Truth::no);
@@ -178,21 +188,28 @@ WrittenFormula any_relation(const std::vector<std::string>& names) {
 WrittenFormula any_formula(const std::vector<std::string>& names, int depth);
 
 WrittenFormula any_quantified(const std::vector<std::string>& names, int depth) {
-  const bool all = *rc::gen::inRange(0, 2) == 0;
   const WrittenNumber low = any_number(names), high = any_number(names);
   const std::string name = *rc::gen::elementOf(std::vector<std::string>{"z", "w", "y"});  // y is one outside too
   std::vector<std::string> inside = names;
-  if (std::find(inside.begin(), inside.end(), name) == inside.end()) inside.push_back(name);
+  const bool is_new = std::find(inside.begin(), inside.end(), name) == inside.end();
+  if (is_new) inside.push_back(name);
   const WrittenFormula body = any_formula(inside, depth - 1);
-  return {fmt::format("({} {} : ({}) ‥ ({}) • {})", all ? "∀" : "∃", name, low.z, high.z, body.z),
+  const int form = *rc::gen::inRange(0, is_new ? 5 : 4);  // the bounds stand inside of the last
+  const std::vector<std::string> forms = {"(∀ {0} : ({1}) ‥ ({2}) • {3})", "(∃ {0} : ({1}) ‥ ({2}) • {3})",
+                                          "(∃₁ {0} : ({1}) ‥ ({2}) • {3})", "{{{0} : ({1}) ‥ ({2}) | {3}}} = ∅",
+                                          "∅ ≠ {{{0} : ℤ | {0} ∈ ({1}) ‥ ({2}) ∧ {3}}}"};
+  return {fmt::format(fmt::runtime(forms[static_cast<std::size_t>(form)]), name, low.z, high.z, body.z),
           [=](const Point& point) {
             Point here = point;
-            const long last = high.value(point);
-            for (long n = low.value(point); n <= last; ++n) {
+            const long first = low.value(point), last = high.value(point);
+            long count = 0;
+            for (long n = first; n <= last; ++n) {
               here[name] = n;
-              if (body.holds(here) != all) return !all;
+              count += body.holds(here) ? 1 : 0;
             }
-            return all;
+            const std::array<bool, 5> so = {count == std::max(last - first + 1, 0L), count > 0, count == 1, count == 0,
+                                            count > 0};
+            return so[static_cast<std::size_t>(form)];
           }};
 }
 
@@ -219,10 +236,12 @@ WrittenFormula any_formula(const std::vector<std::string>& names, int depth) {
 Truth asked(const std::string& quantifier, const std::function<bool(const Point&)>& is_so) {
   static const Evaluator evaluator(std::vector<Section>{});
   const LinearSurroundings around{
-      [](const Name&) { return true; }, [](const Name&) -> const Term* { return nullptr; },
+      [](const Name&) { return true; },
+      [](const Name&) -> const Term* { return nullptr; },
       [](const Declaration&) { return Components(); },
       [&](const Term& term) -> Code { return [term](Frame&) { return evaluator.value(term); }; },
-      [](const Name& name) { return name.word == "x" ? 0U : 1U; }};
+      [](const Name& name) { return name.word == "x" ? 0U : 1U; },
+      [](const Node& one) { return just_one_by_exists(one, Definitions({})); }};
   const Term term = parse_unicode(quantifier);
   const auto question = linear_question(*term, around);
   REQUIRE(question);

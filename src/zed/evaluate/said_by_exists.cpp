@@ -1,0 +1,81 @@
+#include "zed/evaluate/said_by_exists.hpp"
+
+#include <algorithm>
+
+#include "zed/evaluate/substitute.hpp"
+
+namespace durero::zed {
+namespace {
+
+Term both_of(const Term& a, const Term& b) { return node(Kind::conjunction, {a, b}, a->place); }
+
+Term exists_of(SchemaText text, const Term& body, Place place) {
+  Node made = *node(Kind::exists, {body}, place);
+  made.text = std::make_shared<const SchemaText>(std::move(text));
+  return make(std::move(made));
+}
+
+/// Says whether ∃₁ stands in a term.
+bool has_exists_one(const Term& term) {
+  const auto in_text = [](const SchemaText& text) {
+    return std::ranges::any_of(text.declarations, has_exists_one, &Declaration::term) ||
+           std::ranges::any_of(text.predicates, has_exists_one, &Predicate::term);
+  };
+  return term->kind == Kind::exists_one || std::ranges::any_of(term->children, has_exists_one) ||
+         (term->text && in_text(*term->text));
+}
+
+/// The names that nobody can write for those of a text.
+std::map<Name, Term> other_names(const SchemaText& text) {
+  std::map<Name, Term> others;
+  for (const Declaration& each : text.declarations)
+    for (const Name& name : each.names)
+      others.emplace(name, reference(Name{"another " + name.word.text(), name.strokes}));
+  return others;
+}
+
+}  // namespace
+
+std::optional<Term> just_one_by_exists(const Node& exists_one, const Definitions& definitions) {
+  if (has_exists_one(exists_one.children[0])) return std::nullopt;  // each level would be written three times
+  SchemaText other = *exists_one.text;
+  const std::map<Name, Term> others = other_names(other);
+  const Place place = exists_one.place;
+  Term same;
+  for (Declaration& each : other.declarations) {
+    if (each.form != Declaration::Form::typed) return std::nullopt;
+    for (Name& name : each.names) {
+      const Term& replaced = others.at(name);
+      const Term equal = relation({{"_=_", ""}}, {replaced, reference(name)}, place);
+      same = same ? both_of(same, equal) : equal;
+      name = replaced->name;
+    }
+  }
+  for (Predicate& each : other.predicates) {
+    const auto replaced = substituted(each.term, others, definitions);
+    if (!replaced) return std::nullopt;
+    each.term = *replaced;
+  }
+  const auto body = substituted(exists_one.children[0], others, definitions);
+  if (!body || !same) return std::nullopt;
+  const Term another = exists_of(std::move(other), both_of(*body, node(Kind::negation, {same}, place)), place);
+  return exists_of(*exists_one.text, both_of(exists_one.children[0], node(Kind::negation, {another}, place)), place);
+}
+
+std::optional<Term> emptiness_by_exists(const Node& relation, const std::function<bool(const Name&)>& is_toolkit) {
+  if (relation.names.size() != 1 || relation.children.size() != 2) return std::nullopt;
+  const bool equal = relation.names[0].word == "_=_";
+  if (!equal && relation.names[0].word != "_≠_") return std::nullopt;
+  const auto is_empty = [&](const Term& term) {
+    if (term->kind == Kind::set_extension) return term->children.empty();
+    return term->kind == Kind::reference && term->name.text() == "∅" && is_toolkit(term->name);
+  };
+  const auto& sides = relation.children;
+  const Term& set = is_empty(sides[0]) ? sides[1] : sides[0];
+  if (!is_empty(sides[0]) && !is_empty(sides[1])) return std::nullopt;
+  if (set->kind != Kind::comprehension || !set->children.empty()) return std::nullopt;
+  const Term some = exists_of(*set->text, node(Kind::truth, {}), relation.place);
+  return equal ? node(Kind::negation, {some}, relation.place) : some;
+}
+
+}  // namespace durero::zed
