@@ -77,8 +77,8 @@ case $(sed -n 's/^State:[^A-Z]*\([A-Z]\).*/\1/p' "/proc/$(cat child)/status" 2>/
   *) fail 'a process of the solver outlives the command' ;;
 esac
 refused '--solver:1:1: nobody-has-this: No such file or directory; expected a program' spec eval "$far" --solver nobody-has-this
-refused 'EXPR:1:1: this is not decided: ' spec eval '∃ s : seq ℕ • # s * # s = 1000' --solver ./right
-has err '; right is not asked: seq ℕ is not translated; expected'
+refused 'EXPR:1:1: this is not decided: ' spec eval '∃ r : ℕ ↔ ℕ • # (r ⁺) = 1000' --solver ./right
+has err '; right is not asked: r ⁺ is not translated; expected'
 run 2 spec eval "$far" --solver ''
 run 2 spec eval "$far" --solver ./right --solver-time 0
 run 2 spec eval "$far" --solver ./right --explain
@@ -99,7 +99,7 @@ cat >claims.tex <<'TEX'
   \vdash? \exists x : \nat @ x > 1000000007 \land x \mod 7 = 3
 \end{zed}
 \begin{zed}
-  \vdash? \forall s : \seq \nat @ \# s \geq 0
+  \vdash? \forall r : \nat \rel \nat @ \# (r \plus) \geq 0
 \end{zed}
 \begin{zed}
   \vdash? \forall x : \nat @ x + 1 > 0
@@ -109,7 +109,7 @@ run 1 spec check --quiet claims.tex --solver ./right
 has out 'claims.tex:2:3: conjecture is false, as in this state:'
 has out '  x = 1000000011'
 has out 'claims.tex:5:3: conjecture is true; right finds the witness x == 1000000011, which holds by the text'
-has out "right is not asked: seq ℕ is not translated"
+has out "right is not asked: r ⁺ is not translated"
 has out 'claims.tex:11:3: conjecture is true'
 run 0 spec check --quiet claims.tex --solver ./finds-nothing
 has out 'claims.tex:2:3: conjecture tried on 4 states; finds-nothing finds no counter-example'

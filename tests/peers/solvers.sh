@@ -23,6 +23,24 @@ cat >text.tex <<'TEX'
 \begin{zed} \vdash? \forall o : Order @ o.pieces > 317 \lor o.price > 317 \lor o.colour = blue \end{zed}
 \begin{zed} \vdash? \forall n, p : \nat | n > 400 @ total(n, p) \neq 401 * 1009 - 133 \end{zed}
 TEX
+cat >sets.tex <<'TEX'
+\begin{zed} [NAME, DATE] \end{zed}
+\begin{zed} Letter ::= S | E | N | D | M | O | R | Y \end{zed}
+\begin{schema}{BirthdayBook}
+  known : \power NAME \\ birthday : NAME \pfun DATE \\ cards : NAME \pfun \nat
+\where known = \dom birthday \\ \dom cards \subseteq known \end{schema}
+\begin{zed} \vdash? \forall BirthdayBook | \# known = 3 \land \# cards = 3 @
+  \# (\ran birthday) \neq 2 \lor \max (\ran cards) < 1000 + \min (\ran cards) \end{zed}
+\begin{zed} \vdash? \forall BirthdayBook; n : NAME; d : DATE | n \notin known @
+  \# (\dom (birthday \cup \{ n \mapsto d \})) = \# known + 1 \end{zed}
+TEX
+rule='∀ i, j, k : 1‥9 | j < k • f(i, j) ≠ f(i, k) ∧ f(j, i) ≠ f(k, i)'
+boxes='∀ b, c : {0, 3, 6} • # {i, j : 1‥3 • f(b + i, c + j)} = 9'
+hints='{(1, 1) ↦ 5, (1, 2) ↦ 3, (1, 5) ↦ 7, (2, 1) ↦ 6, (2, 4) ↦ 1, (2, 5) ↦ 9, (2, 6) ↦ 5, (3, 2) ↦ 9, (3, 3) ↦ 8, (3, 8) ↦ 6,
+  (4, 1) ↦ 8, (4, 5) ↦ 6, (4, 9) ↦ 3, (5, 1) ↦ 4, (5, 4) ↦ 8, (5, 6) ↦ 3, (5, 9) ↦ 1, (6, 1) ↦ 7, (6, 5) ↦ 2, (6, 9) ↦ 6,
+  (7, 2) ↦ 6, (7, 7) ↦ 2, (7, 8) ↦ 8, (8, 4) ↦ 4, (8, 5) ↦ 1, (8, 6) ↦ 9, (8, 9) ↦ 5, (9, 5) ↦ 8, (9, 8) ↦ 7, (9, 9) ↦ 9}'
+money='1000 * v S + 100 * v E + 10 * v N + v D + 1000 * v M + 100 * v O + 10 * v R + v E =
+  10000 * v M + 1000 * v O + 100 * v N + 10 * v E + v Y'
 
 asked=0
 for solver in z3 cvc5; do
@@ -40,12 +58,34 @@ for solver in z3 cvc5; do
   run 1 spec check --quiet text.tex --solver $solver --solver-time 60
   has out 'text.tex:4:13: conjecture is false, as in this state:'
   has out '  o = ⦉colour == '
+  finds $solver 0 true 'witness s == ⟨' '∃ s : seq ℤ • # s = 2 ∧ s 1 + s 2 = 1000'
+  finds $solver 0 true 'witness s == ⟨' '∃ s : seq (1‥100) • # s = 3 ∧ s 1 * s 2 * s 3 = 1001 ∧ s 1 < s 2 ∧ s 2 < s 3'
+  finds $solver 0 true 'witness s == ⟨' '∃ s, t : seq ℕ • s ⁀ t = rev (t ⁀ s) ∧ # s > # t ∧ # t > 1 ∧ s 1 + t 1 = 1234'
+  finds $solver 0 true 'witness q == {1 ↦ ' \
+    '∃ q : 1‥8 ⤖ 1‥8 • ∀ i, j : 1‥8 | i < j • q i - q j ≠ i - j ∧ q i - q j ≠ j - i'
+  finds $solver 0 true 'witness f == {(1, 1) ↦ 1, ' \
+    "∃ f : (1‥4 × 1‥4) → 1‥4 • f(1, 1) = 1 ∧ f(2, 3) = 4 ∧ f(4, 4) = 3 ∧
+       (∀ i, j, k : 1‥4 | j < k • f(i, j) ≠ f(i, k) ∧ f(j, i) ≠ f(k, i))"
+  finds $solver 1 false 'counter-example f == {' '∀ f : ℕ ⇸ ℕ • # f < 3 ∨ max (ran f) < 1000 + max (dom f)'
+  finds $solver 0 true 'witness s == {' \
+    '∃ s, t : 𝔽 ℕ • s ∩ t = ∅ ∧ # (s ∪ t) = 5 ∧ max s < min t ∧ max s > 1000 ∧ # s > # t'
+  finds_nothing $solver 'witness whose sets have at most 8 members' \
+    '∃ s, t : 𝔽 ℕ • s ∩ t = ∅ ∧ # (s ∪ t) = 5 ∧ max s = min t'
+  run 1 spec check --quiet sets.tex --solver $solver --solver-time 60
+  has out 'sets.tex:6:13: conjecture is false, as in this state:'
+  has out '  known = {NAME_1, NAME_2, NAME_3}'
+  has out 'sets.tex:8:13: conjecture tried on '
+  has out "; $(basename $solver) finds no counter-example"
+  run 0 spec eval "∃ v : Letter ↣ 0‥9 • v S > 0 ∧ v M > 0 ∧ $money" sets.tex --quiet --solver $solver --solver-time 60
+  has err "finds the witness v == {S ↦ 9, E ↦ 5, N ↦ 6, D ↦ 7, M ↦ 1, O ↦ 0, R ↦ 8, Y ↦ 2}, which holds by the text"
 done
 [ "$asked" -gt 0 ] || exit 77
 if command -v z3 >/dev/null; then
   finds z3 0 true 'witness x == 199, y == 980' '∃ x, y : ℤ • x * x + y * y = 1000001 ∧ 10 < x ∧ x < y'
   finds z3 0 true 'witness x == 10100' '∃ x : ℤ • x * x * x = 1030301000000'
   is err 'durero: note: z3 finds the witness x == 10100, which holds by the text'
+  finds z3 0 true 'witness f == {(1, 1) ↦ 5, (1, 2) ↦ 3, (1, 3) ↦ 4, ' \
+    "∃ f : (1‥9 × 1‥9) → 1‥9 • ($rule) ∧ ($boxes) ∧ $hints ⊆ f"
   finds z3 1 false 'member x == 123' '{x : ℕ | x * x * x = 1860867} = ∅'
   run 1 spec check --quiet text.tex --solver z3 --solver-time 60
   has out 'text.tex:5:13: conjecture is false, as in this state:'

@@ -117,7 +117,7 @@ class Dialogue {
     const auto found = script.values(verdict);
     switch (verdict.answer) {
       case SmtVerdict::Answer::unsat:
-        say(program_.name + " finds no " + sought.called);
+        say(program_.name + " finds no " + sought.called + (script.bounds().empty() ? "" : " " + script.bounds()));
         return Truth::open;
       case SmtVerdict::Answer::unknown:
         if (found && holds(sought, *found, locals) == Truth::yes) break;  // a guess that is right is a witness, too

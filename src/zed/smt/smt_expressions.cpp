@@ -5,32 +5,19 @@
 #include "zed/evaluate/cases.hpp"
 #include "zed/evaluate/constants.hpp"
 #include "zed/evaluate/describe.hpp"
+#include "zed/smt/smt_slots.hpp"
 #include "zed/smt/smt_translator.hpp"
 #include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
 
-/// One of two terms of a sort; their parts are chosen likewise.
-SmtTerm chosen(const std::string& condition, SmtTerm yes, SmtTerm no) {
-  const auto take_form = [](SmtTerm& of, const SmtTerm& other) {
-    of = other;
-    of.defined = "false";
-  };
-  if (yes.defined == "false")
-    take_form(yes, no);
-  else if (no.defined == "false")
-    take_form(no, yes);
-  const bool numbers = yes.parts.empty() && no.parts.empty() && yes.type.empty() && no.type.empty();
-  if (numbers) bring_together(yes, no);
-  if (yes.sort != no.sort || yes.type != no.type || yes.parts.size() != no.parts.size() || yes.names != no.names)
-    throw Untranslated("values of two forms are the sides of one choice");
-  SmtTerm made = yes;
-  made.defined = smt_choice(condition, yes.defined, no.defined);
-  if (made.parts.empty()) made.text = smt_choice(condition, yes.text, no.text);
-  for (std::size_t i = 0; i < made.parts.size(); ++i) made.parts[i] = chosen(condition, yes.parts[i], no.parts[i]);
-  return made;
-}
+/// The definition of a function is put in as long as this lives.
+struct Expanding {
+  std::unordered_set<std::string>& functions;
+  const std::string& name;
+  ~Expanding() { functions.erase(name); }
+};
 
 bool is_positive_numeral(const std::string& text) {
   return text.find_first_not_of("0123456789") == text.npos && text != "0";
@@ -62,7 +49,10 @@ SmtTerm fraction_of(const SmtTerm& a, const SmtTerm& b) {
 
 SmtTerm computed(const std::string& by, SmtTerm a, SmtTerm b) {
   bring_together(a, b);
-  SmtTerm made{a.sort, smt_call(by, {a.text, b.text})};
+  const bool sum = by == "+", difference = by == "-";
+  SmtTerm made{a.sort, sum          ? smt_plus(a.text, b.text)
+                       : difference ? smt_minus(a.text, b.text)
+                                    : smt_call(by, {a.text, b.text})};
   made.defined = smt_all({a.defined, b.defined});
   return made;
 }
@@ -71,13 +61,21 @@ SmtTerm computed(const std::string& by, SmtTerm a, SmtTerm b) {
 
 SmtTerm SmtTranslator::expression(const Term& term, const SmtScope& scope) {
   count();
-  if (is_closed(term, scope)) return of_value(value(term, scope));
+  SmtTerm made = is_closed(term, scope) ? of_value(value(term, scope)) : open_expression(term, scope);
+  written(text_size(made));
+  return shared(std::move(made));
+}
+
+/// Translates an expression that depends on a variable.
+SmtTerm SmtTranslator::open_expression(const Term& term, const SmtScope& scope) {
   switch (term->kind) {
-    case Kind::reference: {
-      const SmtMeaning* meaning = find(term->name, scope);
-      if (!meaning || !meaning->term) refuse(term, "is not translated");
-      return *meaning->term;
-    }
+    case Kind::reference:
+      return named(term, scope);
+    case Kind::set_extension:
+    case Kind::comprehension:
+    case Kind::lambda:
+    case Kind::product:
+      return set_expression(term, scope);
     case Kind::tuple:
     case Kind::binding_extension:
       return parts(term, scope);
@@ -129,8 +127,8 @@ SmtTerm SmtTranslator::selection(const Term& term, const SmtScope& scope) {
 }
 
 SmtTerm SmtTranslator::conditional(const Term& term, const SmtScope& scope) {
-  return chosen(predicate(term->children[0], scope), expression(term->children[1], scope),
-                expression(term->children[2], scope));
+  return smt_chosen(shared(predicate(term->children[0], scope), "Bool"), expression(term->children[1], scope),
+                    expression(term->children[2], scope));
 }
 
 /// Returns the value of a function of the toolkit, where it is one that SMT-LIB has.
@@ -159,18 +157,19 @@ SmtTerm SmtTranslator::application(const Term& term, const SmtScope& scope) {
   const Term &function = term->children[0], &argument = term->children[1];
   if (is_toolkit(function, scope)) {
     if (auto made = arithmetic(function->name.text(), argument, scope)) return std::move(*made);
+    if (auto made = set_operation(function->name.text(), argument, scope)) return std::move(*made);
     refuse(term, "is not translated");
   }
   if (const auto known = rules(function, scope)) {
     const SmtTerm of = expression(argument, scope);
     const std::string name = function->kind == Kind::reference ? function->name.text() : "";
-    if (!name.empty() && !expanding_.insert(name).second) refuse(function, "is recursive");
-    SmtTerm made = applied(*known, of);
-    expanding_.erase(name);
-    return made;
+    if (name.empty()) return applied(*known, of);
+    if (!expanding_.insert(name).second) refuse(function, "is recursive");
+    const Expanding here{expanding_, name};
+    return applied(*known, of);
   }
   if (is_closed(function, scope)) return looked_up(value(function, scope), expression(argument, scope));
-  refuse(term, "is not translated");
+  return applied_slots(expression(function, scope), expression(argument, scope));
 }
 
 /// Returns the definition of a function: a λ, or the cases of its box; nothing where it has none.
@@ -241,7 +240,7 @@ SmtTerm SmtTranslator::applied(const std::vector<Rule>& rules, const SmtTerm& ar
       }
     }
     for (const Predicate& each : rule.declared.predicates) here.push_back(predicate(each.term, inner));
-    made = chosen(smt_all(here), expression(rule.value, inner), made);
+    made = smt_chosen(shared(smt_all(here), "Bool"), expression(rule.value, inner), made);
   }
   made.defined = smt_all({argument.defined, made.defined});
   return made;
@@ -262,7 +261,7 @@ SmtTerm SmtTranslator::looked_up(const Value& function, const SmtTerm& argument)
     };
     SmtTerm value = of_value(pair->parts[1]);
     if (is_again(i + 1) || (i > 0 && is_again(i - 1))) value.defined = "false";
-    made = chosen(smt_equal(argument, of_value(pair->parts[0])), std::move(value), made);
+    made = smt_chosen(smt_equal(argument, of_value(pair->parts[0])), std::move(value), made);
   }
   made.defined = smt_all({argument.defined, made.defined});
   return made;

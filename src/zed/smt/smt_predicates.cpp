@@ -1,24 +1,25 @@
 /// Translates predicates.
 
+#include "zed/smt/smt_slots.hpp"
 #include "zed/smt/smt_translator.hpp"
 
 namespace durero::zed {
-namespace {
-
-std::string smt_implied(const std::string& from, const std::string& to) { return smt_any({smt_not(from), to}); }
-
-}  // namespace
-
 std::string smt_quantified(const std::string& by, const std::vector<SmtSymbol>& symbols, const std::string& body) {
-  if (symbols.empty() || body == "true" || body == "false") return body;  // Int and Real have members
+  if (symbols.empty() || body == "true" || body == "false") return body;  // each sort has members
   std::string declared;
-  for (const SmtSymbol& each : symbols)
-    declared += (declared.empty() ? "(" : " (") + each.name + (each.real ? " Real)" : " Int)");
+  for (const SmtSymbol& each : symbols) declared += (declared.empty() ? "(" : " (") + each.name + " " + each.sort + ")";
   return smt_call(by, {"(" + declared + ")", body});
 }
 
 std::string SmtTranslator::predicate(const Term& term, const SmtScope& scope) {
   count();
+  std::string made = open_predicate(term, scope);
+  written(made.size());
+  return made;
+}
+
+/// Translates a predicate, whose text nobody has counted.
+std::string SmtTranslator::open_predicate(const Term& term, const SmtScope& scope) {
   const auto part = [&](std::size_t i) { return predicate(term->children[i], scope); };
   switch (term->kind) {
     case Kind::truth:
@@ -41,7 +42,7 @@ std::string SmtTranslator::predicate(const Term& term, const SmtScope& scope) {
     case Kind::exists_one:
       return exists_one(term, scope);
     case Kind::relation:
-      return relation(term, scope);
+      return is_closed(term, scope) ? closed_relation(term, scope) : relation(term, scope);
     case Kind::let: {
       SmtScope inner{&scope};
       let(*term->text, scope, inner);
@@ -53,15 +54,20 @@ std::string SmtTranslator::predicate(const Term& term, const SmtScope& scope) {
 }
 
 std::string SmtTranslator::quantified(const Term& term, const SmtScope& scope) {
-  SmtScope inner{&scope};
-  const SmtBound bound = bind(*term->text, scope, inner);
-  const std::string head = smt_all(bound.conditions), body = predicate(term->children[0], inner);
-  if (term->kind == Kind::exists) return smt_quantified("exists", bound.symbols, smt_all({head, body}));
-  return smt_quantified("forall", bound.symbols, smt_implied(head, body));
+  const bool some = term->kind == Kind::exists;
+  std::vector<std::string> cases;
+  each_case(listing(*term->text, scope, false), scope, [&](const SmtScope& inner, const SmtBound& bound) {
+    const std::string head = smt_all(bound.conditions), body = predicate(term->children[0], inner);
+    cases.push_back(some ? smt_quantified("exists", bound.symbols, smt_all({head, body}))
+                         : smt_quantified("forall", bound.symbols, smt_implied(head, body)));
+  });
+  return some ? smt_any(cases) : smt_all(cases);
 }
 
 /// ∃₁ x • P is ∃ x • P ∧ (∀ y • P[y/x] ⇒ y = x).
 std::string SmtTranslator::exists_one(const Term& term, const SmtScope& scope) {
+  if (auto written_out = exactly_one(term, scope)) return *std::move(written_out);
+  const TemporaryCount inside(quantifiers_, quantifiers_ + 1);
   SmtScope one{&scope}, other{&scope};
   const SmtBound first = bind(*term->text, scope, one), second = bind(*term->text, scope, other);
   const std::string here = smt_all({smt_all(first.conditions), predicate(term->children[0], one)});
@@ -82,16 +88,32 @@ std::string SmtTranslator::schema(const Term& term, const SmtScope& scope) {
   for (const Declaration& each : text.declarations)
     for (const Name& name : each.names) {
       const SmtMeaning* meaning = find(name, scope);
-      if (!meaning || !meaning->term) refuse(term, "has the component " + name.text() + ", which is no variable here");
-      inner.names[name].term = meaning->term;
-      const SmtMembership in = member(*meaning->term, each.term, global_);
-      facts.push_back(smt_all({meaning->term->defined, in.defined, in.holds}));
+      if (!meaning || (!meaning->term && !meaning->value))
+        refuse(term, "has the component " + name.text() + ", which is no variable here");
+      const SmtTerm component = meaning->term ? *meaning->term : of_value(*meaning->value);
+      inner.names[name].term = component;
+      const SmtMembership in = member(component, each.term, global_);
+      facts.push_back(smt_all({component.defined, in.defined, in.holds}));
     }
   for (const Predicate& each : text.predicates) facts.push_back(predicate(each.term, inner));
   return smt_all(facts);
 }
 
+/// A relation without variables is evaluated, as far as the evaluator decides it.
+std::string SmtTranslator::closed_relation(const Term& term, const SmtScope& scope) {
+  try {
+    const Truth here = evaluator_.holds(term, known_values(scope));
+    if (here != Truth::open) return here == Truth::yes ? "true" : "false";
+  } catch (const EvaluationError&) {  // its parts may have values
+  }
+  return relation(term, scope);
+}
+
 std::string SmtTranslator::relation(const Term& term, const SmtScope& scope) {
+  if (term->children.size() == 1 && term->names.size() == 1 && term->names[0].text() == "disjoint_") {
+    const SmtTerm family = as_slots(expression(term->children[0], scope));
+    return smt_all({family.defined, slots_are_disjoint(family)});
+  }
   if (term->children.size() < 2) refuse(term, "is no comparison");
   std::vector<std::string> links;
   for (std::size_t i = 0; i < term->names.size(); ++i)
@@ -107,11 +129,13 @@ std::optional<std::string> SmtTranslator::emptiness(const Term& a, const Term& b
   };
   const Term* set = is_empty(b) ? &a : is_empty(a) ? &b : nullptr;
   if (!set || (*set)->kind != Kind::comprehension) return std::nullopt;
-  SmtScope inner{&scope};
-  const SmtBound bound = bind(*(*set)->text, scope, inner);
-  std::vector<std::string> facts = bound.conditions;
-  if (!(*set)->children.empty()) facts.push_back(expression((*set)->children[0], inner).defined);
-  return smt_not(smt_quantified("exists", bound.symbols, smt_all(facts)));
+  std::vector<std::string> cases;
+  each_case(listing(*(*set)->text, scope, false), scope, [&](const SmtScope& inner, const SmtBound& bound) {
+    std::vector<std::string> facts = bound.conditions;
+    if (!(*set)->children.empty()) facts.push_back(expression((*set)->children[0], inner).defined);
+    cases.push_back(smt_quantified("exists", bound.symbols, smt_all(facts)));
+  });
+  return smt_not(smt_any(cases));
 }
 
 /// No relation holds of operands without values.
@@ -124,6 +148,7 @@ std::string SmtTranslator::related(const std::string& by, const Term& a, const T
   const bool equal = by == "_=_", unequal = by == "_≠_";
   if (equal || unequal)
     if (const auto empty = emptiness(a, b, scope)) return equal ? *empty : smt_not(*empty);
+  if (auto of_sets = set_relation(by, a, b, scope)) return *std::move(of_sets);
   static const std::map<std::string, std::string> orders = {{"_<_", "<"}, {"_≤_", "<="}, {"_>_", ">"}, {"_≥_", ">="}};
   const auto order = orders.find(by);
   if (!equal && !unequal && order == orders.end()) throw Untranslated("the relation " + by + " is not translated");

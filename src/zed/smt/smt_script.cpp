@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "zed/syntax/match.hpp"
+#include "zed/value/small_members.hpp"
 
 namespace durero::zed {
 Term SmtSought::claim() const {
@@ -56,7 +57,7 @@ std::string SmtScript::text(const SmtSought& sought, const Valuation& locals) {
     for (const std::string& each : bound_.back().conditions) facts.push_back(each);
     facts.push_back(translator_.predicate(sought.body, inner));
     for (const SmtSymbol& each : bound_.back().symbols) {
-      declared += smt_call("declare-fun", {each.name, "()", each.real ? "Real" : "Int"}) + "\n";
+      declared += smt_call("declare-fun", {each.name, "()", each.sort}) + "\n";
       symbols += (symbols.empty() ? "" : " ") + each.name;
     }
   }
@@ -66,13 +67,31 @@ std::string SmtScript::text(const SmtSought& sought, const Valuation& locals) {
       differ.push_back(smt_not(smt_equal(bound_[0].variables[i].second, bound_[1].variables[i].second)));
     facts.push_back(smt_any(differ));
   }
-  std::string script = "(set-option :produce-models true)\n(set-logic ALL)\n" + declared;
+  std::string script = "(set-option :produce-models true)\n(set-logic ALL)\n" + declared + translator_.shared_texts();
   for (const std::string& fact : facts)
     if (fact != "true") script += smt_call("assert", {fact}) + "\n";
   return script + "(check-sat)\n(get-value (" + symbols + "))\n(exit)\n";
 }
 
+/// The set of the members that are present. What is declared as a sequence is written as one.
+std::optional<Value> SmtScript::set_value(const SmtTerm& variable, const SmtVerdict& verdict) {
+  std::vector<Value> members, items;
+  for (std::size_t i = 0; i < variable.parts.size(); ++i) {
+    const auto found = verdict.values.find(variable.present[i]);
+    const std::string& present = found == verdict.values.end() ? variable.present[i] : found->second.word;
+    if (present != "true" && present != "false") return std::nullopt;
+    if (present == "false") continue;
+    auto member = value(variable.parts[i], verdict);
+    if (!member) return std::nullopt;
+    if (variable.sequence && items.size() == i) items.push_back(member->tuple()->parts[1]);
+    members.push_back(std::move(*member));
+  }
+  return variable.sequence && items.size() == members.size() ? sequence_of(items) : Value::set(std::move(members));
+}
+
 std::optional<Value> SmtScript::value(const SmtTerm& variable, const SmtVerdict& verdict) {
+  if (variable.sort == SmtSort::set) return set_value(variable, verdict);
+  if (auto known = translator_.constant(variable)) return known;
   if (variable.sort == SmtSort::tuple || variable.sort == SmtSort::binding) {
     std::vector<Value> parts;
     for (const SmtTerm& each : variable.parts) {
@@ -93,6 +112,11 @@ std::optional<Value> SmtScript::value(const SmtTerm& variable, const SmtVerdict&
   for (std::size_t i = 0; i < members.size(); ++i)
     if (*number == Real(static_cast<int>(i))) return members[i];
   return std::nullopt;
+}
+
+std::string SmtScript::bounds() const {
+  if (!translator_.is_bounded()) return "";
+  return "whose sets have at most " + std::to_string(SmtTranslator::most_slots) + " members";
 }
 
 std::optional<std::vector<Valuation>> SmtScript::values(const SmtVerdict& verdict) {

@@ -37,9 +37,12 @@ class SmtScript {
   std::string text(const SmtSought& sought, const Valuation& locals);
   /// Returns the values of the variables, for each of the times; nothing where the reply does not give them all.
   std::optional<std::vector<Valuation>> values(const SmtVerdict& verdict);
+  /// Says within which sets values were sought: `whose sets have at most 8 members`; empty where within all.
+  std::string bounds() const;
 
  private:
   std::optional<Value> value(const SmtTerm& variable, const SmtVerdict& verdict);
+  std::optional<Value> set_value(const SmtTerm& variable, const SmtVerdict& verdict);
 
   SmtTranslator translator_;
   std::vector<SmtBound> bound_;

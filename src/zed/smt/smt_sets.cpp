@@ -1,15 +1,15 @@
-/// Translates memberships, and finds of which form the members of a set are.
+/// Translates memberships.
 
 #include <algorithm>
 
 #include "zed/evaluate/describe.hpp"
+#include "zed/smt/smt_slots.hpp"
 #include "zed/smt/smt_translator.hpp"
+#include "zed/smt/smt_values.hpp"
 #include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
-
-constexpr std::size_t most_members = 1024;  // of a finite set that is written out
 
 SmtMembership in_all(const SmtMembership& a, const SmtMembership& b) {
   return {smt_all({a.holds, b.holds}), smt_all({a.defined, b.defined})};
@@ -22,33 +22,13 @@ SmtMembership whole_number(const SmtTerm& element, const std::function<std::stri
   return {smt_all({is_whole, bounds(whole.text)})};
 }
 
-/// Says whether a set is that of all numbers, as ℝ may be in a text.
-bool is_all_numbers(const Value& set) {
-  return set.set() && set.set()->total() && set.set()->numbers() == Numbers::reals;
-}
-
-const std::vector<Value>& few_members(const Value& value, const Term& set) {
-  const auto* members = value.set() ? value.set()->members() : nullptr;
-  if (!members) throw Untranslated(describe(*set) + " is not translated");
-  if (members->size() > most_members) throw Untranslated(describe(*set) + " has too many members to be written out");
-  return *members;
-}
-
-/// The form that has the members of both sets.
-SmtTerm common_shape(const SmtTerm& a, const SmtTerm& b) {
-  if (a.parts.size() != b.parts.size() || a.type != b.type || a.names != b.names)
-    throw Untranslated("values of two forms are in one set");
-  SmtTerm made = a.sort == SmtSort::real ? a : b.sort == SmtSort::real ? b : a;
-  for (std::size_t i = 0; i < made.parts.size(); ++i) made.parts[i] = common_shape(a.parts[i], b.parts[i]);
-  return made;
-}
-
 }  // namespace
 
 SmtMembership SmtTranslator::member(const SmtTerm& element, const Term& set, const SmtScope& scope) {
   count();
   if (const Term* of = abbreviated(set, scope)) return member(element, *of, global_);
   if (auto in = in_toolkit_set(element, set, scope)) return std::move(*in);
+  if (auto in = in_family(element, set, scope)) return std::move(*in);
   switch (set->kind) {
     case Kind::set_extension: {
       std::vector<std::string> one, defined;
@@ -70,6 +50,11 @@ SmtMembership SmtTranslator::member(const SmtTerm& element, const Term& set, con
       return in_comprehension(element, set, scope);
     case Kind::reference:
     case Kind::application:
+    case Kind::selection:
+    case Kind::tuple_selection:
+    case Kind::conditional:
+    case Kind::lambda:
+    case Kind::let:
       return in_value(element, set, scope);
     case Kind::schema_text:
     case Kind::decoration:
@@ -82,7 +67,9 @@ SmtMembership SmtTranslator::member(const SmtTerm& element, const Term& set, con
 std::optional<SmtMembership> SmtTranslator::in_toolkit_set(const SmtTerm& element, const Term& set,
                                                            const SmtScope& scope) {
   const auto at_least = [](const std::string& least) {
-    return [least](const std::string& x) { return smt_call(">=", {x, least}); };
+    return [least](const std::string& x) {
+      return smt_constant(x) ? smt_compare("<=", least, x) : smt_call(">=", {x, least});
+    };
   };
   if (is_toolkit(set, scope)) {
     const std::string word = set->name.text();
@@ -91,7 +78,9 @@ std::optional<SmtMembership> SmtTranslator::in_toolkit_set(const SmtTerm& elemen
     if (word == "ℕ") return whole_number(element, at_least("0"));
     if (word == "ℕ₁") return whole_number(element, at_least("1"));
     if (word == "ℤ₁")
-      return whole_number(element, [](const std::string& x) { return smt_not(smt_call("=", {x, "0"})); });
+      return whole_number(element, [](const std::string& x) {
+        return smt_not(smt_equal({SmtSort::integer, x}, {SmtSort::integer, "0"}));
+      });
     return std::nullopt;
   }
   const Node* application = match::application_of_name(set);
@@ -103,7 +92,7 @@ std::optional<SmtMembership> SmtTranslator::in_toolkit_set(const SmtTerm& elemen
   if (by == "_‥_") {
     const SmtTerm from = as_integer(expression(a, scope)), to = as_integer(expression(b, scope));
     SmtMembership in = whole_number(element, [&](const std::string& x) {
-      return smt_all({smt_call("<=", {from.text, x}), smt_call("<=", {x, to.text})});
+      return smt_all({smt_compare("<=", from.text, x), smt_compare("<=", x, to.text)});
     });
     in.defined = smt_all({from.defined, to.defined});
     return in;
@@ -119,10 +108,13 @@ std::optional<SmtMembership> SmtTranslator::in_toolkit_set(const SmtTerm& elemen
 SmtMembership SmtTranslator::in_comprehension(const SmtTerm& element, const Term& set, const SmtScope& scope) {
   SmtScope inner{&scope};
   if (!set->children.empty()) {
-    const SmtBound bound = bind(*set->text, scope, inner);
-    const SmtTerm made = expression(set->children[0], inner);
-    const std::string facts = smt_all({smt_all(bound.conditions), made.defined, smt_equal(element, made)});
-    return {smt_quantified("exists", bound.symbols, facts)};
+    std::vector<std::string> cases;
+    each_case(listing(*set->text, scope, false), scope, [&](const SmtScope& here, const SmtBound& bound) {
+      const SmtTerm made = expression(set->children[0], here);
+      const std::string facts = smt_all({smt_all(bound.conditions), made.defined, smt_equal(element, made)});
+      cases.push_back(smt_quantified("exists", bound.symbols, facts));
+    });
+    return {smt_any(cases)};
   }
   std::vector<std::pair<Name, Term>> declared;
   for (const Declaration& each : set->text->declarations) {
@@ -156,90 +148,18 @@ SmtMembership SmtTranslator::in_value(const SmtTerm& element, const Term& set, c
   if (meaning && (meaning->kind == Meaning::Kind::given || meaning->kind == Meaning::Kind::free_type)) {
     const std::string last = std::to_string(members(set->name.text()).size());
     if (element.sort != SmtSort::atom) refuse(set, "is asked of what is none of its members");
-    return {smt_all({smt_call("<=", {"0", element.text}), smt_call("<", {element.text, last})})};
+    return {smt_all({smt_compare("<=", "0", element.text), smt_compare("<", element.text, last)})};
   }
-  if (!is_closed(set, scope)) refuse(set, "is not translated");
+  if (!is_closed(set, scope)) {
+    const SmtTerm slots = as_slots(expression(set, scope));
+    return {in_slots(element, slots), slots.defined};
+  }
   const Value all = value(set, scope);
   if (all.is_undefined()) return {"false", "false"};
   if (is_all_numbers(all)) return {};
   std::vector<std::string> one;
   for (const Value& each : few_members(all, set)) one.push_back(smt_equal(element, of_value(each)));
   return {smt_any(one)};
-}
-
-SmtTerm SmtTranslator::comprehension_shape(const Term& set, const SmtScope& scope) {
-  if (!set->children.empty()) {
-    SmtScope inner{&scope};
-    bind(*set->text, scope, inner);
-    return expression(set->children[0], inner);
-  }
-  SmtTerm tuple{SmtSort::tuple};
-  for (const Declaration& each : set->text->declarations) {
-    if (each.form != Declaration::Form::typed) refuse(set, "is not translated");
-    tuple.parts.insert(tuple.parts.end(), each.names.size(), shape(each.term, scope));
-  }
-  return tuple.parts.size() == 1 ? SmtTerm(tuple.parts[0]) : tuple;
-}
-
-/// Of the members of a set of the toolkit the form is known.
-std::optional<SmtTerm> SmtTranslator::toolkit_shape(const Term& set, const SmtScope& scope) {
-  if (is_toolkit(set, scope)) {
-    const std::string word = set->name.text();
-    if (word == "𝔸") return SmtTerm{SmtSort::real};
-    if (word == "ℤ" || word == "ℕ" || word == "ℕ₁" || word == "ℤ₁") return SmtTerm{};
-    return std::nullopt;
-  }
-  const Node* application = match::application_of_name(set);
-  if (!application || !is_toolkit(application->children[0], scope)) return std::nullopt;
-  const std::string by = application->children[0]->name.text();
-  const Term& argument = application->children[1];
-  if (by == "_‥_") return SmtTerm{};
-  if (argument->kind != Kind::tuple || argument->children.size() != 2) return std::nullopt;
-  if (by == "_∪_") return common_shape(shape(argument->children[0], scope), shape(argument->children[1], scope));
-  if (by == "_∩_" || by == "_∖_") return shape(argument->children[0], scope);
-  return std::nullopt;
-}
-
-/// Returns a term of the form that the members of a set have: its texts mean nothing.
-SmtTerm SmtTranslator::shape(const Term& set, const SmtScope& scope) {
-  count();
-  if (const Term* of = abbreviated(set, scope)) return shape(*of, global_);
-  if (auto known = toolkit_shape(set, scope)) return std::move(*known);
-  if (set->kind == Kind::product) {
-    SmtTerm tuple{SmtSort::tuple};
-    for (const Term& each : set->children) tuple.parts.push_back(shape(each, scope));
-    return tuple;
-  }
-  if (set->kind == Kind::comprehension) return comprehension_shape(set, scope);
-  if (set->kind == Kind::set_extension && !set->children.empty()) {
-    SmtTerm made = expression(set->children[0], scope);
-    for (const Term& each : set->children) made = common_shape(made, expression(each, scope));
-    return made;
-  }
-  const bool global = set->kind == Kind::reference && !find(set->name, scope);
-  const Meaning* meaning = global ? definitions_.find(set->name) : nullptr;
-  if (meaning && (meaning->kind == Meaning::Kind::given || meaning->kind == Meaning::Kind::free_type))
-    return {SmtSort::atom, "", "true", set->name.text()};
-  const bool schema = set->kind == Kind::schema_text || set->kind == Kind::decoration;
-  if (schema || (meaning && meaning->kind == Meaning::Kind::schema)) {
-    std::map<Name, SmtTerm> sorted;
-    for (const Declaration& each : schema_text(set).declarations)
-      for (const Name& name : each.names) sorted.emplace(name, shape(each.term, global_));
-    SmtTerm binding{SmtSort::binding};
-    for (auto& [name, part] : sorted) {
-      binding.names.push_back(name);
-      binding.parts.push_back(std::move(part));
-    }
-    return binding;
-  }
-  if (!is_closed(set, scope)) refuse(set, "is not translated");
-  const Value all = value(set, scope);
-  if (is_all_numbers(all)) return {SmtSort::real};
-  const std::vector<Value>& few = few_members(all, set);
-  if (few.empty()) refuse(set, "has no member");
-  SmtTerm made = of_value(few.front());
-  for (const Value& each : few) made = common_shape(made, of_value(each));
-  return made;
 }
 
 }  // namespace durero::zed

@@ -5,7 +5,8 @@
 
 #include "durero/zed/evaluate/unfold.hpp"
 #include "zed/evaluate/describe.hpp"
-#include "zed/operators.hpp"
+#include "zed/smt/smt_slots.hpp"
+#include "zed/smt/smt_values.hpp"
 #include "zed/syntax/match.hpp"
 
 namespace durero::zed {
@@ -39,14 +40,28 @@ void SmtTranslator::count() {
   if (++terms_ > most_terms) throw Untranslated("what it stands for is too long");
 }
 
-SmtTerm SmtTranslator::fresh(const SmtTerm& shape, std::vector<SmtSymbol>& symbols) {
-  SmtTerm variable = shape;
-  variable.defined = "true";
-  for (SmtTerm& part : variable.parts) part = fresh(part, symbols);
-  if (shape.sort == SmtSort::tuple || shape.sort == SmtSort::binding) return variable;
-  variable.text = "v" + std::to_string(symbols_++);
-  symbols.push_back({variable.text, shape.sort == SmtSort::real});
-  return variable;
+/// Counts the characters of a term as it is made: all that is held at one time was counted.
+void SmtTranslator::written(std::size_t characters) {
+  limit_text(characters);
+  if ((written_ += characters) > most_written) throw Untranslated("what it stands for is too long");
+}
+
+/// Returns a symbol for a long text, so that what is made of it stays short. Under a quantifier there is none: the text
+/// may have the quantifier's variables.
+std::string SmtTranslator::shared(const std::string& text, const std::string& sort) {
+  constexpr std::size_t most_short = 100;
+  if (text.size() <= most_short || quantifiers_ > 0 || smt_constant(text)) return text;
+  const auto [at, is_new] = names_of_texts_.emplace(text, "d" + std::to_string(names_of_texts_.size()));
+  if (is_new) shared_ += smt_call("define-fun", {at->second, "()", sort, text}) + "\n";
+  return at->second;
+}
+
+SmtTerm SmtTranslator::shared(SmtTerm term) {
+  for (SmtTerm& part : term.parts) part = shared(std::move(part));
+  for (std::string& present : term.present) present = shared(present, "Bool");
+  term.defined = shared(term.defined, "Bool");
+  term.text = shared(term.text, term.sort == SmtSort::real ? "Real" : "Int");
+  return term;
 }
 
 const SmtMeaning* SmtTranslator::find(const Name& name, const SmtScope& scope) const {
@@ -71,14 +86,19 @@ bool SmtTranslator::is_closed(const Term& term, const SmtScope& scope) const {
   return closed;
 }
 
-Value SmtTranslator::value(const Term& term, const SmtScope& scope) const {
+/// Returns the names in scope that stand for values.
+Valuation SmtTranslator::known_values(const SmtScope& scope) {
   Valuation known;
   std::set<Name> seen;
   for (const SmtScope* here = &scope; here; here = here->outer)
     for (const auto& [name, meaning] : here->names)
       if (seen.insert(name).second && meaning.value) known.emplace_back(name, *meaning.value);
+  return known;
+}
+
+Value SmtTranslator::value(const Term& term, const SmtScope& scope) const {
   try {
-    Value value = evaluator_.value(term, known);
+    Value value = evaluator_.value(term, known_values(scope));
     if (has_open(value)) refuse(term, "is not decided");
     return value;
   } catch (const EvaluationError& error) {
@@ -115,7 +135,18 @@ SmtTerm SmtTranslator::of_value(const Value& value) {
     for (const Value& part : binding->values) made.parts.push_back(of_value(part));
     return made;
   }
-  throw Untranslated(value.text() + " is neither a number, a name, a tuple nor a binding");
+  if (value.set()) return of_members(value);
+  throw Untranslated(value.text() + " is neither a number, a name, a tuple, a binding nor a set");
+}
+
+/// Translates a finite set of few members.
+SmtTerm SmtTranslator::of_members(const Value& set) {
+  constexpr std::size_t most = 256;
+  const auto* members = members_up_to(set, most);
+  if (!members) throw Untranslated(set.text() + " has too many members to be written out");
+  SmtTerm made{SmtSort::set};
+  for (const Value& each : *members) add_slot(made, of_value(each), "true");
+  return merged_slots(std::move(made));
 }
 
 /// Returns the expression that an abbreviation of the text stands for; null where the term is none.
@@ -156,7 +187,8 @@ SmtBound SmtTranslator::bind(const SchemaText& text, const SmtScope& scope, SmtS
     bound.variables.emplace_back(name, std::move(variable));
   };
   const auto declare_from = [&](const Name& name, const Term& set, const SmtScope& of_set) {
-    const SmtTerm variable = fresh(shape(set, of_set), bound.symbols);
+    const SmtTerm variable = fresh(shape(set, of_set), bound);
+    bound_slots(variable, set, of_set, bound);
     const SmtMembership in = member(variable, set, of_set);
     bound.conditions.push_back(smt_all({in.defined, in.holds}));
     declare(name, variable);
