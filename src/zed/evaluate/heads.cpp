@@ -77,6 +77,32 @@ Property Compiler::inclusion(const Declaration& included, unsigned whole, const 
   return property;
 }
 
+namespace {
+
+/// Takes the slots before `end` away from what is compiled as long as this lives. The set of a variable is computed
+/// again while a search goes on: its own variables leave those of the search alone.
+class SlotsBeyond {
+ public:
+  SlotsBeyond(Unit& unit, unsigned end) : unit_(unit), before_(unit.next) { unit_.next = std::max(unit.next, end); }
+  ~SlotsBeyond() { unit_.next = before_; }
+  SlotsBeyond(const SlotsBeyond&) = delete;
+  SlotsBeyond& operator=(const SlotsBeyond&) = delete;
+
+ private:
+  Unit& unit_;
+  unsigned before_;
+};
+
+/// The names that a text declares have so many slots at most, with one more for each schema that it includes.
+std::size_t slots_declared(const SchemaText& text, const Definitions& definitions) {
+  std::size_t slots = 0;
+  for (const Declaration& each : text.declarations)
+    slots += each.form == Declaration::Form::included ? 1 + components(each, definitions).size() : each.names.size();
+  return slots;
+}
+
+}  // namespace
+
 CompiledSchemaText Compiler::head(const SchemaText& text, const Scope& scope, Scope& inner, const Term& extra) {
   CompiledSchemaText head;
   std::vector<Variable> variables;
@@ -91,14 +117,19 @@ CompiledSchemaText Compiler::head(const SchemaText& text, const Scope& scope, Sc
     variables.push_back(std::move(variable));
     return slot;
   };
+  const unsigned end = scope.unit->next + static_cast<unsigned>(slots_declared(text, definitions_));
+  const auto compiled = [&](const Term& term) {
+    const SlotsBeyond beyond(*scope.unit, end);
+    return expression(term, scope);
+  };
   std::vector<const Declaration*> included;
   for (const Declaration& declaration : text.declarations) {
     if (declaration.form == Declaration::Form::typed) {
-      const Code set = expression(declaration.term, scope);
+      const Code set = compiled(declaration.term);
       for (const Name& name : declaration.names) head.groups.push_back({declare(name, set), nullptr, {}});
     } else if (declaration.form == Declaration::Form::defined) {
       const std::size_t before = reads_.size();
-      const Code value = expression(declaration.term, scope);
+      const Code value = compiled(declaration.term);
       const unsigned slot = declare(declaration.names[0], {});
       head.groups.push_back({slot, nullptr, {}});
       Property equation =

@@ -118,6 +118,21 @@ TEST_CASE("predicates") {
   CHECK_FALSE(holds("{1 ↦ 2, 2 ↦ 2} ∈ ℕ ⤔ ℕ"));
 }
 
+TEST_CASE("the set of a variable has variables of its own") {
+  CHECK(holds("∃ z : {n : {3, 4, 5}} • z = 3"));
+  CHECK(holds("∃ z : {n : 3 ‥ 5 | n > 3} • z = 4"));
+  CHECK_FALSE(holds("∃ z : {n : 3 ‥ 5 | n > 3} • z = 3"));
+  CHECK(holds("∃ z : {n : {3, 4}; m : {5, 6}} • z = (3, 5)"));
+  CHECK(holds("∃ x, z : {n : {3, 4, 5}} • z = 3 ∧ x = 4"));
+  CHECK(holds("∃ z : {n : {3, 4}; m : {5, 6} • n}; y : {n : {7, 8, 9}} • z = 3 ∧ y = 8"));
+  CHECK(holds("∃ z : {n : {3, 4}}; w == # {n : {5, 6}} • z = 3 ∧ w = 2"));
+  CHECK(holds("∃₁ z : {n : {3, 4, 5}} • z = 3"));
+  CHECK_FALSE(holds("∀ z : {n : {3, 4, 5}} • z ≠ 3"));
+  CHECK(value("{z : {n : {3, 4, 5}} | z = 3}") == "{3}");
+  CHECK(value("(μ z : {n : {3, 4, 5}} | z = 3)") == "3");
+  CHECK(holds("∃ z : {s : {∅, {1}} | s ≠ {2}} × {n : {3, 4}} • z = (∅, 3)"));
+}
+
 TEST_CASE("points by the one-point rule") {
   const std::string ray = "⦉p == ⦉x == 0, y == 0, z == 0⦊, v == ⦉x == 1, y == 2, z == 0⦊⦊";
   CHECK(holds("⦉x == 3, y == 6, z == 0⦊ ∈ puntos_de_rayo(" + ray + ")"));
