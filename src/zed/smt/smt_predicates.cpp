@@ -129,8 +129,10 @@ std::optional<std::string> SmtTranslator::emptiness(const Term& a, const Term& b
   };
   const Term* set = is_empty(b) ? &a : is_empty(a) ? &b : nullptr;
   if (!set || (*set)->kind != Kind::comprehension) return std::nullopt;
+  const SmtListing list = listing(*(*set)->text, scope, false);
+  if (!list.sets.empty() && list.is_whole()) return std::nullopt;  // it is a set of few members
   std::vector<std::string> cases;
-  each_case(listing(*(*set)->text, scope, false), scope, [&](const SmtScope& inner, const SmtBound& bound) {
+  each_case(list, scope, [&](const SmtScope& inner, const SmtBound& bound) {
     std::vector<std::string> facts = bound.conditions;
     if (!(*set)->children.empty()) facts.push_back(expression((*set)->children[0], inner).defined);
     cases.push_back(smt_quantified("exists", bound.symbols, smt_all(facts)));

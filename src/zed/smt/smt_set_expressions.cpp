@@ -35,7 +35,8 @@ SmtTerm SmtTranslator::set_expression(const Term& term, const SmtScope& scope) {
   return merged_slots(std::move(made));
 }
 
-/// A comprehension, or a λ, has a member for each case in which its term has a value.
+/// A comprehension, or a λ, has a member for each case. A comprehension has a value where each of its terms has one; a
+/// λ has none at an argument for which its term has none.
 SmtTerm SmtTranslator::comprehension(const Term& term, const SmtScope& scope) {
   const SmtListing list = listing(*term->text, scope, true);
   if (!list.is_whole()) refuse(term, "has no few members that are known");
@@ -46,7 +47,9 @@ SmtTerm SmtTranslator::comprehension(const Term& term, const SmtScope& scope) {
     const bool own = term->kind == Kind::lambda || term->children.empty();
     SmtTerm member = own ? characteristic(*term->text, inner) : expression(term->children[0], inner);
     if (term->kind == Kind::lambda) member = pair_of(std::move(member), expression(term->children[0], inner));
-    add_slot(made, std::move(member), smt_all(bound.conditions));
+    const std::string here = smt_all(bound.conditions);
+    if (term->kind != Kind::lambda) defined.push_back(smt_implied(here, member.defined));
+    add_slot(made, std::move(member), here);
   });
   made.defined = smt_all(defined);
   made.function = term->kind == Kind::lambda;

@@ -108,8 +108,13 @@ std::optional<SmtMembership> SmtTranslator::in_toolkit_set(const SmtTerm& elemen
 SmtMembership SmtTranslator::in_comprehension(const SmtTerm& element, const Term& set, const SmtScope& scope) {
   SmtScope inner{&scope};
   if (!set->children.empty()) {
+    const SmtListing list = listing(*set->text, scope, false);
+    if (!list.sets.empty() && list.is_whole()) {
+      const SmtTerm slots = comprehension(set, scope);
+      return {in_slots(element, slots), slots.defined};
+    }
     std::vector<std::string> cases;
-    each_case(listing(*set->text, scope, false), scope, [&](const SmtScope& here, const SmtBound& bound) {
+    each_case(list, scope, [&](const SmtScope& here, const SmtBound& bound) {
       const SmtTerm made = expression(set->children[0], here);
       const std::string facts = smt_all({smt_all(bound.conditions), made.defined, smt_equal(element, made)});
       cases.push_back(smt_quantified("exists", bound.symbols, facts));

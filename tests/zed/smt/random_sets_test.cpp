@@ -68,7 +68,7 @@ const std::vector<std::string>& relation_forms() {
                                                "R ∼",
                                                "R ⨾ R",
                                                "R ∘ R",
-                                               "λ $ : S • W",
+                                               "{0, 1} ◁ (λ $ : S • W)",
                                                "id S",
                                                "S × S",
                                                "{N ↦ N, N ↦ N}",
@@ -88,20 +88,9 @@ const std::vector<std::string>& sequence_forms() {
 }
 
 const std::vector<std::string>& number_forms() {
-  static const std::vector<std::string> all = {"# S",
-                                               "# R",
-                                               "min S",
-                                               "max S",
-                                               "R (N)",
-                                               "head Q",
-                                               "last Q",
-                                               "N + N",
-                                               "N - N",
-                                               "# Q",
-                                               "Q (N)",
-                                               "T (N, N)",
-                                               "if P then N else N",
-                                               "B"};
+  static const std::vector<std::string> all = {
+      "# S",   "# R",   "min S", "max S", "R (N)",    "(R ∪ R) (N)",        "head Q", "last Q",
+      "N + N", "N - N", "# Q",   "Q (N)", "T (N, N)", "if P then N else N", "B"};
   return all;
 }
 
@@ -298,7 +287,113 @@ void ask_of_sets(const std::pair<std::string, std::string>& question, const Spec
   ++(right == Truth::yes ? counts.yes : counts.no);
 }
 
+/// Puts variables in the place of a form's operands, each time the next one of its sort, and says which it uses.
+class FilledForm {
+ public:
+  explicit FilledForm(const std::string& form) {
+    for (const char c : form) text_ += operand(c);
+  }
+
+  const std::string& text() const { return text_; }
+  /// The declarations of the variables.
+  std::string declared() const {
+    std::string all;
+    for (const auto& [name, set] : used_) all += (all.empty() ? "" : "; ") + name + " : " + set;
+    return all;
+  }
+  /// The variables as one tuple, which `last` ends where there is one.
+  std::string tuple(const std::string& last) const {
+    std::string all;
+    for (const auto& [name, set] : used_) all += (all.empty() ? "" : ", ") + name;
+    return used_.size() == 1 && last.empty() ? all : "(" + all + (last.empty() ? "" : ", " + last) + ")";
+  }
+
+ private:
+  std::string operand(char c) {
+    switch (c) {
+      case 'S':
+        return variable(sets_++ % 2 == 0 ? "s" : "t", "ℙ (0 ‥ 1)");
+      case 'R':
+        return relations_++ % 2 == 0 ? variable("f", "0 ‥ 1 ⇸ 0 ‥ 2") : variable("r", "0 ‥ 1 ↔ 0 ‥ 1");
+      case 'Q':
+        return sequences_++ % 2 == 0 ? variable("q", "{⟨⟩, ⟨0⟩, ⟨1⟩, ⟨0, 0⟩, ⟨0, 1⟩, ⟨1, 0⟩, ⟨1, 1⟩}")
+                                     : variable("p", "iseq (0 ‥ 1)");
+      case 'U':
+        return variable("u", "ℙ (ℙ (0 ‥ 1))");
+      case 'T':
+        return variable("k", "{0} × (0 ‥ 1) ⇸ 0 ‥ 1");
+      case 'N':
+      case 'B':
+        return variable(numbers_++ % 2 == 0 ? "x" : "y", "0 ‥ 2");
+      case 'P':
+        return "(1 ∈ " + variable("s", "ℙ (0 ‥ 1)") + ")";
+      case 'V':
+        return "(z ∈ " + variable("t", "ℙ (0 ‥ 1)") + ")";
+      case 'W':
+        return "(" + variable("f", "0 ‥ 1 ⇸ 0 ‥ 2") + " z)";
+      case '$':
+        return "z";
+      default:
+        return {c};
+    }
+  }
+
+  std::string variable(const std::string& name, const std::string& set) {
+    used_[name] = set;
+    return name;
+  }
+
+  std::string text_;
+  std::map<std::string, std::string> used_;
+  std::size_t sets_ = 0, relations_ = 0, sequences_ = 0, numbers_ = 0;
+};
+
+/// Asks z3 for values of the variables with which a fact is not as the evaluator's list says. There are none.
+void ask_for_a_difference(const FilledForm& form, const std::string& fact, const Valuation& lists, const Z3& z3) {
+  static const Specification read = read_text("\\begin{zed} [NAME] \\end{zed}\n", "forms");
+  const Evaluator evaluator(read.sections);
+  const std::string question = "∃ " + form.declared() + " • ¬ (" + fact + ")";
+  INFO(question);
+  std::string script;
+  const SmtProgram program{"z3", [&](const std::string& asked) { return z3.ask(script = asked); }};
+  const SmtFinding found = ask_program(program, parse_unicode(question), read.sections, evaluator, lists);
+  INFO(script.substr(0, 20'000));
+  CHECK(found.said.starts_with("z3 finds no witness"));
+}
+
+/// A term has the value that the evaluator lists for each choice of its variables, and has one for no other.
+void check_form(const std::string& form, bool is_predicate, const Evaluator& evaluator, const Z3& z3) {
+  const FilledForm filled(form);
+  const auto list = [&](const std::string& set) { return evaluator.value(parse_unicode(set)); };
+  const Name listed{"listed", ""}, valued{"valued", ""};
+  const std::string here = filled.tuple(""), term = "(" + filled.text() + ")";
+  if (is_predicate) {
+    const Value all = list("{" + filled.declared() + " | " + term + " • " + here + "}");
+    return ask_for_a_difference(filled, term + " ⇔ " + here + " ∈ listed", {{listed, all}}, z3);
+  }
+  const Value all = list("{" + filled.declared() + " | " + term + " = " + term + " • " + filled.tuple(term) + "}");
+  const Value some = list("{" + filled.declared() + " | " + term + " = " + term + " • " + here + "}");
+  const std::string has_value = here + " ∈ valued";
+  ask_for_a_difference(
+      filled,
+      "(" + filled.tuple(term) + " ∈ listed ⇔ " + has_value + ") ∧ (" + term + " = " + term + " ⇔ " + has_value + ")",
+      {{listed, all}, {valued, some}}, z3);
+}
+
 }  // namespace
+
+TEST_CASE("each operation on sets has the value of the toolkit, wherever it has one") {
+  if (!Z3::is_installed()) {
+    WARN("z3 is not installed: its answers are not compared");
+    return;
+  }
+  const Specification read = read_text("\\begin{zed} [NAME] \\end{zed}\n", "forms");
+  const Evaluator evaluator(read.sections);
+  const Z3 z3;
+  for (const auto& forms : {set_forms(), relation_forms(), sequence_forms(), number_forms()})
+    for (const std::string& form : forms) check_form(form, false, evaluator, z3);
+  for (const std::string& form : predicate_forms()) check_form(form, true, evaluator, z3);
+}
 
 TEST_CASE("z3 says of random predicates of sets as enumeration says") {
   if (!Z3::is_installed()) {
@@ -320,11 +415,9 @@ TEST_CASE("z3 says of random predicates of sets as enumeration says") {
   CHECK(counts.yes > 40);
   CHECK(counts.no > 40);
   CHECK(counts.open < predicates / 10);
-  for (const auto& all : {set_forms(), relation_forms(), sequence_forms(), number_forms(), predicate_forms()})
-    for (const std::string& form : all) {
-      INFO(form);
-      CHECK(forms[form] > 0);
-    }
+  const std::size_t all = set_forms().size() + relation_forms().size() + sequence_forms().size() +
+                          number_forms().size() + predicate_forms().size();
+  CHECK(forms.size() > all / 10 * 9);  // the other test case reaches each
 }
 
 }  // namespace durero::zed::test

@@ -97,7 +97,7 @@ TEST_CASE("operations on sets are computed member by member") {
   CHECK(of_sets("disjoint ⟨s, t⟩") == "(not (or (and v2 v0) (and v3 v1)))");
   CHECK(of_sets("⟨s, t⟩ partition {zero}") ==
         "(and (not (or (and v2 v0) (and v3 v1))) (and (not (or v1 v3)) (or v0 v2)))");
-  CHECK(of_sets("{x : s | x ∈ t} = ∅") == "(not (or (and v0 v2) (and v1 v3)))");
+  CHECK(of_sets("{x : s | x ∈ t} = ∅") == "(and (not (and v0 v2)) (not (and v1 v3)))");
   CHECK(of_sets("{x : s • x ↦ one} = {zero ↦ one}") == "(and (not v1) v0)");
   CHECK(of_sets("(if zero ∈ s then t else s) = {one}") ==
         "(and (not (or (and v0 v2) (and (not v0) v0))) (or (and v0 v3) (and (not v0) v1)))");
@@ -186,8 +186,8 @@ TEST_CASE("a set variable has a member for each that its set lists, or eight in 
 
 TEST_CASE("a member has a value, and a value is one") {
   CHECK(of_functions("{b : s • f b} = {one}") ==
-        "(and (and (or (not (and v4 v2)) (= v0 1)) (or (not (and v5 v3)) (= v1 1))) (or (and "
-        "(and v4 v2) (= 1 v0)) (and (and v5 v3) (= 1 v1))))");
+        "(and (and (or (not v4) v2) (or (not v5) v3)) (and (and (or (not (and v4 v2)) (= v0 1)) "
+        "(or (not (and v5 v3)) (= v1 1))) (or (and (and v4 v2) (= 1 v0)) (and (and v5 v3) (= 1 v1)))))");
   CHECK(of_functions("(λ b : s • f b) = f") ==
         "(and (and (or (not (and v4 v2)) v2) (or (not (and v5 v3)) v3)) (and (or (not v2) "
         "(and v4 v2)) (or (not v3) (and v5 v3))))");
@@ -197,6 +197,16 @@ TEST_CASE("a member has a value, and a value is one") {
   CHECK(last_fact("∃ n : ℕ; s : ℙ Bit • # {6 div n} = # s") ==
         "(and (not (= v0 0)) (= (ite (not (= v0 0)) 1 0) (+ (ite v1 1 0) (ite v2 1 0))))");
   CHECK(last_fact("∃ n : ℕ • n ∈ 3 ‥ n") == "(and (<= 3 v0) (<= v0 v0))");
+  CHECK(last_fact("∃ n : ℕ • max {n, 4} = n") == "(= (ite (<= 4 v0) v0 4) v0)");
+  CHECK(of_sequences("max (ran q) = n") == "(and (or v2 v3) (= (ite (and v2 (or (not v3) (<= v1 v0))) v0 v1) v4))");
+  CHECK(of_functions("zero ↦ one ∈ f ∼") == "(and v3 (= 0 v1))");
+  CHECK(of_sequences("n ∈ dom (⟨7⟩ ⁀ q)") == "(or (= v4 1) (and v2 (= v4 2)) (and v3 (= v4 3)))");
+  CHECK(of_sequences("n = last (q ⁀ ⟨7⟩)") == "(and d0 (= v4 d1))");
+  CHECK(of_sequences("{n, 7} = {7, 8}") == "(and (or (= v4 7) (= v4 8)) (= 8 v4))");
+  CHECK(of_functions("f ⨾ {one ↦ zero} = ∅") == "(and (not (and v2 (= v0 1))) (not (and v3 (= v1 1))))");
+  CHECK(of_functions("f ∘ {one ↦ zero} = ∅") == "(not v2)");
+  CHECK_THAT(last_fact("∃ n : ℕ • 4 ∈ dom (id (n ‥ 3))"),
+             StartsWith("(and (< 3 (+ v0 8)) (or (and (<= v0 3) (= 4 v0))"));
   CHECK(last_fact("∃ n : ℕ • min {n, 4} = n") == "(= (ite (<= v0 4) v0 4) v0)");
   CHECK(last_fact("∃ u : ℙ (ℙ Bit) • ⋃ u = {one}") == "(and (not (or v1 v3)) (or v2 v3))");
   CHECK(facts_of_sets("∃ f : ℕ ⇸ Bit; g : ℕ ⇸ (5 ‥ 3) • f = g").find("(assert false)") == std::string::npos);
