@@ -22,7 +22,7 @@ cat >claims.tex <<'TEX'
 \begin{zed}
   \vdash? \forall Par @ b \neq a  % Par.conj.1
 \also
-  \vdash? \forall n : \nat @ (\exists_1 m : \nat @ m > n)
+  \vdash? \forall n : \nat @ (\exists_1 m : \nat @ m * m > n)
 \end{zed}
 TEX
 run 0 spec check claims.tex
