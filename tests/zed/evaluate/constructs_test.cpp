@@ -246,7 +246,8 @@ TEST_CASE("what the evaluator does not know, or cannot list, it says") {
   CHECK(why("(_ < _) ∗") == "the closure of (_<_): its members cannot be enumerated");
   CHECK(why("# (ℕ × ℕ)") == "the size of (ℕ × ℕ): its members cannot be enumerated");
   CHECK(why("# (seq {1})") == "the size of (seq {1}): its members cannot be enumerated");
-  CHECK(why("# (1‥200 → 1‥200)") == "the size of (this finite set → this finite set): its members cannot be enumerated");
+  CHECK(why("# (1‥200 → 1‥200)") ==
+        "the size of (this finite set → this finite set): its members cannot be enumerated");
 }
 
 }  // namespace durero::zed
