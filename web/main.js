@@ -154,9 +154,11 @@ async function start() {
 // fill_views starts what the engine answers for.
 async function fill_views(trouble, began) {
   start_inspector(() => stage_now().frame());
-  const asked = Promise.all([answered({ call: "version" }), answered({ call: "operations" })]);
-  await start_facts();
-  const [version, list] = await asked;
+  const [version, list] = await Promise.all([
+    answered({ call: "version" }),
+    answered({ call: "operations" }),
+    start_facts(),
+  ]);
   start_operations(list.operations, show_refused);
   await start_text(list.operations);
   if (!state.label) show_refusal();
