@@ -1,7 +1,7 @@
 /// The toolkit has sets of relations and of functions.
 
 #include <algorithm>
-#include <bit>
+#include <cmath>
 #include <numeric>
 
 #include "durero/zed/value/undecided.hpp"
@@ -15,9 +15,10 @@
 namespace durero::zed {
 namespace {
 
-constexpr std::size_t most_listed_functions =
-    1 << 16;                                   // sets of functions with more members are known by membership only
-constexpr std::size_t most_counted = 1 << 14;  // pairs of a relation: greater numbers of functions are not counted
+constexpr double most_listed_functions = 1 << 16;  // sets of functions with more members are known by membership only
+constexpr std::size_t most_counted = 1 << 14;      // pairs of a relation: greater numbers of functions are not counted
+constexpr std::size_t most_listed_arguments = 64;  // of functions that are listed, where there is a choice
+constexpr std::size_t most_grown_arguments = 256;  // of a function that gets its values one by one in a search
 
 void refuse_uncomparable(const std::vector<Value>& pairs, std::size_t part) {
   for (const Value& pair : pairs)
@@ -45,8 +46,7 @@ std::vector<Value> seconds(const std::vector<Value>& pairs) {
 /// the other gets a value or, where the form is not total, none; how many may follow depends only on how many values
 /// were taken so far. Nothing where a count on the way is more than `most`.
 template <class Number>
-std::optional<Number> number_of_functions(const Arrow& form, std::size_t from, std::size_t to,
-                                          const std::optional<Number>& most) {
+std::optional<Number> number_of_functions(const Arrow& form, std::size_t from, std::size_t to, const Number* most) {
   const auto number = [](std::size_t n) { return Number(static_cast<int>(n)); };
   std::vector<Number> ways{Number(1)};  // by the number of values taken
   for (std::size_t i = 0; i < from; ++i) {
@@ -68,14 +68,19 @@ std::optional<Number> number_of_functions(const Arrow& form, std::size_t from, s
   return std::accumulate(ways.begin(), ways.end(), Number(0));
 }
 
+/// Says whether each argument has one choice: its value, or none.
+bool is_choiceless(const Arrow& form, std::size_t to) { return to + (form.total ? 0 : 1) <= 1; }
+
 /// Says whether so few relations are of the form that they may be listed.
 bool listable(const Arrow& form, std::size_t from, std::size_t to) {
   if (form.function) {
+    if (is_choiceless(form, to)) return true;
     if (form.total && form.injective && from > to) return true;  // there is none
-    return number_of_functions<double>(form, from, to, double{most_listed_functions}).has_value();
+    if (from > most_listed_arguments) return false;
+    return number_of_functions(form, from, to, &most_listed_functions).has_value();
   }
   // For every member of the domain's set, a relation has some of the members of the other.
-  return to == 0 || from == 0 || (to < 20 && from * to <= std::bit_width(most_listed_functions - 1));
+  return to == 0 || from == 0 || (to < 20 && std::exp2(from * to) <= most_listed_functions);
 }
 
 void add_functions(GrowingFunction& begun, std::vector<Value>& all) {
@@ -86,6 +91,16 @@ void add_functions(GrowingFunction& begun, std::vector<Value>& all) {
 /// All functions of a space.
 std::vector<Value> functions_between(const FunctionSpace& space) {
   std::vector<Value> all;
+  if (is_choiceless(space.form, space.to.size())) {
+    std::vector<Value> pairs;
+    for (const Value& from : space.from)
+      for (const Value& to : space.to) pairs.push_back(Value::pair(from, to));
+    const bool is_total = pairs.size() == space.from.size() || !space.form.total;
+    const bool is_injective = pairs.size() <= 1 || !space.form.injective;
+    const bool is_surjective = pairs.size() >= space.to.size() || !space.form.surjective;
+    if (is_total && is_injective && is_surjective) all.push_back(finite(std::move(pairs)));
+    return all;
+  }
   GrowingFunction begun(space);
   if (begun.may_be_whole()) add_functions(begun, all);
   return all;
@@ -164,7 +179,7 @@ class FunctionSet : public Set {
     if (!from || !to || from_.set()->family() || to_.set()->family()) return std::nullopt;
     if (std::max(from->size(), to->size()) > most_counted || from->size() * to->size() > most_counted)
       return std::nullopt;
-    if (form_.function) return number_of_functions<Real>(form_, from->size(), to->size(), {});
+    if (form_.function) return number_of_functions<Real>(form_, from->size(), to->size(), nullptr);
     Real number(1);
     for (std::size_t i = 0; i < from->size() * to->size(); ++i) number = number + number;
     return number;
@@ -174,6 +189,7 @@ class FunctionSet : public Set {
   std::vector<FunctionSpace> function_spaces(const SmallScope& scope, Context& context) const override {
     const auto *from = from_.set()->members(), *to = to_.set()->members();
     if (!form_.function || !from || from_.set()->family() || to_.set()->family()) return {};
+    if (from->size() > most_grown_arguments) return {};
     if (to) return {{*from, *to, form_}};
     if (form_.surjective) return {};
     return {{*from, sorted(to_.set()->some_members(scope, context)), form_, false}};

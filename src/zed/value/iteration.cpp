@@ -108,9 +108,10 @@ class Iteration : public Set {
 
 /// Returns R so many times, once or more, by the binary digits of the number.
 Value composed(Value relation, Real times, Context& context) {
+  const Real two(2);
   std::optional<Value> whole;
   for (;;) {
-    const Real half = integer_quotient(times, Real(2));
+    const Real half = integer_quotient(times, two);
     if (!(times == half + half)) whole = whole ? functions::forward_composition(*whole, relation, context) : relation;
     if (sign(half) == 0) return *whole;
     context.steps.take(1 + steps_for(relation));

@@ -408,6 +408,10 @@ TEST_CASE("functions between finite sets are gone through, but for beginnings th
   CHECK(asked.truth("∃ s : seq (1 ‥ 100) • # s = 3 ∧ s 1 * s 2 * s 3 = 1001 ∧ s 1 < s 2 ∧ s 2 < s 3") == "true");
   CHECK(asked.truth("∃ s : seq ℕ • # s = 4 ∧ s 1 + s 2 = 20 ∧ s 2 * s 3 = 30 ∧ s 4 = 9") == "true");
   CHECK(asked.truth("∃ s : seq (1 ‥ 100) • # s = 6 ∧ s 1 = 7 ∧ s 2 = 9") == "true");
+  CHECK(asked.truth("∀ f : 1 ‥ 90000 → {7} • f 5 = 7 ∧ # f = 90000") == "true");  // of one function nothing grows
+  CHECK(asked.truth("∃ f : 1 ‥ 90000 → 1 ‥ 2 • f 5 = 3") == "");
+  CHECK(asked.truth("∃ f : 1 ‥ 60000 ⤔ {7} • f 5 = 8") == "");
+  CHECK(asked.truth("(1 ‥ 2 ↣ {7}) = ∅ ∧ (1 ‥ 2 → ∅) = ∅ ∧ (1 ‥ 2 ⇸ ∅) = {∅} ∧ (∅ ↠ {7}) = ∅") == "true");
   CHECK(asked.truth("(1 ‥ 2 ↠ 1 ‥ 2) = {{1 ↦ 1, 2 ↦ 2}, {1 ↦ 2, 2 ↦ 1}}") == "true");
   CHECK(asked.truth("∃ s : iseq (1 ‥ 20) • # s = 5 ∧ (∀ i : 1 ‥ 4 • s (i + 1) > 2 * s i)") == "");
   CHECK(ScopeAnswers().truth("∃ f : 1 ‥ 20 → 1 ‥ 20 • f (f 1 + f 20) = 21") == "");  // there are too many
