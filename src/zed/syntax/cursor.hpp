@@ -46,7 +46,8 @@ class Cursor {
       place_ = {place_.line + static_cast<std::uint32_t>(std::ranges::count(over, '\n')), 1};
       over.remove_prefix(newline + 1);
     }
-    place_.column += static_cast<std::uint32_t>(over.size() - std::ranges::count_if(over, text::continues));
+    const auto continuing = static_cast<std::size_t>(std::ranges::count_if(over, text::continues));
+    place_.column += static_cast<std::uint32_t>(over.size() - continuing);
     return place_;
   }
 

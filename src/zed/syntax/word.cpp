@@ -21,7 +21,14 @@ struct ByText {
 
 }  // namespace
 
-constinit const Word::Entry Word::nothing{{}, 0, &no_symbol};
+// Objects that are made before the program begins may be words, and find it made. Clang makes no string of GCC's
+// library while it compiles: there it is the first object that is made.
+#if defined(__clang__) && defined(__GLIBCXX__)
+[[gnu::init_priority(101)]]
+#else
+constinit
+#endif
+const Word::Entry Word::nothing{{}, 0, &no_symbol};
 
 const Word::Entry* Word::kept(std::string_view text) {
   // Both live until the program ends, as words may that are constants of it.
