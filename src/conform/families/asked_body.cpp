@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "durero/contract/contract.hpp"
 #include "durero/scene/addition.hpp"

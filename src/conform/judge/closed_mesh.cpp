@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/common.hpp>
 #include <vector>
 
 #include "conform/judge/near_box.hpp"
