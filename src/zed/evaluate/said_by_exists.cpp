@@ -1,8 +1,10 @@
 #include "zed/evaluate/said_by_exists.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "zed/evaluate/substitute.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 namespace {
@@ -15,14 +17,14 @@ Term exists_of(SchemaText text, const Term& body, Place place) {
   return make(std::move(made));
 }
 
-/// Says whether ∃₁ stands in a term.
-bool has_exists_one(const Term& term) {
-  const auto in_text = [](const SchemaText& text) {
-    return std::ranges::any_of(text.declarations, has_exists_one, &Declaration::term) ||
-           std::ranges::any_of(text.predicates, has_exists_one, &Predicate::term);
-  };
-  return term->kind == Kind::exists_one || std::ranges::any_of(term->children, has_exists_one) ||
-         (term->text && in_text(*term->text));
+/// Says whether a term binds names.
+bool binds_names(const Term& term) { return term->text || std::ranges::any_of(term->children, binds_names); }
+
+/// Says whether a set of the text mentions a name that the text declares, and so another one of this name.
+bool mentions_its_names(const SchemaText& text) {
+  std::set<Name> own;
+  for (const Declaration& each : text.declarations) own.insert(each.names.begin(), each.names.end());
+  return std::ranges::any_of(text.declarations, [&](const auto& each) { return match::mentions(each.term, own); });
 }
 
 /// The names that nobody can write for those of a text.
@@ -37,7 +39,10 @@ std::map<Name, Term> other_names(const SchemaText& text) {
 }  // namespace
 
 std::optional<Term> just_one_by_exists(const Node& exists_one, const Definitions& definitions) {
-  if (has_exists_one(exists_one.children[0])) return std::nullopt;  // each level would be written three times
+  // P and Q are written twice, and each level of binders in them would be.
+  if (binds_names(exists_one.children[0]) || mentions_its_names(*exists_one.text) ||
+      std::ranges::any_of(exists_one.text->predicates, binds_names, &Predicate::term))
+    return std::nullopt;
   SchemaText other = *exists_one.text;
   const std::map<Name, Term> others = other_names(other);
   const Place place = exists_one.place;

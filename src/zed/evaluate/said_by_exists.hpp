@@ -9,7 +9,7 @@
 namespace durero::zed {
 
 /// Returns ∃ D | P • Q ∧ ¬ (∃ D′ | P′ • Q′ ∧ D′ ≠ D) for ∃₁ D | P • Q, where D′ has other names. Nothing where D
-/// includes a schema, the names cannot be replaced, or ∃₁ stands in Q.
+/// includes a schema or has a set that mentions one of its names, the names cannot be replaced, or P or Q binds names.
 std::optional<Term> just_one_by_exists(const Node& exists_one, const Definitions& definitions);
 
 /// Returns ¬ (∃ D | P • true) for {D | P} = ∅, and the ∃ for ≠. Nothing for another relation.
