@@ -265,6 +265,8 @@ TEST_CASE("the bounds of sets, and of an inner variable with the name of an oute
   const auto no_successor = [](const Point& p) { return p.at("x") < 0 && p.at("y") > p.at("x"); };
   CHECK(asked("∃ x, y : - 3 ‥ 3 • ¬ succ x > x ∧ y > x", no_successor) == Truth::yes);
   CHECK(asked("∃ x, y : - 3 ‥ 3 • succ x > x ∧ x < 0 ∧ y > x", [](const Point&) { return false; }) == Truth::no);
+  const auto is_one = [](const Point& p) { return p.at("x") == 0 && p.at("y") == 1; };  // 1 and 2 are two
+  CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 1 ∧ ¬ (∃₁ y : y ‥ 2 • y ≥ 0)", is_one) == Truth::yes);
   const auto is_origin = [](const Point& p) { return p.at("x") == 0 && p.at("y") == 0; };
   CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 0 ∧ (∃ y : 2 ‥ 3 • y > x + 1)", is_origin) == Truth::yes);
   CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 3 ∧ (∃ y : 0 ‥ 1 • y > x + 1)", is_origin) == Truth::no);
