@@ -71,15 +71,9 @@ std::optional<Term> emptiness_by_exists(const Node& relation, const std::functio
   if (relation.names.size() != 1 || relation.children.size() != 2) return std::nullopt;
   const bool equal = relation.names[0].word == "_=_";
   if (!equal && relation.names[0].word != "_≠_") return std::nullopt;
-  const auto is_empty = [&](const Term& term) {
-    if (term->kind == Kind::set_extension) return term->children.empty();
-    return term->kind == Kind::reference && term->name.text() == "∅" && is_toolkit(term->name);
-  };
-  const auto& sides = relation.children;
-  const Term& set = is_empty(sides[0]) ? sides[1] : sides[0];
-  if (!is_empty(sides[0]) && !is_empty(sides[1])) return std::nullopt;
-  if (set->kind != Kind::comprehension || !set->children.empty()) return std::nullopt;
-  const Term some = exists_of(*set->text, node(Kind::truth, {}), relation.place);
+  const Term* found = match::comprehension_beside_empty(relation.children[0], relation.children[1], is_toolkit);
+  if (!found || !(*found)->children.empty()) return std::nullopt;
+  const Term some = exists_of(*(*found)->text, node(Kind::truth, {}), relation.place);
   return equal ? node(Kind::negation, {some}, relation.place) : some;
 }
 

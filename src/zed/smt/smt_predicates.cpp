@@ -2,6 +2,7 @@
 
 #include "zed/smt/smt_slots.hpp"
 #include "zed/smt/smt_translator.hpp"
+#include "zed/syntax/match.hpp"
 
 namespace durero::zed {
 std::string smt_quantified(const std::string& by, const std::vector<SmtSymbol>& symbols, const std::string& body) {
@@ -123,12 +124,9 @@ std::string SmtTranslator::relation(const Term& term, const SmtScope& scope) {
 
 /// A set without members is one of a comprehension that no values satisfy.
 std::optional<std::string> SmtTranslator::emptiness(const Term& a, const Term& b, const SmtScope& scope) {
-  const auto is_empty = [&](const Term& term) {
-    if (term->kind == Kind::set_extension) return term->children.empty();
-    return is_toolkit(term, scope) && term->name.word == "∅";
-  };
-  const Term* set = is_empty(b) ? &a : is_empty(a) ? &b : nullptr;
-  if (!set || (*set)->kind != Kind::comprehension) return std::nullopt;
+  const Term* set = match::comprehension_beside_empty(
+      a, b, [&](const Name& name) { return !find(name, scope) && !definitions_.find(name); });
+  if (!set) return std::nullopt;
   const SmtListing list = listing(*(*set)->text, scope, false);
   if (!list.sets.empty() && list.is_whole()) return std::nullopt;  // it is a set of few members
   std::vector<std::string> cases;

@@ -31,13 +31,9 @@ SmtSought sought_in(const Term& quantified) {
 
 std::optional<SmtSought> sought_in_emptiness(const Term& relation, const Definitions& definitions) {
   if (!match::is_equation(relation) && !match::is_relation(relation, "_≠_")) return std::nullopt;
-  const auto is_empty = [&](const Term& term) {
-    if (term->kind == Kind::set_extension) return term->children.empty();
-    return term->kind == Kind::reference && term->name.text() == "∅" && !definitions.find(term->name);
-  };
-  const auto& sides = relation->children;
-  const Term* set = is_empty(sides[1]) ? &sides[0] : is_empty(sides[0]) ? &sides[1] : nullptr;
-  if (!set || (*set)->kind != Kind::comprehension) return std::nullopt;
+  const Term* set = match::comprehension_beside_empty(relation->children[0], relation->children[1],
+                                                      [&](const Name& name) { return !definitions.find(name); });
+  if (!set) return std::nullopt;
   Term last = node(Kind::truth, {});
   if (!(*set)->children.empty()) {  // the term has a value: it equals itself
     const Term& term = (*set)->children[0];

@@ -38,4 +38,14 @@ bool mentions(const Term& term, const std::set<Name>& names) {
                      [&](const Term& child) { return mentions(child, names); });
 }
 
+const Term* comprehension_beside_empty(const Term& a, const Term& b,
+                                       const std::function<bool(const Name&)>& is_toolkit) {
+  const auto is_empty = [&](const Term& term) {
+    if (term->kind == Kind::set_extension) return term->children.empty();
+    return term->kind == Kind::reference && term->name.text() == "∅" && is_toolkit(term->name);
+  };
+  const Term* set = is_empty(b) ? &a : is_empty(a) ? &b : nullptr;
+  return set && (*set)->kind == Kind::comprehension ? set : nullptr;
+}
+
 }  // namespace durero::zed::match

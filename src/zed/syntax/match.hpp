@@ -51,4 +51,9 @@ void each_name(const Term& term, const std::function<void(const Name&)>& visit);
 /// Says whether a term refers to one of the names, free or bound.
 bool mentions(const Term& term, const std::set<Name>& names);
 
+/// Returns the comprehension among two sets of which the other is written ∅ or {}; null where they are not such. A name
+/// means what it does in the toolkit if `is_toolkit` says so.
+const Term* comprehension_beside_empty(const Term& a, const Term& b,
+                                       const std::function<bool(const Name&)>& is_toolkit);
+
 }  // namespace durero::zed::match
