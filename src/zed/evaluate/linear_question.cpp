@@ -129,13 +129,7 @@ bool LinearQuestion::is_witness(Frame& frame, const IntegerPoint& point, const T
 
 Truth searched(const std::function<Truth()>& search, const LinearQuestion* question, Frame& frame, const Test& holds) {
   if (!question) return search();
-  try {
-    if (const Truth here = search(); here != Truth::open) return here;
-  } catch (const EvaluationError&) {
-    if (const Truth here = question->some(frame, holds); here != Truth::open) return here;
-    throw;
-  }
-  return question->some(frame, holds);
+  return first_decided(search, [&] { return question->some(frame, holds); });
 }
 
 }  // namespace durero::zed

@@ -57,6 +57,18 @@ class LinearQuestion {
 /// ∀. Null where no variable is declared from ℤ, ℕ, ℕ₁ or a range of these.
 std::shared_ptr<const LinearQuestion> linear_question(const Node& quantifier, const LinearSurroundings& around);
 
+/// Returns what the first says or, where it leaves that open or cannot go on, what the second says.
+template <class First, class Second>
+Truth first_decided(const First& first, const Second& second) {
+  try {
+    if (const Truth here = first(); here != Truth::open) return here;
+  } catch (const EvaluationError&) {
+    if (const Truth here = second(); here != Truth::open) return here;
+    throw;
+  }
+  return second();
+}
+
 /// Returns what a search finds. Where it leaves that open, or cannot go on, the question is asked, if there is one.
 Truth searched(const std::function<Truth()>& search, const LinearQuestion* question, Frame& frame, const Test& holds);
 

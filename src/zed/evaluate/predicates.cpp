@@ -100,15 +100,11 @@ Truth for_all(const Solver& search, const Property& body, const LinearQuestion* 
 /// Asks a property that says the same where a test is not decided.
 Test or_else(Test first, Property second) {
   return [first = std::move(first), second = std::move(second)](Frame& frame) {
-    try {
-      if (const Truth here = first(frame); here != Truth::open) return here;
-    } catch (const EvaluationError&) {
-      const Necessary not_here(frame.context, false);
-      if (const Truth here = evaluate(second, frame); here != Truth::open) return here;
-      throw;
-    }
-    const Necessary not_here(frame.context, false);
-    return evaluate(second, frame);
+    return first_decided([&] { return first(frame); },
+                         [&] {
+                           const Necessary not_here(frame.context, false);
+                           return evaluate(second, frame);
+                         });
   };
 }
 

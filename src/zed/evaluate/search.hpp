@@ -148,6 +148,9 @@ class Solver {
 /// Says whether a property states memberships of variables in sets and no more.
 bool only_declarations(const Property& property);
 
+/// Adds the conjuncts of a property that are no conjunctions; those of a < b < c are its links.
+void conjuncts_of(const Property& property, std::vector<const Property*>& to);
+
 /// Adds every equation for the domain or the range of a variable, among the conjuncts of a property.
 void collect_spans(const Property& property, std::vector<Equation>& spans);
 

@@ -10,12 +10,6 @@
 namespace durero::zed {
 namespace {
 
-void conjuncts_of(const Property& property, std::vector<const Property*>& to) {
-  if (property.kind != Property::Kind::all && property.links.empty()) return to.push_back(&property);
-  for (const Property& link : property.links) to.push_back(&link);
-  for (const Property& part : property.parts) conjuncts_of(part, to);
-}
-
 /// A trial puts numbers in the place of an unknown for a scope.
 class TentativeValue {
  public:
@@ -56,6 +50,12 @@ bool is_whole_space(const Set& set, Context& context) {
 }
 
 }  // namespace
+
+void conjuncts_of(const Property& property, std::vector<const Property*>& to) {
+  if (property.kind != Property::Kind::all && property.links.empty()) return to.push_back(&property);
+  for (const Property& link : property.links) to.push_back(&link);
+  for (const Property& part : property.parts) conjuncts_of(part, to);
+}
 
 void collect_spans(const Property& property, std::vector<Equation>& spans) {
   if (property.kind == Property::Kind::all)

@@ -39,12 +39,6 @@ struct Growth {
   std::uint64_t most_steps;
 };
 
-/// Adds the conjuncts of a property that are no conjunctions.
-void add_conjuncts(const Property& property, std::vector<const Property*>& to) {
-  if (property.kind != Property::Kind::all) return to.push_back(&property);
-  for (const Property& part : property.parts) add_conjuncts(part, to);
-}
-
 }  // namespace
 
 /// A run is one call of each(), and knows where it is in the nest of finite sets.
@@ -192,7 +186,7 @@ struct Solver::Run {
         return false;
       }
     };
-    if (conjuncts.empty()) add_conjuncts(search.goal_, conjuncts);
+    if (conjuncts.empty()) conjuncts_of(search.goal_, conjuncts);
     const auto determined = [this] {
       search.determine(frame);
       return Truth::open;
