@@ -185,7 +185,7 @@ class FunctionSet : public Set {
     return number;
   }
 
-  // Where the functions have infinitely many values, some of these are taken.
+  // Some values are taken where the functions have infinitely many.
   std::vector<FunctionSpace> function_spaces(const SmallScope& scope, Context& context) const override {
     const auto *from = from_.set()->members(), *to = to_.set()->members();
     if (!form_.function || !from || from_.set()->family() || to_.set()->family()) return {};

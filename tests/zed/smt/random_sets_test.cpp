@@ -258,7 +258,7 @@ class SetWriter {
   std::vector<std::pair<std::string, std::string>> scope_{};
 };
 
-/// What came of so many predicates of sets.
+/// The outcomes of so many predicates of sets.
 struct SetAgreement {
   std::size_t yes = 0, no = 0, open = 0;
 };
