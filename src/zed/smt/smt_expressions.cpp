@@ -57,6 +57,14 @@ SmtTerm computed(const std::string& by, SmtTerm a, SmtTerm b) {
   return made;
 }
 
+/// The number behind one of ℕ; no other has one.
+SmtTerm successor_of(const SmtTerm& number) {
+  const SmtTerm whole = as_integer(number);
+  SmtTerm made{SmtSort::integer, smt_plus(whole.text, "1")};
+  made.defined = smt_all({whole.defined, smt_compare("<=", "0", whole.text)});
+  return made;
+}
+
 }  // namespace
 
 SmtTerm SmtTranslator::expression(const Term& term, const SmtScope& scope) {
@@ -135,7 +143,7 @@ SmtTerm SmtTranslator::conditional(const Term& term, const SmtScope& scope) {
 std::optional<SmtTerm> SmtTranslator::arithmetic(const std::string& by, const Term& argument, const SmtScope& scope) {
   static const std::map<std::string, std::string> plain = {{"_+_", "+"}, {"_-_", "-"}, {"_*_", "*"}};
   if (by == "-_") return computed("-", {SmtSort::integer, "0"}, expression(argument, scope));
-  if (by == "succ") return computed("+", expression(argument, scope), {SmtSort::integer, "1"});
+  if (by == "succ") return successor_of(expression(argument, scope));
   const bool known = plain.contains(by) || by == "_div_" || by == "_mod_" || by == "_/_" || by == "_↦_" ||
                      by == "first" || by == "second";
   if (!known) return std::nullopt;

@@ -78,7 +78,7 @@ class Writer {
       return random_.one_of(names_);
     }
     const auto sub = [&] { return number(depth - 1); };
-    switch (random_.below(9)) {
+    switch (random_.below(10)) {
       case 0:
         return "(" + sub() + " div " + sub() + ")";
       case 1:
@@ -93,6 +93,8 @@ class Writer {
         return "{0 ↦ 2, 1 ↦ 3, 2 ↦ 0}(" + sub() + ")";
       case 6:
         return "(- " + sub() + ")";
+      case 7:
+        return "(succ " + sub() + ")";
       default:
         return "(" + sub() + random_.one_of<std::string>({" + ", " - ", " * "}) + sub() + ")";
     }

@@ -95,6 +95,16 @@ TEST_CASE("div and mod are those of the toolkit, and undefined where the divisor
   CHECK(facts("∃ x : ℤ • x mod 3 ≠ 2") == "(declare-fun v0 () Int)\n(assert (not (= (mod v0 3) 2)))\n");
 }
 
+TEST_CASE("the successor of a number that is none of ℕ is undefined") {
+  CHECK(facts("∀ x : ℤ • succ x = x + 1") == "(declare-fun v0 () Int)\n(assert (not (<= 0 v0)))\n");
+  CHECK(facts("∃ x : ℤ • succ (succ x) ≠ 5") ==
+        "(declare-fun v0 () Int)\n"
+        "(assert (and (and (<= 0 v0) (<= 0 (+ v0 1))) (not (= (+ (+ v0 1) 1) 5))))\n");
+  CHECK(facts("∃ x : 𝔸 • succ x = 2") ==
+        "(declare-fun v0 () Real)\n"
+        "(assert (and (and (is_int v0) (<= 0 (to_int v0))) (= (+ (to_int v0) 1) 2)))\n");
+}
+
 TEST_CASE("variables have the conditions of their sets") {
   CHECK(facts("∃ x : 3 ‥ 5 • x ≠ 4") ==
         "(declare-fun v0 () Int)\n(assert (and (<= 3 v0) (<= v0 5)))\n(assert (not (= v0 4)))\n");
