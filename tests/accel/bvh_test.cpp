@@ -3,6 +3,7 @@
 #include "durero/accel/bvh.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 #include <stdexcept>
 

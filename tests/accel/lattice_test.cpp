@@ -1,5 +1,7 @@
 #include "durero/accel/lattice.hpp"
 
+#include <glm/common.hpp>
+
 #include "accel/rational_walk.hpp"
 #include "durero/conform/random.hpp"
 #include "support/catch.hpp"

@@ -1,5 +1,6 @@
 #include "durero/accel/light_buffer.hpp"
 
+#include <glm/geometric.hpp>
 #include <iostream>
 #include <set>
 

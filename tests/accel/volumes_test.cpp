@@ -2,6 +2,7 @@
 #include "durero/accel/volumes.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 #include <string>
 

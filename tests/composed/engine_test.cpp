@@ -2,6 +2,7 @@
 #include "durero/composed/engine.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <tuple>
 

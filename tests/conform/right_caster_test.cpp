@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
+#include <glm/geometric.hpp>
 
 #include "drawn_profile.hpp"
 #include "durero/conform/judge/judge.hpp"

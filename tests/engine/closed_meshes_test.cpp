@@ -3,6 +3,7 @@
 // known without any engine. No ray leaves a closed mesh.
 #include <boost/container/vector.hpp>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "durero/engine/engine.hpp"

@@ -3,6 +3,8 @@
 #include "engine/unit.hpp"
 
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <string>
 
 #include "durero/accel/structure.hpp"

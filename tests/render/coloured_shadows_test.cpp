@@ -1,5 +1,6 @@
 // Coloured shadows: what clear elements let through of a light (transmitido.def.1 of spec/luz.tex).
 #include <array>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "durero/render/render.hpp"

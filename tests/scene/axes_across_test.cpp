@@ -1,6 +1,7 @@
 #include "durero/scene/axes_across.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "support/catch.hpp"
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <mutex>
 #include <numeric>
 

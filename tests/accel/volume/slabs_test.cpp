@@ -1,6 +1,7 @@
 #include "durero/accel/volume/slabs.hpp"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "durero/number/rational.hpp"
 #include "durero/scene/shapes.hpp"

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
 #include <vector>
 
 #include "accel/each_alone.hpp"

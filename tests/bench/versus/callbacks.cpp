@@ -1,5 +1,6 @@
 // Callbacks of one ray: the first root of the quadratic in binary64.
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "versus/embree_scene.hpp"

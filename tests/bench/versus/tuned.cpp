@@ -2,6 +2,7 @@
 // the element, and all rays of the packet are computed side by side, without a branch, in the widest lanes of the
 // machine.
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <vector>
 

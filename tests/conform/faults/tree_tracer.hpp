@@ -4,6 +4,8 @@
 /// double.
 
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
 #include <set>

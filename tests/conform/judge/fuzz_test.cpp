@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "conform/drafted.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "conform/hits.hpp"

@@ -1,6 +1,7 @@
 #include "durero/conform/judge/trait.hpp"
 
 #include <bit>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "conform/drafted.hpp"

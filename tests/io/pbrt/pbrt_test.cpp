@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "durero/io/output_file.hpp"
 #include "durero/scene/body.hpp"

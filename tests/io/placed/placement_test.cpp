@@ -1,5 +1,7 @@
 #include "io/placed/placement.hpp"
 
+#include <glm/geometric.hpp>
+
 #include "support/catch.hpp"
 
 using namespace durero;

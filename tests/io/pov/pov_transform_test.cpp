@@ -1,5 +1,6 @@
 // What transformations make of POV-Ray's objects, and what is left out of a text.
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <set>
 

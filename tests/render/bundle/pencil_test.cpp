@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "durero/engine/engine.hpp"
 #include "durero/model/haces.hpp"
