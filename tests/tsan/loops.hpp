@@ -56,6 +56,7 @@ class blocked_range {
   blocked_range(Index begin, Index end) : begin_(begin), end_(end) {}
   Index begin() const { return begin_; }
   Index end() const { return end_; }
+  std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   bool empty() const { return !(begin_ < end_); }
 
  private:
@@ -105,6 +106,11 @@ class task_arena {
 
 namespace this_task_arena {
 inline int max_concurrency() { return loop_threads; }
+/// Whoever waits for a loop here takes no work of another.
+template <class Work>
+auto isolate(const Work& work) {
+  return work();
+}
 }  // namespace this_task_arena
 
 /// A bound on threads changes no answer, and fewer would show less.
