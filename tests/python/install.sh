@@ -1,20 +1,11 @@
 #!/bin/sh
-# install.sh PYTHON ROOT BUILD: makes the sdist and from it the wheel, as pip does of a clone, and uses what is installed
-# in a fresh environment. The sdist has nothing that the wheel does not need; the wheel is small.
+# install.sh PYTHON ROOT BUILD: makes the sdist (sdist.sh) and from it the wheel, as pip does of a clone, and uses what is
+# installed in a fresh environment. The wheel is small.
 set -eu
 python=$1 root=$2 work=$3/python-install
-rm -rf "$work"
-mkdir -p "$work"
-"$python" -m venv "$work/venv" 2>/dev/null || { echo "absent: venv (python3-venv of Debian)"; exit 77; }
+sh "$2/tests/python/sdist.sh" "$python" "$root" "$work"
 bin=$work/venv/bin
-"$bin/pip" install --quiet build >"$work/log" 2>&1 || { echo "absent: PyPI"; exit 77; }
 fail() { tail -n 30 "$work/log"; echo "install: $*"; exit 1; }
-
-"$bin/python" -m build --sdist --outdir "$work" "$root" >"$work/log" 2>&1 || fail "no sdist"
-tar -tzf "$work"/durero-*.tar.gz | sed 's#^[^/]*/##' | sort >"$work/files"
-! grep -E "^(campaigns|demo|debian|release|docs/[^p]|\.ci|x\$)" "$work/files" || fail "the sdist has these too"
-# Of the tests and the proofs, the sources in which the command finds the labels of the Z text.
-! grep -E '^(tests|proofs)/' "$work/files" | grep -vE '^(tests/.*\.cpp|proofs/[^/]*\.v)$' || fail "the sdist has these too"
 
 "$bin/pip" wheel --quiet --no-deps --wheel-dir "$work" "$work"/durero-*.tar.gz >"$work/log" 2>&1 || fail "no wheel"
 size=$(wc -c <"$(echo "$work"/durero-*.whl)")
