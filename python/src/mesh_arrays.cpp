@@ -1,5 +1,7 @@
 #include "mesh_arrays.hpp"
 
+#include <fmt/core.h>
+
 #include <cstring>
 #include <limits>
 

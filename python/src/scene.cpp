@@ -1,4 +1,5 @@
 // A scene: read, written, edited under contract and drawn.
+#include <fmt/core.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 

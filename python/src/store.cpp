@@ -1,6 +1,7 @@
 // A store: a scene that is kept with its whole history.
 #include "durero/store/store.hpp"
 
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <mutex>

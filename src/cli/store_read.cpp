@@ -1,5 +1,6 @@
 // durero store log, show, export and blame: what a store holds.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <vector>

@@ -3,6 +3,7 @@
 #include <flint/flint.h>
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmp.h>
 #include <histedit.h>
 #include <hwy/highway.h>

@@ -1,5 +1,7 @@
 #include "request.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 

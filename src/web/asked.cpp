@@ -1,6 +1,7 @@
 #include "asked.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

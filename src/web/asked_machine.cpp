@@ -1,5 +1,7 @@
 #include "asked_machine.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>

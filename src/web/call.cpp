@@ -1,6 +1,7 @@
 #include "durero/web/call.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,8 @@
 // up the whole range of exponents, over rays whose numbers have any exponents, and over cases found by climbing from
 // the worst of these. No ratio may exceed 1. BOUNDS_SEED=N takes other cases; BOUNDS_REPLAY=LINE measures one case
 // again.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <random>
 

@@ -1,4 +1,5 @@
 // Engine `analytic` gives the bytes of engine `exact` on every family, whatever the number of threads.
+#include <fmt/core.h>
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 

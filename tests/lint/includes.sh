@@ -1,30 +1,38 @@
 #!/bin/sh
-# A source includes the header of each function of GLM that it calls. What its neighbours include is there in the builds that
-# group sources or precompile headers, and in no other.
+# A source includes the header of each function of GLM and of fmt that it calls. What its neighbours include is there in the
+# builds that group sources or precompile headers, and in no other.
 git ls-files -z -- '*.hpp' '*.cpp' | xargs -0 awk '
   BEGIN {
-    header_of["common"] = "abs ceil clamp floor fract isinf isnan max min mix mod round sign trunc"
-    header_of["exponential"] = "exp log pow sqrt"
-    header_of["geometric"] = "cross distance dot length normalize reflect refract"
-    header_of["matrix"] = "determinant inverse outerProduct transpose"
-    header_of["trigonometric"] = "acos asin atan cos degrees radians sin tan"
-    header_of["vector_relational"] = "all any equal greaterThan greaterThanEqual lessThan lessThanEqual not_ notEqual"
-    header_of["gtc/constants"] = "pi"
-    for (header in header_of) {
-      split(header_of[header], functions, " ")
-      for (i in functions) header_with[functions[i]] = header
+    calls["glm/common.hpp"] = "abs ceil clamp floor fract isinf isnan max min mix mod round sign trunc"
+    calls["glm/exponential.hpp"] = "exp log pow sqrt"
+    calls["glm/geometric.hpp"] = "cross distance dot length normalize reflect refract"
+    calls["glm/gtc/constants.hpp"] = "pi"
+    calls["glm/matrix.hpp"] = "determinant inverse outerProduct transpose"
+    calls["glm/trigonometric.hpp"] = "acos asin atan cos degrees radians sin tan"
+    calls["glm/vector_relational.hpp"] = "all any equal greaterThan greaterThanEqual lessThan lessThanEqual not_ notEqual"
+    calls["fmt/core.h"] = "format format_to format_to_n print"
+    calls["fmt/format.h"] = "memory_buffer to_string"
+    calls["fmt/ranges.h"] = "join"
+    for (header in calls) {
+      split(calls[header], functions, " ")
+      for (i in functions) header_of[substr(header, 1, 3) "::" functions[i]] = header
     }
+    brings["fmt/format.h"] = "fmt/core.h"
+    brings["fmt/ranges.h"] = "fmt/core.h"
   }
-  FNR == 1 { delete is_included; delete is_told }
-  /^#include <glm\// { sub(/^#include <glm\//, ""); sub(/[.]hpp>.*/, ""); is_included[$0] = 1; next }
+  FNR == 1 { delete is_there }
+  /^#include <(glm|fmt)\// {
+    sub(/^#include </, "")
+    sub(/>.*/, "")
+    is_there[$0] = is_there[brings[$0]] = 1
+    next
+  }
   {
     sub(/\/\/.*/, "")
-    for (rest = $0; match(rest, /glm::[A-Za-z_0-9]+[(<]/); rest = substr(rest, RSTART + RLENGTH)) {
-      called = substr(rest, RSTART + 5, RLENGTH - 6)
-      if (!(called in header_with)) continue
-      header = header_with[called]
-      if ((header in is_included) || (header in is_told)) continue
-      is_told[header] = 1
-      print FILENAME ":" FNR ": calls glm::" called " by another file; expected #include <glm/" header ".hpp>"
+    for (rest = $0; match(rest, /(glm|fmt)::[A-Za-z_0-9]+/); rest = substr(rest, RSTART + RLENGTH)) {
+      called = substr(rest, RSTART, RLENGTH)
+      if (!(called in header_of) || (header_of[called] in is_there)) continue
+      is_there[header_of[called]] = 1
+      print FILENAME ":" FNR ": calls " called " by the include of another file; expected #include <" header_of[called] ">"
     }
   }' | { ! grep .; }

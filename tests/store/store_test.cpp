@@ -1,6 +1,8 @@
 // Stores: whatever is edited, undone, done again and left, each event has the scene that its operations alone give.
 #include "durero/store/store.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <fstream>
 #include <map>

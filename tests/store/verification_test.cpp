@@ -1,6 +1,8 @@
 // Whether a store is whole: every change of what it holds is found, and what is salvaged is whole.
 #include "durero/store/verification.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 

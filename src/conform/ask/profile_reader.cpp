@@ -1,5 +1,8 @@
 #include "conform/ask/profile_reader.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "durero/io/json/whole_number.hpp"

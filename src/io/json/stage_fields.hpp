@@ -2,6 +2,8 @@
 /// Camera, light and material as tables of fields: what a scene file holds of them, read and written, and what the
 /// numbers must be, whatever file they come from.
 
+#include <fmt/core.h>
+
 #include "durero/model/distribuida.hpp"
 #include "durero/scene/stage.hpp"
 #include "extent_fields.hpp"

@@ -1,5 +1,7 @@
 #include "polygons.hpp"
 
+#include <fmt/core.h>
+
 #include "io/losses.hpp"
 
 namespace durero::io {

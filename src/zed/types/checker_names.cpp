@@ -1,6 +1,8 @@
 /// Checks names: scopes, instances of generics, and the schemas that a decoration, Δ or Ξ implies; with the errors and
 /// limits of the type-checker.
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <ranges>
 

@@ -1,5 +1,7 @@
 /// Checks predicates.
 
+#include <fmt/core.h>
+
 #include "zed/syntax/symbols.hpp"
 #include "zed/types/checker.hpp"
 

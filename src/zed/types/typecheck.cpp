@@ -1,5 +1,7 @@
 #include "durero/zed/types/typecheck.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "zed/syntax/characters.hpp"

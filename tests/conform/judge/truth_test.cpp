@@ -1,5 +1,7 @@
 #include "durero/conform/judge/truth.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 

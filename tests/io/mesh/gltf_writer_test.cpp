@@ -1,4 +1,6 @@
 // Scenes as glTF: triangles, groups, materials, camera and lights, and what is counted.
+#include <fmt/core.h>
+
 #include <glm/geometric.hpp>
 #include <map>
 
