@@ -9,13 +9,15 @@
 #include "durero/oracle/sampled.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
+#include "support/sanitized.hpp"
 #include "support/scenes.hpp"
 
 using namespace durero;
 using oracle::sampled::SampledVerdict;
 
 TEST_CASE("a million random rays: every disagreement with the samples is explained") {
-  constexpr std::uint64_t scenes = 50, rays_a_scene = 20'000, first_seed = 20'260;
+  constexpr std::uint64_t scenes = 50, first_seed = 20'260;
+  constexpr std::uint64_t rays_a_scene = test::fewer_when_sanitized(20'000);
   std::array<std::atomic<std::uint64_t>, 6> counts{};
   std::atomic<std::uint64_t> hits = 0, bad_seed = 0;
   tbb::parallel_for(std::uint64_t{0}, scenes, [&](std::uint64_t i) {

@@ -2,8 +2,8 @@
 /// What this project uses of TBB, as threads of the standard library, for the build under ThreadSanitizer. It judges by
 /// the synchronisation that it sees, so by code that was compiled for it; TBB's library is not, and its protocols of
 /// stealing work could not be judged if it were. Here every order between two threads is one that it sees, so a report
-/// is a race of this project, none is suppressed, and TBB promises no order that is not here: the end of a loop comes
-/// after every call, and no call after another.
+/// is a race of this project, but for one of exceptions (suppressions.txt), and TBB promises no order that is not here:
+/// the end of a loop comes after every call, and no call after another.
 
 #include <cstddef>
 #include <exception>

@@ -3,7 +3,7 @@
 # A planted race must be seen, and the same loop without it must not. Status 77: this machine cannot make that build.
 set -eu
 root=$1 build=$2/tsan
-export TSAN_OPTIONS='halt_on_error=1 second_deadlock_stack=1'
+export TSAN_OPTIONS="halt_on_error=1 second_deadlock_stack=1 suppressions=$root/tests/tsan/suppressions.txt"
 mkdir -p "$build"
 echo 'int main() {}' >"$build/empty.cpp"
 c++ -fsanitize=thread "$build/empty.cpp" -o "$build/empty" 2>/dev/null && "$build/empty" ||
