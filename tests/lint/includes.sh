@@ -1,6 +1,6 @@
 #!/bin/sh
-# A source includes the header of each function of GLM and of fmt that it calls. What its neighbours include is there in the
-# builds that group sources or precompile headers, and in no other.
+# A source includes the header of each function of GLM and of fmt that it calls. An include of its neighbours holds for it in
+# the builds that group sources or precompile headers, and in no other.
 git ls-files -z -- '*.hpp' '*.cpp' | xargs -0 awk '
   BEGIN {
     calls["glm/common.hpp"] = "abs ceil clamp floor fract isinf isnan max min mix mod round sign trunc"

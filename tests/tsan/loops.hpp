@@ -106,7 +106,7 @@ class task_arena {
 
 namespace this_task_arena {
 inline int max_concurrency() { return loop_threads; }
-/// Whoever waits for a loop here takes no work of another.
+/// A thread that waits for a loop here takes no work of another.
 template <class Work>
 auto isolate(const Work& work) {
   return work();

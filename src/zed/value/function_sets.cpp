@@ -185,7 +185,7 @@ class FunctionSet : public Set {
     return number;
   }
 
-  // Some values are taken where the functions have infinitely many.
+  // A space of functions into an infinite set has a few members of that set as its values.
   std::vector<FunctionSpace> function_spaces(const SmallScope& scope, Context& context) const override {
     const auto *from = from_.set()->members(), *to = to_.set()->members();
     if (!form_.function || !from || from_.set()->family() || to_.set()->family()) return {};
