@@ -4,6 +4,7 @@
 
 #include "durero/zed/value/undecided.hpp"
 #include "zed/value/context.hpp"
+#include "zed/value/growing_function.hpp"
 #include "zed/value/sets.hpp"
 #include "zed/value/settled_functions.hpp"
 
