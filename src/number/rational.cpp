@@ -18,7 +18,7 @@ std::optional<Rational> rational_sqrt(const Rational& value) {
   const Integer n = numerator(value);
   const Integer d = denominator(value);
   if (n.sign() < 0 || !is_square(n) || !is_square(d)) return std::nullopt;
-  return Rational(sqrt(n), sqrt(d));
+  return Rational(boost::multiprecision::sqrt(n), boost::multiprecision::sqrt(d));
 }
 
 double round_to_binary64(const Rational& value) { return round_quotient(numerator(value), denominator(value)); }

@@ -12,6 +12,7 @@
 #include "durero/scene/addition.hpp"
 #include "durero/scene/body.hpp"
 #include "durero/scene/edit.hpp"
+#include "durero/scene/groups.hpp"
 #include "durero/scene/scene.hpp"
 #include "durero/scene/solids.hpp"
 

@@ -1,6 +1,8 @@
 #!/bin/sh
-# A source includes the header of each function of GLM and of fmt that it calls. An include of its neighbours holds for it in
-# the builds that group sources or precompile headers, and in no other.
+# A source includes the header of each function of GLM and of fmt that it calls, and of each type and function of this program
+# that it names (includes.py). An include of its neighbours holds for it in the builds that group sources or precompile
+# headers, and in no other.
+status=0
 git ls-files -z -- '*.hpp' '*.cpp' | xargs -0 awk '
   BEGIN {
     calls["glm/common.hpp"] = "abs ceil clamp floor fract isinf isnan max min mix mod round sign trunc"
@@ -35,4 +37,6 @@ git ls-files -z -- '*.hpp' '*.cpp' | xargs -0 awk '
       is_there[header_of[called]] = 1
       print FILENAME ":" FNR ": calls " called " by the include of another file; expected #include <" header_of[called] ">"
     }
-  }' | { ! grep .; }
+  }' | { ! grep .; } || status=1
+git ls-files 'include/*.h' '*.hpp' '*.cpp' | python3 "$(dirname "$0")/includes.py" || status=1
+exit $status

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "durero/model/operaciones.hpp"
 #include "durero/scene/attributes.hpp"
 #include "support/catch.hpp"
 

@@ -5,6 +5,7 @@
 #include "durero/conform/judge/judge.hpp"
 #include "durero/conform/random.hpp"
 #include "durero/conform/report/explanation.hpp"
+#include "durero/conform/report/tally.hpp"
 #include "support/catch.hpp"
 #include "support/shapes.hpp"
 

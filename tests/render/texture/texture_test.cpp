@@ -22,7 +22,8 @@ using scene::Texture;
 
 namespace {
 
-const glm::dvec3 white(1), black(0);
+const glm::dvec3 white(1);
+const glm::dvec3 black(0);
 
 /// Texel (j, k) is (j, k, 0)/8.
 TexelImage numbered(std::uint32_t width, std::uint32_t height) {
