@@ -18,7 +18,7 @@ case $name in
 esac
 {
   cmake -S "$root" -B "$other" -G Ninja -DCMAKE_BUILD_TYPE="$type" -DCMAKE_CXX_FLAGS_RELEASE=-O2 \
-    -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" -DDURERO_TESTS=ON -DDURERO_UNITY=ON -DDURERO_PCH=OFF &&
+    -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" -DDURERO_TESTS=ON -DDURERO_PCH=OFF &&
     cmake --build "$other" --target conform_tests
 } >"$other/log" 2>&1 || { tail -n 40 "$other/log"; echo "compilers: the build failed: $other/log"; exit 1; }
 

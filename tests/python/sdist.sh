@@ -22,7 +22,7 @@ tar -xzf "$work"/durero-*.tar.gz -C "$work/sources" --strip-components 1
 # inputs_of SOURCES NAME: the files of a folder of sources that a wheel is built of.
 inputs_of() {
   cmake -S "$1" -B "$work/$2" -G Ninja -DSKBUILD=ON -DCMAKE_BUILD_TYPE=Release -DDURERO_PYTHON=ON -DDURERO_TESTS=OFF -DDURERO_BENCH=OFF \
-    -DDURERO_UNITY=ON -DPython_EXECUTABLE="$bin/python" -Dpybind11_DIR="$("$bin/python" -m pybind11 --cmakedir)" >"$work/log" 2>&1 ||
+    -DPython_EXECUTABLE="$bin/python" -Dpybind11_DIR="$("$bin/python" -m pybind11 --cmakedir)" >"$work/log" 2>&1 ||
     fail "CMake does not take $1"
   ninja -C "$work/$2" -t inputs durero_python durero_command | grep -vF "$work/$2/" | grep -F "$1/" | sed "s|^$1/||" | sort
 }

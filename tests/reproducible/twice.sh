@@ -10,7 +10,7 @@ for folder in "$first" "$second"; do
   (cd "$root" && tar --exclude-vcs --exclude=./build -cf - .) | tar -xf - -C "$folder"
   # Without ccache, which would hand the second build what the first has compiled.
   { CCACHE_DISABLE=1 cmake -S "$folder" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE=-O2 \
-      -DCMAKE_CXX_COMPILER="$compiler" -DDURERO_TESTS=OFF -DDURERO_BENCH=OFF -DDURERO_UNITY=ON &&
+      -DCMAKE_CXX_COMPILER="$compiler" -DDURERO_TESTS=OFF -DDURERO_BENCH=OFF &&
       CCACHE_DISABLE=1 cmake --build "$folder/build"; } \
     >"$work/log" 2>&1 || { tail -n 30 "$work/log"; echo "twice: the build failed: $work/log"; exit 1; }
 done
