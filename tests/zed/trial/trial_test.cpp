@@ -107,6 +107,9 @@ TEST_CASE("what cannot be tried says why") {
 TEST_CASE("what conjuncts make of other values is looked for where no values drawn satisfy them") {
   CHECK(trial("\\forall a, b, c, d : \\num | c = 100 * a + b \\land d = c * c + 70 @ d \\geq 70").tried >=
         TrialBounds{}.states);
+  // a state that is made of several draws counts once
+  CHECK(trial("\\forall cosas : \\finset Cosa; n : \\nat | n = \\# cosas @ n \\leq 3", {.states = 64, .draws = 512})
+            .tried == 8);
   CHECK_THAT(trial("\\forall a, b : \\num | b = a + 1000 @ b < 1000").counterexample, Contains("  b = 100"));
   CHECK(trial("\\forall p, q : \\num \\cross \\num | (p.1 + q.1, q.2) = (50, p.2) @ q.2 = p.2").tried >= 1);
   // no number is made so, and what is looked for that way is not found
