@@ -54,5 +54,10 @@ file src/number/integers.cpp
 test number_tests [#no_such_test]
 -   Integer result;
 +   Integer result = 1;' 'fails, or matches no test'
+says "$1" 'mutant long
+file src/number/integers.cpp
+test distance_tests [#distances_test][long]
+-   Integer result;
++   Integer result = 1;' 'fails, or matches no test'
 echo "drill: $((drills - missed)) of $drills failures seen"
 [ "$missed" = 0 ]

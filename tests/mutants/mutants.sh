@@ -28,13 +28,13 @@ field() {
 # target PROGRAM: how the build names it.
 target() { case $1 in durero) echo durero ;; *) echo "tests/$1" ;; esac; }
 
-# runs PROGRAM SPEC LOG SECONDS: the tests of that specification, which must match some; of durero itself, that script of
-# tests/cli. A fault may make a loop endless, in which a program may print, and heed no signal that it can catch.
+# runs PROGRAM SPEC LOG SECONDS: the tests of that specification but the long ones, which must match some; of durero itself,
+# that script of tests/cli. A fault may make a loop endless, in which a program may print, and heed no signal that it can catch.
 runs() (
   ulimit -f 1000000  # blocks of 512 bytes, of any file that is written
   case ${1##*/} in
     durero) set -- sh "$root/tests/cli/$2.sh" "$1" "$3" "$4" && (timeout -k 5 "$5" "$1" "$2" "$3"; exit $?) >"$4" 2>&1 ;;
-    *) (cd "$build/tests" && timeout -k 5 "$4" "$1" --warn NoTests --filenames-as-tags "$2"; exit $?) >"$3" 2>&1 ;;
+    *) (cd "$build/tests" && timeout -k 5 "$4" "$1" --warn NoTests --filenames-as-tags "$(printf '%s' "$2" | sed 's/,/~[long],/g')~[long]"; exit $?) >"$3" 2>&1 ;;
   esac
 )
 
@@ -56,6 +56,9 @@ units() {
       library = object; sub(/CMakeFiles\//, "lib", library); sub(/\.dir\/.*/, ".a", library)
       if (index(link, " " object " ") || index(link, " " library " ")) print object}' "$work/deps"
 }
+
+# seconds_of TEST: the file that says how many seconds the test takes without a fault.
+seconds_of() { echo "$work/seconds.$(printf '%s' "$1" | cksum | tr ' ' .)"; }
 
 one() {
   name=$1 file=$(field "$1" file) test=$(field "$1" test) old=$(field "$1" -) new=$(field "$1" +)
@@ -89,7 +92,8 @@ one() {
   done
   link=$(printf '%s\n' "$link" | sed "s# -o $(target "$program") #$added -o $copy/$program #")
   (cd "$build" && eval "$link") >"$copy/log" 2>&1 || { echo "mutants: $name does not link:"; cat "$copy/log"; return 1; }
-  if runs "$copy/$program" "$spec" "$copy/log" 60; then
+  seconds=$(cat "$(seconds_of "$test")" 2>/dev/null) || seconds=300
+  if runs "$copy/$program" "$spec" "$copy/log" $((60 + 4 * seconds)); then  # so that a slow machine alone catches nothing
     echo "mutants: $name SURVIVED $program $spec: $file: $old -> $new"
     return 1
   fi
@@ -102,7 +106,12 @@ case ${1-} in
   --baseline)
     mkdir -p "$work"
     log=$(mktemp "$work/log.XXXXXX")
-    if runs "$build/$(target "${2%% *}")" "${2#* }" "$log" 300; then rm -f "$log"; exit 0; fi
+    begun=$(date +%s)
+    if runs "$build/$(target "${2%% *}")" "${2#* }" "$log" 300; then
+      echo $(($(date +%s) - begun)) >"$(seconds_of "$2")"
+      rm -f "$log"
+      exit 0
+    fi
     echo "mutants: without any fault $2 fails, or matches no test: $log"
     exit 1 ;;
 esac
