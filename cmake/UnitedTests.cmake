@@ -1,7 +1,7 @@
 # durero_united_tests(OUT NAME FILES...): with DURERO_UNITY, what to compile in the place of the sources FILES of the tests:
 # eight of them as one, which reads the headers and makes the templates that they share once. A test names its helpers as
-# briefly as it likes, so each stands in a namespace of its own, behind every header that one of them includes. What
-# declares in another namespace, or a macro, is compiled alone.
+# briefly as it likes, so each stands in a namespace of its own, behind every header that one of them includes. A test that
+# declares in a namespace of another project, or a macro, is compiled alone, as is one that defines a friend of a type.
 function(durero_united_tests OUT NAME)
   if(NOT DURERO_UNITY)
     set(${OUT} ${ARGN} PARENT_SCOPE)
@@ -10,8 +10,8 @@ function(durero_united_tests OUT NAME)
   set(sources)
   set(united)
   foreach(file IN LISTS ARGN)
-    file(STRINGS ${file} open REGEX "^(namespace [a-z]|template <>|#define|#undef|HWY_|int main)")
-    if(open)
+    file(STRINGS ${file} open REGEX "^(namespace (rc|std|Catch) {|struct ItemBufferFault {|template <>|#define|#undef|int main)|HWY_")
+    if(open OR NOT file MATCHES "_test\\.cpp$")  # others than tests define for other sources
       list(APPEND sources ${file})
     else()
       list(APPEND united ${file})
@@ -30,7 +30,8 @@ function(durero_united_tests OUT NAME)
   set(${OUT} ${sources} PARENT_SCOPE)
 endfunction()
 
-# durero_unit(UNIT FILES...): the source UNIT, which compiles FILES.
+# durero_unit(UNIT FILES...): the source UNIT, which compiles FILES. A namespace of this project that a test opens becomes
+# one within the test's own, which sees all that the project's has.
 function(durero_unit UNIT)
   set(includes)
   set(bodies)
@@ -44,6 +45,14 @@ function(durero_unit UNIT)
         set(line "#include \"${folder}/${header}\"")
       endif()
       list(APPEND includes "${line}")
+    endforeach()
+    file(STRINGS ${file} opened REGEX "^namespace durero(::[a-z_]+)* {")
+    foreach(space IN LISTS opened)
+      string(REGEX REPLACE "^namespace (.*) {.*" "\\1" space "${space}")
+      while(space)
+        string(APPEND bodies "namespace ${space} {}\nnamespace united_${stem}::${space} { using namespace ::${space}; }\n")
+        string(REGEX REPLACE "(::)?[a-z_]+$" "" space "${space}")
+      endwhile()
     endforeach()
     string(APPEND bodies "namespace united_${stem} {\n#include \"${file}\"\n}\n")
   endforeach()

@@ -40,7 +40,7 @@ TEST_CASE("an operator is found by its symbol, and its command gives the symbol"
 }
 
 TEST_CASE("the fuzzer's dictionary has each operator's command and sign") {
-  const std::string words = test::contents(durero::test::source_dir() + "/tests/fuzz/zed.dict");
+  const std::string words = zed::test::contents(durero::test::source_dir() + "/tests/fuzz/zed.dict");
   for (const OperatorRow& row : operator_rows()) {
     CAPTURE(row.name);
     std::string sign;

@@ -84,7 +84,7 @@ TEST_CASE("the steps of an elimination are counted") {
 
 TEST_CASE("an elimination says of random conditions what the points of a window say") {
   int asked = 0, known = 0;
-  test::property("random conditions", [&] {
+  durero::test::property("random conditions", [&] {
     const auto variables = static_cast<unsigned>(*rc::gen::inRange(1, 4));
     LinearConditions conditions = any_conditions(variables, 3);
     add_window(conditions, variables);
@@ -103,7 +103,7 @@ TEST_CASE("an elimination says of random conditions what the points of a window 
 
 TEST_CASE("a projection holds of the numbers to which some others can be found, and of no others") {
   int asked = 0, known = 0;
-  test::property("random conditions", [&] {
+  durero::test::property("random conditions", [&] {
     LinearConditions conditions = any_conditions(3, 2);
     add_window(conditions, 3);
     Steps steps;

@@ -284,7 +284,7 @@ TEST_CASE("where sides of disjunctions are not followed, nothing is said to be i
 
 TEST_CASE("what is decided of random formulas is what the points of a window say") {
   int count = 0, decided = 0;
-  test::property("random formulas", [&] {
+  durero::test::property("random formulas", [&] {
     const bool all = *rc::gen::inRange(0, 2) == 0;
     const long low = *rc::gen::inRange(-3, 1), high = *rc::gen::inRange(-1, 4);
     const WrittenFormula premise = any_formula({"x", "y"}, 1), body = any_formula({"x", "y"}, 3);

@@ -13,8 +13,8 @@
 namespace durero::zed {
 namespace {
 
-using test::contents;
-using test::files_in;
+using zed::test::contents;
+using zed::test::files_in;
 
 Specification read_named(const std::string& text) { return read_sources({{"s.tex", text}}); }
 

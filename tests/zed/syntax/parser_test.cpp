@@ -61,7 +61,7 @@ TEST_CASE("a term has the tree of its form") {
   CHECK(parse_unicode("S'") == reference({"S", "'"}));
   CHECK(parse_unicode("{a, b}")->kind == Kind::set_extension);
   CHECK(parse_unicode("{a : A}")->kind == Kind::comprehension);
-  CHECK(parse_unicode("0.25") == operation("_/_", {number("25"), number("100")}));
+  CHECK(parse_unicode("0.25") == operation("_/_", {zed::number("25"), zed::number("100")}));
   CHECK(parse_unicode("⟨a⟩") == operation("⟨,,⟩", {parse_unicode("{(1, a)}")}));
 }
 
