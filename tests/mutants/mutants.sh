@@ -34,7 +34,7 @@ runs() (
   ulimit -f 1000000  # blocks of 512 bytes, of any file that is written
   case ${1##*/} in
     durero) set -- sh "$root/tests/cli/$2.sh" "$1" "$3" "$4" && (timeout -k 5 "$5" "$1" "$2" "$3"; exit $?) >"$4" 2>&1 ;;
-    *) (cd "$build/tests" && timeout -k 5 "$4" "$1" --warn NoTests --filenames-as-tags "$(printf '%s' "$2" | sed 's/,/~[long],/g')~[long]"; exit $?) >"$3" 2>&1 ;;
+    *) (cd "$build/tests" && timeout -k 5 "$4" "$1" --warn NoTests --filenames-as-tags "~[long]$(printf '%s' "$2" | sed 's/,/,~[long]/g')"; exit $?) >"$3" 2>&1 ;;
   esac
 )
 
