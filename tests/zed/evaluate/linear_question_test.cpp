@@ -267,6 +267,8 @@ TEST_CASE("the bounds of sets, and of an inner variable with the name of an oute
   CHECK(asked("∃ x, y : - 3 ‥ 3 • succ x > x ∧ x < 0 ∧ y > x", [](const Point&) { return false; }) == Truth::no);
   const auto is_one = [](const Point& p) { return p.at("x") == 0 && p.at("y") == 1; };  // 1 and 2 are two
   CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 1 ∧ ¬ (∃₁ y : y ‥ 2 • y ≥ 0)", is_one) == Truth::yes);
+  // the part that is not linear denies the inner ∃, and not the part that is
+  CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 1 ∧ ¬ (∃ z : 0 ‥ 3 • z = x ∧ z * z = y)", is_one) == Truth::yes);
   const auto is_origin = [](const Point& p) { return p.at("x") == 0 && p.at("y") == 0; };
   CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 0 ∧ (∃ y : 2 ‥ 3 • y > x + 1)", is_origin) == Truth::yes);
   CHECK(asked("∃ x, y : 0 ‥ 3 • x = 0 ∧ y = 3 ∧ (∃ y : 0 ‥ 1 • y > x + 1)", is_origin) == Truth::no);
