@@ -76,6 +76,10 @@ touch "$tmp/fails on test"
 run 8
 [ "$(tail -n 1 "$tmp/calls")" = test ] || fail "it goes on after a failure"
 rm "$tmp/fails on test"
+touch "$tmp/fails on test --systems"
+run 8
+[ "$(tail -n 1 "$tmp/said")" != 'Total Test time (real) =  9 sec' ] || fail "an earlier call's closing lines end the output of a failure"
+rm "$tmp/fails on test --systems"
 touch "$tmp/a test fails"
 run 8
 [ "$(tail -n 1 "$tmp/said")" = 'Errors while running CTest' ] || fail "CTest's closing lines do not end the output of a failure"
