@@ -1,7 +1,7 @@
 # durero_united_tests(OUT NAME FILES...): with DURERO_UNITY, what to compile in the place of the sources FILES of the tests:
 # eight of them as one, which reads the headers and makes the templates that they share once. A test names its helpers as
 # briefly as it likes, so each stands in a namespace of its own, behind every header that one of them includes. A test that
-# declares in a namespace of another project, or a macro, is compiled alone, as is one that defines a friend of a type.
+# declares in a namespace of another project, or a macro, is compiled alone.
 function(durero_united_tests OUT NAME)
   if(NOT DURERO_UNITY)
     set(${OUT} ${ARGN} PARENT_SCOPE)
@@ -10,7 +10,7 @@ function(durero_united_tests OUT NAME)
   set(sources)
   set(united)
   foreach(file IN LISTS ARGN)
-    file(STRINGS ${file} open REGEX "^(namespace (rc|std|Catch) {|struct ItemBufferFault {|template <>|#define|#undef|int main)|HWY_")
+    file(STRINGS ${file} open REGEX "^(namespace (rc|std|Catch) {|template <>|#define|#undef|int main)|HWY_")
     if(open OR NOT file MATCHES "_test\\.cpp$")  # others than tests define for other sources
       list(APPEND sources ${file})
     else()

@@ -1,6 +1,7 @@
 #include "durero/accel/item_buffer.hpp"
 
 #include "accel/counted.hpp"
+#include "accel/item_buffer_fault.hpp"
 #include "durero/scene/stage.hpp"
 #include "durero/trace/analytic.hpp"
 #include "support/catch.hpp"
@@ -14,19 +15,6 @@ using accel::ItemBuffer;
 using accel::Work;
 using scene::ElementRef;
 using scene::Scene;
-
-namespace durero::accel {
-
-/// Plants another identity where a pixel keeps one.
-struct ItemBufferFault {
-  static void plant(ItemBuffer& buffer, std::uint32_t pixel, ElementRef e) {
-    const ItemBuffer::Pixel& of = buffer.pixels_[pixel];
-    if (of.count == 1) buffer.items_[of.first] = e;
-  }
-  static bool keeps_one(const ItemBuffer& buffer, std::uint32_t pixel) { return buffer.pixels_[pixel].count == 1; }
-};
-
-}  // namespace durero::accel
 
 namespace {
 
